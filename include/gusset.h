@@ -6067,25 +6067,47 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+ * Creates a context with automatic threads and no callbacks.
+ *
+ * Destroy it with gusset_context_destroy.
+ *
+ * @param[out] context threads, progress, cancellation and error report; NULL for the defaults.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_context **context);
 
 /**
- * Destroys a context; NULL is allowed. No call may be using it.
+ * Destroys a context; NULL is allowed.
+ *
+ * No call may be using it.
+ *
+ * @param[in,out] context the context.
+ * @since 0.1
  */
 GUSSET_API void gusset_context_destroy(struct gusset_context *context);
 
 /**
- * Sets the number of threads, on which results do not depend. threads: 0 as many as the machine has, 1 the calling
- * thread only. Errors: NULL_ARGUMENT, CONTEXT_BUSY. O(1).
+ * Sets the number of threads, on which results do not depend.
+ *
+ * @param[in,out] context the context.
+ * @param threads 0 as many as the machine has, 1 the calling thread only.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
 
 /**
- * Sets the progress callback. progress: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
- * CONTEXT_BUSY. O(1).
+ * Sets the progress callback.
+ *
+ * @param[in,out] context the context.
+ * @param progress NULL for none.
+ * @param[out] user handed to it, and not looked at.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 gusset_status gusset_context_set_progress(struct gusset_context *context,
@@ -6093,35 +6115,71 @@ gusset_status gusset_context_set_progress(struct gusset_context *context,
                                           void *user);
 
 /**
- * Sets the log callback. log: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
- * CONTEXT_BUSY. O(1).
+ * Sets the log callback.
+ *
+ * @param[in,out] context the context.
+ * @param log NULL for none.
+ * @param[out] user handed to it, and not looked at.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
 
 /**
- * Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed. O(1).
+ * Cancels the running call, and every later one until gusset_context_reset.
+ *
+ * @param context the context.
+ * @complexity O(1).
+ * @threads From any thread; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
 
 /**
- * Takes a cancel back. NULL is allowed. O(1).
+ * Takes a cancel back.
+ *
+ * NULL is allowed.
+ *
+ * @param context the context.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API void gusset_context_reset(const struct gusset_context *context);
 
 /**
- * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
+ * How much of the running (or last) call is done, 0 to 1; 0 for NULL.
+ *
+ * @param context the context.
+ * @return 0 to 1; 0 for NULL.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API double gusset_context_get_progress(const struct gusset_context *context);
 
 /**
- * What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
- * until the next call with the context. Empty too for NULL, and while a call is running. O(1).
+ * What went wrong in the last call with this context, as an English sentence; empty after a
+ * success.
+ *
+ * Never NULL. Valid until the next call with the context. Empty too for NULL, and while a call is
+ * running.
+ *
+ * @param context the context.
+ * @return a NUL-terminated UTF-8 string, never NULL.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API const char *gusset_context_get_message(const struct gusset_context *context);
 
 /**
- * What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
+ * What went wrong in the last call with this context, as numbers.
+ *
+ * @param context the context.
+ * @param[out] report receives the report; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     CONTEXT_BUSY.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 gusset_status gusset_context_get_report(const struct gusset_context *context,
@@ -6130,11 +6188,21 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
 /**
  * Makes a curve from its control points.
  *
- * points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
- * place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
- * and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
- * for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
- * CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+ * Degrees are 1 to 64.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param points x, y of each control point, or x, y, z, packed.
+ * @param point_count at least 1.
+ * @param dimension 2 or 3.
+ * @param ends 0, then the place of the last control point of each segment, rising; the last is
+ *     point_count - 1.
+ * @param end_count the number of segments and 1.
+ * @param closed 1 if the last control point is the first one again, else 0.
+ * @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
+ *     CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(points).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6149,12 +6217,20 @@ gusset_status gusset_curve_create(const struct gusset_context *context,
 
 /**
  * Destroys a curve; NULL is allowed.
+ *
+ * @param[in,out] curve the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
 
 /**
- * Lends the control points, valid until the curve is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * O(1). From any thread.
+ * Lends the control points, valid until the curve is destroyed.
+ *
+ * @param curve the curve.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6162,11 +6238,21 @@ gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
                                     struct gusset_curve_view *parts);
 
 /**
- * The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
- * may run over the start, and from a place to itself it goes round once. part: receives the result, for
- * gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
- * UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+ * The part of a curve from one place to another, open.
+ *
+ * On a closed curve it may run over the start, and from a place to itself it goes round once.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param from where it begins.
+ * @param to where it ends.
+ * @param[out] part receives the result, for gusset_curve_destroy, as for all functions of this
+ *     group; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is
+ *     from, 1 is to), OUT_OF_RANGE (an open curve, and to before from), UNKNOWN_VALUE, TOO_LARGE,
+ *     OUT_OF_MEMORY.
+ * @complexity O(points).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6177,8 +6263,15 @@ gusset_status gusset_curve_part_create(const struct gusset_context *context,
                                        struct gusset_curve **part);
 
 /**
- * The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
- * it, 1 for the part after it. Otherwise as gusset_curve_part_create.
+ * The part of a curve before a place, or the part after it; both are open.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param at the place.
+ * @param after 0 for the part before it, 1 for the part after it.
+ * @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_curve_part_create.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6189,7 +6282,14 @@ gusset_status gusset_curve_split_create(const struct gusset_context *context,
                                         struct gusset_curve **part);
 
 /**
- * The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
+ * The same curve run through from its end to its start.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] reversed receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(points).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6198,9 +6298,18 @@ gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
                                           struct gusset_curve **reversed);
 
 /**
- * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above 64, or to is 0), TOO_LARGE, OUT_OF_MEMORY. O(degree) for
- * each new control point.
+ * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below
+ * `to` raised to it.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param by how much each segment is raised, or 0.
+ * @param to if `by` is 0: the degree, 1 to 64.
+ * @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
+ *     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY.
+ * @complexity O(degree) for each new control point.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6211,11 +6320,20 @@ gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
                                           struct gusset_curve **elevated);
 
 /**
- * The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
- * tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
- * deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
- * been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
- * OUT_OF_MEMORY. O(degree^3) a segment.
+ * The curve with segments of a lower degree, by least squares with fixed ends.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param degree of each at most, 1 to 64.
+ * @param tolerance segments that would deviate by more are kept; at least 0, in the unit of the
+ *     points; infinity is allowed.
+ * @param[out] deviations receives a bound on the deviation of each segment from the original, of a
+ *     kept one what it would have been; NULL if it is not wanted.
+ * @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
+ *     tolerance), OUT_OF_MEMORY.
+ * @complexity O(degree^3) a segment.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6227,11 +6345,22 @@ gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
                                          struct gusset_curve **reduced);
 
 /**
- * The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
- * removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
- * its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
- * tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
+ * The curve beside a plane curve, re-fitted by segments with common tangents.
+ *
+ * Places where it crosses itself are not removed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param distance how far to the left of it, to the right if negative; in the unit of the points,
+ *     finite.
+ * @param options its tolerance must be given.
+ * @param[out] report what became of it; NULL if it is not wanted.
+ * @param[out] offset receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree),
+ *     TOO_LARGE, OUT_OF_MEMORY.
+ * @complexity O(degree) for each of the places measured.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6243,9 +6372,17 @@ gusset_status gusset_curve_offset_create(const struct gusset_context *context,
                                          struct gusset_curve **offset);
 
 /**
- * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
- * the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
+ * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not
+ * turned over.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
+ *     this group; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+ *     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY.
+ * @complexity O(points).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6254,10 +6391,18 @@ gusset_status gusset_curve_svg_create(const struct gusset_context *context,
                                       struct gusset_curve_form **form);
 
 /**
- * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
- * tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
- * does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
- * degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+ * The contour of a TrueType font: control points, and those joints that are not in the middle
+ * between two of them.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param tolerance how far from the middle still counts as there, at least 0, in the unit of the
+ *     points; rounding always does.
+ * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+ *     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY.
+ * @complexity O(points).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6267,9 +6412,17 @@ gusset_status gusset_curve_contour_create(const struct gusset_context *context,
                                           struct gusset_curve_form **form);
 
 /**
- * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
- * n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
- * OUT_OF_MEMORY. O(points).
+ * The curve as a clamped B-spline, if all segments have one degree n.
+ *
+ * Joints with one tangent become knots of multiplicity n - 1 and are no control points.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+ *     (other degrees), OUT_OF_MEMORY.
+ * @complexity O(points).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6279,11 +6432,20 @@ gusset_status gusset_curve_spline_create(const struct gusset_context *context,
 
 /**
  * Destroys a form; NULL is allowed.
+ *
+ * @param[in,out] form the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
 
 /**
- * Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the parts.
+ *
+ * @param form the form.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6291,14 +6453,20 @@ gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
                                          struct gusset_curve_form_view *parts);
 
 /**
- * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
- * it, and a curve along through each column.
+ * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve
+ * across through each row of it, and a curve along through each column.
  *
- * sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
- * NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
- * as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
- * half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
- * the correspondences are ours.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sections at least 2, 3 of a ring.
+ * @param options NULL for the defaults.
+ * @param[out] frame receives the result, for gusset_frame_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (too few sections
+ *     or columns; landmarks that are not as many for each section, or not in order; an axis
+ *     without direction), SECTIONS_DIFFER, NO_NODE (a section that a half-plane does not meet, or
+ *     that is no curve).
+ * @complexity O(points), with ANGLE O(columns x points).
+ * @source Nadopta, introduction; the correspondences are ours.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6309,12 +6477,20 @@ gusset_status gusset_frame_create(const struct gusset_context *context,
 
 /**
  * Destroys what gusset_frame_create made; NULL is allowed.
+ *
+ * @param[in,out] frame the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 
 /**
- * Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * Lends the nodes, valid until the frame is destroyed.
+ *
+ * @param frame the frame.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6322,9 +6498,17 @@ gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
                                     struct gusset_frame_view *parts);
 
 /**
- * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
- * of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one
+ * for each column; node i of row k is point i H + k), for H rows of W columns.
+ *
+ * Not to be destroyed: valid until the frame is. Either may be NULL.
+ *
+ * @param frame the frame.
+ * @param[out] across receives the result, for gusset_outline_destroy; NULL on failure.
+ * @param[out] along receives the result, for gusset_outline_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6333,13 +6517,19 @@ gusset_status gusset_frame_curves_create(const struct gusset_frame *frame,
                                          const struct gusset_outline **along);
 
 /**
- * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
- * across were made: a new section.
+ * Cuts the curves along by the plane through a point across a normal, and draws a curve through
+ * the crossings as the curves across were made: a new section.
  *
- * point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
- * failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
- * OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
- * O(segments).
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param frame the frame.
+ * @param point x, y, z; the normal of any length but 0.
+ * @param normal x, y, z; the normal of any length but 0.
+ * @param[out] section receives one outline, for gusset_outline_destroy; NULL on failure; point i
+ *     of it is on the curve along column i, at its first crossing.
+ * @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (the normal),
+ *     NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+ * @complexity O(segments).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6350,8 +6540,15 @@ gusset_status gusset_frame_slice_create(const struct gusset_context *context,
                                         struct gusset_outline **section);
 
 /**
- * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+ * Measures curve `index` of an outline: girth, area and centre.
+ *
+ * @param outline the outline.
+ * @param index its number, from 0.
+ * @param[out] measure receives them.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ *     OUT_OF_MEMORY.
+ * @complexity O(segments).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6360,10 +6557,18 @@ gusset_status gusset_outline_get_section(const struct gusset_outline *outline,
                                          struct gusset_section_report *measure);
 
 /**
- * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
- * but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
- * crossing.
+ * Where a curve crosses or touches a plane.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param point x, y, z of a point of the plane.
+ * @param normal x, y, z across it, of any length but 0.
+ * @param[out] places receives the result, for gusset_places_destroy, as for all functions of this
+ *     group; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal),
+ *     NOT_FINITE, OUT_OF_MEMORY.
+ * @complexity O(points), and O(degree^2) a crossing.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6374,8 +6579,16 @@ gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *c
                                                   struct gusset_places **places);
 
 /**
- * Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
- * CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
+ * Where a plane curve crosses or touches a line.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param point x, y of a point of the line.
+ * @param direction x, y along it, not 0.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
+ *     gusset_curve_intersect_plane_create.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6386,9 +6599,17 @@ gusset_status gusset_curve_intersect_line_create(const struct gusset_context *co
                                                  struct gusset_places **places);
 
 /**
- * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
- * not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
- * pair of segments whose boxes meet.
+ * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then
+ * joints of neighbours do not count.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param other the other.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity Bounded work for each pair of segments whose boxes meet.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6398,9 +6619,17 @@ gusset_status gusset_curve_intersect_create(const struct gusset_context *context
                                             struct gusset_places **places);
 
 /**
- * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
- * amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+ * Points along a curve, in its order; of a closed curve the start is not repeated at the end.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param rule GUSSET_SAMPLE_...
+ * @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
+ *     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY.
+ * @complexity O(points, and samples).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6412,11 +6641,20 @@ gusset_status gusset_curve_sample_create(const struct gusset_context *context,
 
 /**
  * Destroys what was found; NULL is allowed.
+ *
+ * @param[in,out] places the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_places_destroy(struct gusset_places *places);
 
 /**
- * Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends what was found.
+ *
+ * @param places the places.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6424,10 +6662,19 @@ gusset_status gusset_places_get_view(const struct gusset_places *places,
                                      struct gusset_places_view *view);
 
 /**
- * Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
- * out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
- * and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
- * (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+ * Points and derivatives at many places.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param places count of them, at least 0.
+ * @param count see places.
+ * @param order 0 for the points alone, at most 64.
+ * @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
+ *     of the first derivative by t, and so on; 0 beyond the degree.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
+ *     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY.
+ * @complexity O(degree^2) a place.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6439,8 +6686,15 @@ gusset_status gusset_curve_derivatives(const struct gusset_context *context,
                                        double *out);
 
 /**
- * The directions at many places, of length 1; 0 on a segment without extent. out: receives 3 count numbers. Otherwise as
- * gusset_curve_derivatives.
+ * The directions at many places, of length 1; 0 on a segment without extent.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param places the places.
+ * @param count see out.
+ * @param[out] out receives 3 count numbers.
+ * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6451,8 +6705,16 @@ gusset_status gusset_curve_tangents(const struct gusset_context *context,
                                     double *out);
 
 /**
- * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
- * the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+ * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
+ * from x to y; infinite where the first derivative is 0.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param places the places.
+ * @param count see out.
+ * @param[out] out receives count numbers.
+ * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6463,9 +6725,17 @@ gusset_status gusset_curve_curvatures(const struct gusset_context *context,
                                       double *out);
 
 /**
- * The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * About O(log segments + degree^2) a point, on the context's threads.
+ * The nearest points of a curve to many points.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param points x, y, z of each, packed, count of them.
+ * @param count see points.
+ * @param[out] out receives count results.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE,
+ *     TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(log segments + degree^2) a point, on the context's threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6476,8 +6746,14 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
                                    struct gusset_curve_nearest_point *out);
 
 /**
- * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
- * 1e-13, in closed form up to degree 2.
+ * The arc length of a curve.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] length receives it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(points); to 1e-13, in closed form up to degree 2.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6486,8 +6762,16 @@ gusset_status gusset_curve_length(const struct gusset_context *context,
                                   double *length);
 
 /**
- * The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
- * O(points) in all.
+ * The arc lengths from the start to many places.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param places the places.
+ * @param count see out.
+ * @param[out] out receives count numbers.
+ * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+ * @complexity O(points) in all.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6498,9 +6782,17 @@ gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
                                       double *out);
 
 /**
- * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
- * count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
- * OUT_OF_MEMORY. O(points + count log segments).
+ * The places at many arc lengths from the start; beyond the ends, the ends.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param lengths count numbers.
+ * @param count see lengths.
+ * @param[out] out receives count places.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+ *     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+ * @complexity O(points + count log segments).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6511,8 +6803,14 @@ gusset_status gusset_curve_places_at(const struct gusset_context *context,
                                      struct gusset_place *out);
 
 /**
- * The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+ * The smallest box with sides along the axes.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] bounds receives the least x, y, z and the greatest x, y, z.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE.
+ * @complexity O(points); exact but for rounding.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6521,8 +6819,14 @@ gusset_status gusset_curve_bounds(const struct gusset_context *context,
                                   double *bounds);
 
 /**
- * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+ * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] area receives x, y, z.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(sum of degree^2); exact but for rounding.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6531,8 +6835,15 @@ gusset_status gusset_curve_area_vector(const struct gusset_context *context,
                                        double *area);
 
 /**
- * Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+ * Area, centroid and second moments of what a plane curve encloses.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param[out] moments receives the moments; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     CURVE_NOT_PLANE, EMPTY_CURVE.
+ * @complexity O(sum of degree^2); exact but for rounding.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6541,18 +6852,26 @@ gusset_status gusset_curve_moments(const struct gusset_context *context,
                                    struct gusset_curve_moment_report *moments);
 
 /**
- * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
- * outline.
+ * Finds the curves through the points of outlines: control points are sought such that each curve
+ * passes the points of its outline.
  *
- * outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
- * for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
- * as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
+ * A point that cannot be treated as asked is no failure: its status says so, and the curve passes
+ * it all the same if that is possible at all.
  *
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
- * BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
- * whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
- * Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
- * Nadopta; the composite and blended readings are ours.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param outlines any number of them.
+ * @param options NULL for the defaults: smooth quadratic segments by the bisector, one control
+ *     point for each point.
+ * @param[out] outline receives the result, for gusset_outline_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE, BAD_OFFSETS,
+ *     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a
+ *     constraint whose point does not exist or is not behind the one before; the report has the
+ *     constraint), OUT_OF_MEMORY, CANCELLED.
+ * @complexity Composite, blended and cubic curves take linear time; linear memory, none for each
+ *     outline but for its result.
+ * @source Nadopta; the composite and blended readings are ours.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6563,12 +6882,20 @@ gusset_status gusset_outline_create(const struct gusset_context *context,
 
 /**
  * Destroys what gusset_outline_create made; NULL is allowed.
+ *
+ * @param[in,out] outline the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
 
 /**
- * Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * Lends the curves, valid until the outline is destroyed.
+ *
+ * @param outline the outline.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6576,8 +6903,15 @@ gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
                                       struct gusset_outline_view *parts);
 
 /**
- * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
- * any thread.
+ * The account of outline `index`.
+ *
+ * @param outline the outline.
+ * @param index its number, from 0.
+ * @param[out] report receives the report; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6586,8 +6920,16 @@ gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
                                         struct gusset_outline_report *report);
 
 /**
- * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
- * NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+ * Copies the curve of outline `index`, for what the gusset_curve functions do.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param outline the outline.
+ * @param index its number, from 0.
+ * @param[out] curve receives it, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(segments).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6597,15 +6939,22 @@ gusset_status gusset_outline_curve_create(const struct gusset_context *context,
                                           struct gusset_curve **curve);
 
 /**
- * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
- * guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
- * point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
- * bisector) takes its place, and the status says so.
+ * Finds the section of each point with its two neighbours: the quadratic through the three whose
+ * control point lies on the guide of the method.
  *
- * options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
- * gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
- * the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
- * A) of the guide.
+ * A tangent demanded at a point makes its section pass in that direction; one at the first or last
+ * point of an open outline is that of the neighbour's section there. Where it cannot be had, or
+ * the normal, the method (the bisector) takes its place, and the status says so.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param outlines the outlines.
+ * @param options NULL for the defaults; method and alpha are read, all must be valid.
+ * @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_outline_create.
+ * @complexity O(n).
+ * @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
+ *     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6616,12 +6965,20 @@ gusset_status gusset_sections_create(const struct gusset_context *context,
 
 /**
  * Destroys what gusset_sections_create made; NULL is allowed.
+ *
+ * @param[in,out] sections the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
 
 /**
- * Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * Lends the sections, valid until they are destroyed.
+ *
+ * @param sections the sections.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6629,27 +6986,37 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
                                        struct gusset_sections_view *parts);
 
 /**
- * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
- * across a gap stitched, and holes filled, as the options say.
+ * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
+ * loops that face each other across a gap stitched, and holes filled, as the options say.
  *
- * pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
- * have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on
- * failure. That two loops cannot be joined is no failure: each joint has its outcome.
+ * That two loops cannot be joined is no failure: each joint has its outcome.
  *
- * Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop,
- * and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices) or so that the
- * nearest vertices go round the other loop once; else runs of
- * neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is
- * left alone. Pieces that overlap are not cut: where two lie on each other, their borders face each other and enclose what is
- * between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
- * the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
+ * Loops of different components face each other as wholes if nearly all vertices of each (9/10)
+ * are nearest to the other loop, and from similar distances (the ninth decile is at most four
+ * times the first, or the spacing of the vertices) or so that the nearest vertices go round the
+ * other loop once; else runs of neighbouring vertices that are nearest to each other face each
+ * other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
+ * not cut: where two lie on each other, their borders face each other and enclose what is between.
+ * Vertices of the result: those of the pieces in order, then those of the strips, then those of
+ * the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
+ * ones keep their bits.
  *
- * Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has
- * f64 positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that
- * can be joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d
- * edges at a vertex, O(V log V) for V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole
- * as for gusset_fill_create; a pass over all faces for each strip that is faired or tested for intersections. Extra memory is
- * linear in the pieces and the result. Source: Nesterenko for a single gap; the rest is our own.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param pieces piece_count mesh views one after another, each as large as the first one's
+ *     struct_size says, at least one; each may have several components.
+ * @param piece_count see pieces.
+ * @param options NULL for the defaults.
+ * @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
+ *     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
+ *     joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
+ *     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
+ *     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
+ *     intersections. Extra memory is linear in the pieces and the result.
+ * @source Nesterenko for a single gap; the rest is our own.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6661,12 +7028,20 @@ gusset_status gusset_assembly_create(const struct gusset_context *context,
 
 /**
  * Destroys an assembly; NULL is allowed.
+ *
+ * @param[in,out] assembly the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_assembly_destroy(struct gusset_assembly *assembly);
 
 /**
- * Lends the whole result, valid until the assembly is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the whole result, valid until the assembly is destroyed.
+ *
+ * @param assembly the assembly.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6674,7 +7049,12 @@ gusset_status gusset_assembly_get_mesh(const struct gusset_assembly *assembly,
                                        struct gusset_mesh_view *view);
 
 /**
- * Lends the account. Errors and validity as for gusset_assembly_get_mesh.
+ * Lends the account.
+ *
+ * @param assembly the assembly.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_assembly_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6684,17 +7064,26 @@ gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
 /**
  * Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
  *
- * Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface
- * is on the left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of
- * its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
- * smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
- * are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
- * other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_get_defects.
+ * Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise
+ * from outside, the surface is on the left and the hole on the right of someone who walks along
+ * the loop on the outside. Every loop passes each of its vertices once: where the boundary touches
+ * itself it is cut into several loops. Loops come in the order of their smallest half-edges. A
+ * loop has at least one edge with exactly one face: walks along edges with three or more faces
+ * alone are left out. A face of fewer than three sides of different ends has no border; its
+ * neighbours are taken to touch each other. A loop may have two vertices. Odd places are no
+ * errors: see the flags of each loop, and gusset_boundary_get_defects.
  *
- * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
- * of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
- * or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory. Source: Nesterenko, algorithm
- * 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param options NULL for the defaults.
+ * @param[out] boundary receives the result, for gusset_boundary_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex, or O(H + B log B) for
+ *     GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
+ * @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round
+ *     each vertex.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6705,23 +7094,45 @@ gusset_status gusset_boundary_create(const struct gusset_context *context,
 
 /**
  * Destroys a boundary; NULL is allowed.
+ *
+ * @param[in,out] boundary the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
 
 /**
- * The number of loops and open chains: 0 if the mesh is closed, or for NULL. O(1). From any thread.
+ * The number of loops and open chains: 0 if the mesh is closed, or for NULL.
+ *
+ * @param boundary the boundary.
+ * @return their number; 0 for NULL.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API size_t gusset_boundary_loop_count(const struct gusset_boundary *boundary);
 
 /**
- * The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round
- * the boundary passes from one to the next. 0 for NULL. O(1). From any thread.
+ * The number of walks that the loops were cut from: loops that touch at vertices, counted as one
+ * where the walk round the boundary passes from one to the next.
+ *
+ * 0 for NULL.
+ *
+ * @param boundary the boundary.
+ * @return their number; 0 for NULL.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API size_t gusset_boundary_walk_count(const struct gusset_boundary *boundary);
 
 /**
- * Lends loop number `index`, below gusset_boundary_loop_count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+ * Lends loop number `index`, below gusset_boundary_loop_count.
+ *
+ * @param boundary the boundary.
+ * @param index its number, from 0.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6730,10 +7141,17 @@ gusset_status gusset_boundary_get_loop(const struct gusset_boundary *boundary,
                                        struct gusset_loop_view *view);
 
 /**
- * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
- * and the bow-tie vertices on its boundary. They are valid until the boundary is destroyed; NULL and 0 if there is
- * nothing. defects: receives the first one. count: receives how many. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
- * O(1). From any thread.
+ * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges
+ * of the whole mesh, and the bow-tie vertices on its boundary.
+ *
+ * They are valid until the boundary is destroyed; NULL and 0 if there is nothing.
+ *
+ * @param boundary the boundary.
+ * @param[out] defects receives the first one.
+ * @param[out] count receives how many.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6742,10 +7160,16 @@ gusset_status gusset_boundary_get_defects(const struct gusset_boundary *boundary
                                           size_t *count);
 
 /**
- * Checks a mesh. What it finds is no error.
+ * Checks a mesh.
  *
- * check: receives the result, for gusset_check_destroy; NULL on failure. Errors: those of gusset_mesh_view, OUT_OF_MEMORY,
- * CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+ * What it finds is no error.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param[out] check receives the result, for gusset_check_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6755,11 +7179,20 @@ gusset_status gusset_check_create(const struct gusset_context *context,
 
 /**
  * Destroys a check; NULL is allowed.
+ *
+ * @param[in,out] check the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_check_destroy(struct gusset_check *check);
 
 /**
- * Lends what the check found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends what the check found.
+ *
+ * @param check the check.
+ * @param[out] report receives the report; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6769,11 +7202,21 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
 /**
  * Finds which vertices of two loops face each other.
  *
- * points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
- * options: NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure. Errors:
- * LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
- * beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear
- * extra memory. Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of
+ *     them, at least 1 each.
+ * @param count_a see points_a.
+ * @param points_b x, y, z of the vertices of each loop in order, packed, count_a and count_b of
+ *     them, at least 1 each.
+ * @param count_b see points_a.
+ * @param options NULL for the defaults.
+ * @param[out] facing receives the result, for gusset_facing_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is beyond the tolerance,
+ *     as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O((N + M) log M); linear extra memory.
+ * @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6787,11 +7230,20 @@ gusset_status gusset_facing_create(const struct gusset_context *context,
 
 /**
  * Destroys what gusset_facing_create made; NULL is allowed.
+ *
+ * @param[in,out] facing the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_facing_destroy(struct gusset_facing *facing);
 
 /**
- * Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends what was found.
+ *
+ * @param facing the facing.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6799,13 +7251,21 @@ gusset_status gusset_facing_get_view(const struct gusset_facing *facing,
                                      struct gusset_facing_view *view);
 
 /**
- * The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the
- * later.
+ * The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least,
+ * of two equal ones the later.
  *
- * n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a
- * closed one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their
- * number; may not be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the
- * number is written). O(n). Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+ * @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
+ *     N vertices has N - 1, a closed one N.
+ * @param m segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
+ *     N vertices has N - 1, a closed one N.
+ * @param[out] j receives n + 1 numbers; NULL with capacity 0 asks for how many.
+ * @param capacity of j.
+ * @param[out] written receives their number; may not be NULL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
+ *     BUFFER_TOO_SMALL (nothing but the number is written).
+ * @complexity O(n).
+ * @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6816,22 +7276,32 @@ gusset_status gusset_meridians_index(uint32_t n,
                                      size_t *written);
 
 /**
- * Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them.
+ * Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round
+ * them.
  *
- * loops: the vertices of each loop in order, in either direction, each consecutive pair (and the last with the first) an edge
- * with exactly one face; loop_count of them. NULL with 0: all loops that the mesh has. options: NULL for the defaults. fill:
- * receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
- * account of each says why.
+ * Loops that cannot be filled are left, which is no error: the account of each says why.
  *
- * The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles,
- * hole by hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not
- * cross itself; whether a patch meets other parts of the surface is not looked at.
+ * The result has the old vertices with their bits and indices, then the new ones; the old faces,
+ * then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
+ * overlaps, however concave it is, if its rim does not cross itself; whether a patch meets other
+ * parts of the surface is not looked at.
  *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500
- * vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log
- * n) and linear memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices
- * of a hole; loops that touch at one vertex look at each other's edges there. Source: Barequet and Sharir 1995; Liepa,
- * Filling holes in meshes, 2003.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param loops the vertices of each loop in order, in either direction, each consecutive pair (and
+ *     the last with the first) an edge with exactly one face; loop_count of them. NULL with 0: all
+ *     loops that the mesh has.
+ * @param loop_count see loops.
+ * @param options NULL for the defaults.
+ * @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
+ *     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
+ *     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
+ *     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a
+ *     hole; loops that touch at one vertex look at each other's edges there.
+ * @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6844,12 +7314,20 @@ gusset_status gusset_fill_create(const struct gusset_context *context,
 
 /**
  * Destroys a fill; NULL is allowed.
+ *
+ * @param[in,out] fill the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_fill_destroy(struct gusset_fill *fill);
 
 /**
- * Lends the result, valid until the fill is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
+ * Lends the result, valid until the fill is destroyed.
+ *
+ * @param fill the fill.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6857,7 +7335,12 @@ gusset_status gusset_fill_get_mesh(const struct gusset_fill *fill,
                                    struct gusset_mesh_view *view);
 
 /**
- * Lends the accounts of the loops. Errors and validity as for gusset_fill_get_mesh.
+ * Lends the accounts of the loops.
+ *
+ * @param fill the fill.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_fill_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6865,8 +7348,13 @@ gusset_status gusset_fill_get_view(const struct gusset_fill *fill,
                                    struct gusset_fill_view *parts);
 
 /**
- * Measures of the new faces and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
- * thread.
+ * Measures of the new faces and of the result.
+ *
+ * @param fill the fill.
+ * @param[out] quality receives the quality; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6876,14 +7364,20 @@ gusset_status gusset_fill_get_quality(const struct gusset_fill *fill,
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.
  *
- * In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three
- * or more faces connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
- * turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
+ * In each component as few faces as possible are turned; where both sides are as many, its
+ * smallest face stays. Edges of three or more faces connect nothing. A component that cannot be
+ * oriented, such as a Moebius strip, stays as it is and is listed. A turned face keeps its first
+ * corner and has the others in reverse order; all else is as it was: vertices, positions, order of
  * faces.
  *
- * options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure. Errors: those of
- * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
- * linear extra memory.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param options NULL for the defaults.
+ * @param[out] orient receives the result, for gusset_orient_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6894,12 +7388,20 @@ gusset_status gusset_orient_create(const struct gusset_context *context,
 
 /**
  * Destroys what gusset_orient_create made; NULL is allowed.
+ *
+ * @param[in,out] orient the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
 
 /**
- * Lends the oriented mesh, valid until the handle is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * O(1). From any thread.
+ * Lends the oriented mesh, valid until the handle is destroyed.
+ *
+ * @param orient the orient.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6907,7 +7409,12 @@ gusset_status gusset_orient_get_mesh(const struct gusset_orient *orient,
                                      struct gusset_mesh_view *view);
 
 /**
- * Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
+ * Lends the flags, lists and counts.
+ *
+ * @param orient the orient.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_orient_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6915,29 +7422,41 @@ gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
                                      struct gusset_orient_view *parts);
 
 /**
- * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
- * between the arcs that face each other.
+ * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
+ * between whole loops, or a strip between the arcs that face each other.
  *
- * mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
- * consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
- * loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
- * gusset_stitch_destroy; NULL on failure.
+ * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A,
+ * then of B, then the strip. Positions are of the scalar type of A, old ones keep their bits, and
+ * every old face is kept. An arc of one vertex gets a fan, which touches its piece at that vertex
+ * only; two arcs of one vertex each get one meridian and no face.
  *
- * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
- * strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
- * gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
- *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
- * LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
- * MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- *
- * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
- * beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
- * asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
- * a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
- * GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
- * GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
- * algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh_a the mesh a.
+ * @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
+ *     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
+ *     and the loops that lie nearest to each other are taken.
+ * @param mesh_b NULL if both loops are of mesh_a.
+ * @param loop_b the vertices of each loop in order, in either direction, each consecutive pair
+ *     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
+ *     and the loops that lie nearest to each other are taken.
+ * @param options NULL for the defaults.
+ * @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
+ *     PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+ *     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
+ *     f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians
+ *     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
+ *     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
+ *     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
+ *     case); plus a box test for each pair of loops where the choice is left open. Extra memory is
+ *     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
+ *     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
+ *     GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each
+ *     pair.
+ * @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
+ *     start: N + 1 and M + 1 points.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6951,12 +7470,20 @@ gusset_status gusset_stitch_create(const struct gusset_context *context,
 
 /**
  * Destroys a stitch; NULL is allowed.
+ *
+ * @param[in,out] stitch the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_stitch_destroy(struct gusset_stitch *stitch);
 
 /**
- * Lends the whole result, valid until the stitch is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the whole result, valid until the stitch is destroyed.
+ *
+ * @param stitch the stitch.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6964,8 +7491,12 @@ gusset_status gusset_stitch_get_mesh(const struct gusset_stitch *stitch,
                                      struct gusset_mesh_view *view);
 
 /**
- * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
- * gusset_stitch_get_mesh.
+ * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them.
+ *
+ * @param stitch the stitch.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6973,7 +7504,12 @@ gusset_status gusset_stitch_get_strip(const struct gusset_stitch *stitch,
                                       struct gusset_mesh_view *view);
 
 /**
- * Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
+ * Lends the maps, rims and meridians.
+ *
+ * @param stitch the stitch.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6981,8 +7517,13 @@ gusset_status gusset_stitch_get_view(const struct gusset_stitch *stitch,
                                      struct gusset_stitch_view *parts);
 
 /**
- * Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
- * thread.
+ * Measures of the strip and of the result.
+ *
+ * @param stitch the stitch.
+ * @param[out] quality receives the quality; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6990,13 +7531,23 @@ gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
                                         struct gusset_quality_report *quality);
 
 /**
- * Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
+ * Makes a strip of triangles between two polylines that run side by side: meridians and faces,
+ * without any mesh.
  *
- * points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
- * least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
- * result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
- * UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
- * Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
+ *     each, closed ones at least 3, and the last point is not the first again.
+ * @param count_a see points_a.
+ * @param points_b x, y, z of the points in order, packed, count_a and count_b of them: at least 1
+ *     each, closed ones at least 3, and the last point is not the first again.
+ * @param count_b see points_a.
+ * @param options NULL for the defaults (open polylines).
+ * @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+ *     UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
+ * @complexity Time and memory of the meridians of gusset_stitch_create, and O(N + M).
+ * @source Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7010,12 +7561,20 @@ gusset_status gusset_strip_create(const struct gusset_context *context,
 
 /**
  * Destroys a strip; NULL is allowed.
+ *
+ * @param[in,out] strip the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
 
 /**
- * Lends the meridians and triangles, valid until the strip is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the meridians and triangles, valid until the strip is destroyed.
+ *
+ * @param strip the strip.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7025,22 +7584,29 @@ gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
 /**
  * Makes one vertex of vertices that lie together.
  *
- * By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
- * edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
- * collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
- * together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
- * become one whatever comes of the edges.
+ * By default borders are sewn: where exactly two free edges lie on one another, whatever their
+ * directions, they become one edge, and so do their ends. Where three or more lie together none is
+ * preferred, and a pair is left where sewing it would collapse a face or make an edge of three or
+ * more faces: a manifold stays one. What is left is listed. Vertices that lie together without an
+ * edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie
+ * together become one whatever comes of the edges.
  *
- * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
- * within the tolerance of it, nearest first, so that nothing chains.
+ * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed
+ * claims the unclaimed ones within the tolerance of it, nearest first, so that nothing chains.
  *
- * The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
- * and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
- * and is no valid input.
+ * The result has the old faces in their order, each from its own first corner. Of vertices made
+ * one the smallest is left, and its position keeps its bits; the vertices left are in their old
+ * order. If every face is dropped, the result has none and is no valid input.
  *
- * options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
- * half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param options NULL for the defaults.
+ * @param[out] weld receives the result, for gusset_weld_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the
+ *     tolerance), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log H) for H half-edges, if no vertex has very many and few corners of one face
+ *     lie together; linear extra memory.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7051,12 +7617,20 @@ gusset_status gusset_weld_create(const struct gusset_context *context,
 
 /**
  * Destroys a weld; NULL is allowed.
+ *
+ * @param[in,out] weld the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
 
 /**
- * Lends the welded mesh, valid until the weld is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * Lends the welded mesh, valid until the weld is destroyed.
+ *
+ * @param weld the weld.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7064,7 +7638,12 @@ gusset_status gusset_weld_get_mesh(const struct gusset_weld *weld,
                                    struct gusset_mesh_view *view);
 
 /**
- * Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
+ * Lends the maps, lists and counts.
+ *
+ * @param weld the weld.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_weld_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7074,13 +7653,21 @@ gusset_status gusset_weld_get_view(const struct gusset_weld *weld,
 /**
  * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
  *
- * options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
- * three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
- * mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
- * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
- * linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
- * NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
- * border on both sides.
+ * An edge with three or more faces, or with two that run it in the same direction, becomes several
+ * marked records of one face each. The mesh of a stitch keeps the edge numbers of its first mesh:
+ * only NULL sides along the rim are filled.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param options NULL for the defaults.
+ * @param[out] winged receives the result, for gusset_winged_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+ * @source Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R
+ *     is NULL", as the text has it; the loops are those of gusset_boundary_create, except that an
+ *     edge whose faces disagree has a border on both sides.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7091,11 +7678,20 @@ gusset_status gusset_winged_create(const struct gusset_context *context,
 
 /**
  * Destroys tables; NULL is allowed.
+ *
+ * @param[in,out] winged the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
 
 /**
- * Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the tables.
+ *
+ * @param winged the winged.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7105,11 +7701,17 @@ gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
 /**
  * Makes a net of a copy of the caller's coordinates.
  *
- * arrays: the coordinates, rows x columns numbers each, at any alignment; any numbers: a node with one that is NaN or infinite is
- * missing. gluing: NULL for a sheet. net: receives the net, for gusset_net_destroy; NULL on failure. Errors: NET_TOO_SMALL,
- * TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
- * with the cell, OUT_OF_MEMORY. O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all. Source: Deryagin, "Model of
- * the tetragonal regular network".
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param arrays the coordinates, rows x columns numbers each, at any alignment; any numbers: a
+ *     node with one that is NaN or infinite is missing.
+ * @param gluing NULL for a sheet.
+ * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE,
+ *     SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
+ *     with the cell, OUT_OF_MEMORY.
+ * @complexity O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
+ * @source Deryagin, "Model of the tetragonal regular network".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7121,10 +7723,16 @@ gusset_status gusset_net_create(const struct gusset_context *context,
 /**
  * Makes a net in the caller's own memory: operations that change coordinates change the caller's.
  *
- * arrays: as for gusset_net_create, but aligned to their scalar type, without gaps in rows, row_stride a multiple of the scalar's
- * size; the three must not overlap, and must stay valid and unmoved until the net is destroyed. The rest is as there; also
- * MISALIGNED_ARGUMENT, NULL_ARGUMENT, OVERLAP. O(nodes) if there are a matrix or seams, else
- * O(1); no memory a node, or 1/4 byte.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
+ *     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
+ *     and unmoved until the net is destroyed.
+ * @param gluing the gluing.
+ * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: The rest is as there; also MISALIGNED_ARGUMENT, NULL_ARGUMENT,
+ *     OVERLAP.
+ * @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7134,8 +7742,15 @@ gusset_status gusset_net_borrow_create(const struct gusset_context *context,
                                        struct gusset_net **net);
 
 /**
- * Makes a copy of a net, with its bridges, in memory of the library's. net: unchanged. copy: receives it. O(nodes), or O(1) where nobody
- * can tell the difference: memory is shared until one of the two is changed. Errors: OUT_OF_MEMORY.
+ * Makes a copy of a net, with its bridges, in memory of the library's.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net unchanged.
+ * @param[out] copy receives it.
+ * @return GUSSET_OK, or an error: OUT_OF_MEMORY.
+ * @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
+ *     of the two is changed.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7144,9 +7759,18 @@ gusset_status gusset_net_clone_create(const struct gusset_context *context,
                                       struct gusset_net **copy);
 
 /**
- * Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
- * receives it, for gusset_net_destroy; NULL on failure. From double to float coordinates are rounded, and nodes whose coordinates
- * are too large for it become missing. Errors: UNKNOWN_VALUE, OUT_OF_MEMORY. O(nodes). From any thread.
+ * Makes a copy of a net, with its gluing and its bridges, with coordinates of another type.
+ *
+ * From double to float coordinates are rounded, and nodes whose coordinates are too large for it
+ * become missing.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param scalar GUSSET_F32 or GUSSET_F64.
+ * @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_MEMORY.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7157,12 +7781,21 @@ gusset_status gusset_net_convert_create(const struct gusset_context *context,
 
 /**
  * Destroys a net; NULL is allowed.
+ *
+ * @param[in,out] net the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_destroy(struct gusset_net *net);
 
 /**
- * Lends size and coordinates to be read only, as copies may share them, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends size and coordinates to be read only, as copies may share them, valid until the net is
+ * changed or destroyed.
+ *
+ * @param net the net.
+ * @param[out] arrays its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7170,9 +7803,16 @@ gusset_status gusset_net_get_view(const struct gusset_net *net,
                                   struct gusset_net_view *arrays);
 
 /**
- * Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
- * gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_get_view,
- * OUT_OF_MEMORY.
+ * Lends the coordinates to be written, valid until the next call with this net.
+ *
+ * Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
+ * scene is copied first: O(nodes) then, else O(1).
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param[out] arrays receives the arrays; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: as gusset_net_get_view, OUT_OF_MEMORY.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7181,9 +7821,18 @@ gusset_status gusset_net_edit(const struct gusset_context *context,
                               struct gusset_net_view *arrays);
 
 /**
- * Copies the coordinates of a net to the caller's matrices. arrays: where they go, of the net's rows and columns, in any layout and of either
- * scalar type: double to float is rounded. Bytes between the numbers stay as they are. Errors: SIDES_DIFFER (other rows or columns),
- * UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW. O(nodes). From any thread.
+ * Copies the coordinates of a net to the caller's matrices.
+ *
+ * Bytes between the numbers stay as they are.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
+ *     type: double to float is rounded.
+ * @return GUSSET_OK, or an error: SIDES_DIFFER (other rows or columns), UNKNOWN_VALUE, BAD_STRIDE,
+ *     SIZE_OVERFLOW.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7192,13 +7841,20 @@ gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net_view *arrays);
 
 /**
- * Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
+ * Compares a net after a deformation with what it was before: what is newly glued, torn, folded
+ * over, stretched.
  *
- * before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are
- * none. analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly glued is no surface),
- * OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From any thread. Source: Deryagin, soft and hard deformations;
- * links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param before of one size; the gluing is that of `before`.
+ * @param after of one size; the gluing is that of `before`.
+ * @param tolerance lengths up to it, at least 0 and finite, are none.
+ * @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
+ *     CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), 24 bytes a node.
+ * @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
+ *     neither follows from gluing nor implies it.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7209,10 +7865,19 @@ gusset_status gusset_net_analysis_create(const struct gusset_context *context,
                                          struct gusset_net_analysis **analysis);
 
 /**
- * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
- * count, time: as for gusset_net_deform. tolerance: as for gusset_net_analysis_create. Errors: those of
- * gusset_net_analysis_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
- * of the net. From any thread.
+ * The same of what fields would do to a net, which stays as it is, with the determinants of their
+ * Jacobian.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param fields as for gusset_net_deform.
+ * @param count as for gusset_net_deform.
+ * @param time as for gusset_net_deform.
+ * @param tolerance as for gusset_net_analysis_create.
+ * @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_net_analysis_create and of gusset_net_deform.
+ * @complexity O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy of the net.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7225,8 +7890,13 @@ gusset_status gusset_net_analysis_of_fields_create(const struct gusset_context *
                                                    struct gusset_net_analysis **analysis);
 
 /**
- * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * Lends an analysis.
+ *
+ * @param analysis the analysis.
+ * @param[out] parts its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7235,16 +7905,25 @@ gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *ana
 
 /**
  * Destroys an analysis; NULL is allowed.
+ *
+ * @param[in,out] analysis the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
 
 /**
- * Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what
- * they are: follow it with gusset_net_snap.
+ * Contracts links of a net: the gluings that a hard deformation has brought about made part of it.
  *
- * links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT,
- * SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
- * O(nodes).
+ * Positions stay what they are: follow it with gusset_net_snap.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
+ * @param count see links.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
+ *     CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7254,12 +7933,24 @@ gusset_status gusset_net_absorb(const struct gusset_context *context,
                                 size_t count);
 
 /**
- * A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the bridges that cross it.
- * Links that lead back are within it if all rows, or all columns, are. row_first: its first row. row_count: how many
- * rows, at least 2. column_first: its first column. column_count: how many columns, at least 2. part: receives it, for
- * gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite
- * corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
+ * A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the
+ * bridges that cross it.
+ *
+ * Links that lead back are within it if all rows, or all columns, are.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param row_first its first row.
+ * @param row_count how many rows, at least 2.
+ * @param column_first its first column.
+ * @param column_count how many columns, at least 2.
+ * @param[out] part receives it, for gusset_net_destroy, as for all functions of this group; NULL
+ *     on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below
+ *     2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite corners
+ *     one), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes of the part), and O(contracted links).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7272,8 +7963,17 @@ gusset_status gusset_net_part_create(const struct gusset_context *context,
                                      struct gusset_net **part);
 
 /**
- * The net with rows and columns exchanged. The surface stays as it is in space, and so do its normals: faces are taken the other
- * way round from then on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * The net with rows and columns exchanged.
+ *
+ * The surface stays as it is in space, and so do its normals: faces are taken the other way round
+ * from then on.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] transposed receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7282,8 +7982,18 @@ gusset_status gusset_net_transpose_create(const struct gusset_context *context,
                                           struct gusset_net **transposed);
 
 /**
- * The net the other way round. direction: GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
- * last row. Normals stay, as for gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
+ * The net the other way round.
+ *
+ * Normals stay, as for gusset_net_transpose_create.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param direction GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
+ *     last row.
+ * @param[out] flipped receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: as there, UNKNOWN_VALUE.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7293,8 +8003,16 @@ gusset_status gusset_net_flip_create(const struct gusset_context *context,
                                      struct gusset_net **flipped);
 
 /**
- * The net turned. quarters: how many quarters of a turn, any number: after one, the last column is the first row;
- * negative ones turn back. Errors: as gusset_net_transpose_create. O(nodes).
+ * The net turned.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param quarters how many quarters of a turn, any number: after one, the last column is the first
+ *     row; negative ones turn back.
+ * @param[out] turned receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: as gusset_net_transpose_create.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7304,9 +8022,19 @@ gusset_status gusset_net_turn_create(const struct gusset_context *context,
                                      struct gusset_net **turned);
 
 /**
- * A larger net that is the same surface: rows and columns are replicated, and the links between copies contracted. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index
- * beyond the net), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes). Source: Deryagin, "Reformatting".
+ * A larger net that is the same surface: rows and columns are replicated, and the links between
+ * copies contracted.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param options NULL for the defaults.
+ * @param[out] reformatted receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index beyond the net),
+ *     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @source Deryagin, "Reformatting".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7316,9 +8044,18 @@ gusset_status gusset_net_reformat_create(const struct gusset_context *context,
                                          struct gusset_net **reformatted);
 
 /**
- * The net without the rows and columns that are the one before them again: links between the two all contracted, coordinates and
- * links along them the same. The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and those that
- * a bridge ends on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * The net without the rows and columns that are the one before them again: links between the two
+ * all contracted, coordinates and links along them the same.
+ *
+ * The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and
+ * those that a bridge ends on.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] compacted receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7327,8 +8064,15 @@ gusset_status gusset_net_compact_create(const struct gusset_context *context,
                                         struct gusset_net **compacted);
 
 /**
- * Makes missing every node of which a coordinate is `value`, the number that stands for what a scanner did not see. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ * Makes missing every node of which a coordinate is `value`, the number that stands for what a
+ * scanner did not see.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param value the marker of missing data, compared exactly.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7337,11 +8081,18 @@ gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
                                        double value);
 
 /**
- * Finds out what surface a net is once glued nodes are one. What it finds is no error.
+ * Finds out what surface a net is once glued nodes are one.
  *
- * cells: GUSSET_NET_CELLS_... complex: receives the result, for gusset_net_complex_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of what belongs to each
- * glued node; linear extra memory.
+ * What it finds is no error.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param cells GUSSET_NET_CELLS_...
+ * @param[out] complex receives the result, for gusset_net_complex_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
+ *     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7351,7 +8102,13 @@ gusset_status gusset_net_complex_create(const struct gusset_context *context,
                                         struct gusset_net_complex **complex);
 
 /**
- * Lends what is known of a complex. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends what is known of a complex.
+ *
+ * @param complex the complex.
+ * @param[out] report receives the report; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7360,21 +8117,34 @@ gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *compl
 
 /**
  * Destroys a complex; NULL is allowed.
+ *
+ * @param[in,out] complex the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
 
 /**
- * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and
- * projection.
+ * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping,
+ * animation and projection.
  *
- * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations
- * deform a copy of the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do
- * nothing at all, to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay missing.
- * Fields that are defined everywhere are not watched for overflow: a node that they make too large for its type is
- * infinite then, and missing. Whatever the error, no node is moved. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing),
- * OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any number of threads.
- * Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ * The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all,
+ * to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay
+ * missing. Fields that are defined everywhere are not watched for overflow: a node that they make
+ * too large for its type is infinite then, and missing. Whatever the error, no node is moved.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param fields `count` of them.
+ * @param count see fields.
+ * @param time for fields with keys; a net is deformed from what it is now, so that animations
+ *     deform a copy of the net at rest.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis,
+ *     easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node,
+ *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes x fields), twice that if a field is not defined everywhere.
+ * @threads The same bits for any number of threads.
+ * @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7385,11 +8155,19 @@ gusset_status gusset_net_deform(const struct gusset_context *context,
                                 double time);
 
 /**
- * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as gusset_net_snap does.
+ * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as
+ * gusset_net_snap does.
  *
- * map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a
- * few thousand. user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors:
- * NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * If it stops, the status is CANCELLED and what was done stays done.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param map called on this thread, from the first node to the last, each time for consecutive
+ *     nodes: as many as a row or a few thousand.
+ * @param[out] user passed on.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7399,9 +8177,16 @@ gusset_status gusset_net_deform_rows(const struct gusset_context *context,
                                      void *user);
 
 /**
- * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes
- * without a normal stay. Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as
- * much memory as the coordinates take.
+ * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
+ * stay together, nodes without a normal stay.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param distance a length of either sign, finite.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(nodes), and as much memory as the coordinates take.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7410,9 +8195,14 @@ gusset_status gusset_net_displace(const struct gusset_context *context,
                                   double distance);
 
 /**
- * Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how
- * many nodes got other bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued
- * along its sides alone, else O(nodes).
+ * Gives all nodes that are glued to each other the position of the first of them, bit for bit.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param[out] moved receives how many nodes got other bits; may be NULL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(rows + columns) if the net is glued along its sides alone, else O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7421,10 +8211,21 @@ gusset_status gusset_net_snap(const struct gusset_context *context,
                               uint64_t *moved);
 
 /**
- * Glues nodes of a net; positions stay what they are. gluings: count of them, done as a whole or not at all; at any alignment. On failure the net
- * is as it was. Errors: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or
- * cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
- * local gluing, which no surface allows), OUT_OF_MEMORY. O(nodes + glued pairs). Source: Deryagin, "Local gluings of nodes".
+ * Glues nodes of a net; positions stay what they are.
+ *
+ * On failure the net is as it was.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param gluings count of them, done as a whole or not at all; at any alignment.
+ * @param count see gluings.
+ * @return GUSSET_OK, or an error: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above
+ *     15), NO_SUCH_ELEMENT (the link, node or cell), BAD_SEAM (its place among the gluings),
+ *     CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
+ *     local gluing, which no surface allows), OUT_OF_MEMORY.
+ * @complexity O(nodes + glued pairs).
+ * @source Deryagin, "Local gluings of nodes".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7434,14 +8235,26 @@ gusset_status gusset_net_glue(const struct gusset_context *context,
                               size_t count);
 
 /**
- * Unglues pairs of nodes: their links are free, and seams that have them are cut there. Nodes that are still glued by way of others stay
- * one point; pairs that are not glued are left alone. gluings, count: as for gusset_net_glue.
+ * Unglues pairs of nodes: their links are free, and seams that have them are cut there.
  *
- * separation: 0, or how far apart what becomes separate is moved, in the unit of the coordinates: each piece of a point that falls
- * apart moves by half of it towards the mean of its neighbours (of those that do not fall apart themselves, if there are any);
- * one without neighbours, or in the middle of them, stays. moved: receives the number of pieces that moved; NULL if it is not wanted.
- * On failure the net is as it was. Errors: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite number from 0 on). O(nodes), and a
- * sort of the pairs.
+ * Nodes that are still glued by way of others stay one point; pairs that are not glued are left
+ * alone.
+ *
+ * On failure the net is as it was.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param gluings as for gusset_net_glue.
+ * @param count as for gusset_net_glue.
+ * @param separation 0, or how far apart what becomes separate is moved, in the unit of the
+ *     coordinates: each piece of a point that falls apart moves by half of it towards the mean of
+ *     its neighbours (of those that do not fall apart themselves, if there are any); one without
+ *     neighbours, or in the middle of them, stays.
+ * @param[out] moved receives the number of pieces that moved; NULL if it is not wanted.
+ * @return GUSSET_OK, or an error: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite
+ *     number from 0 on).
+ * @complexity O(nodes), and a sort of the pairs.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7453,8 +8266,15 @@ gusset_status gusset_net_unglue(const struct gusset_context *context,
                                 size_t *moved);
 
 /**
- * Contracts every link whose ends are one point already, by way of others, and drops seams that links then say: the canonical form, in which nets that
- * glue the same neighbours have the same matrix. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ * Contracts every link whose ends are one point already, by way of others, and drops seams that
+ * links then say: the canonical form, in which nets that glue the same neighbours have the same
+ * matrix.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7462,9 +8282,17 @@ gusset_status gusset_net_saturate(const struct gusset_context *context,
                                   struct gusset_net *net);
 
 /**
- * Writes for each node the smallest node that is the same point. classes: room for capacity numbers, of which rows * columns are written;
- * written: receives that number. NULL and 0 ask for it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is written but
- * the number), OUT_OF_MEMORY. O(nodes); 4 bytes a node. From any thread.
+ * Writes for each node the smallest node that is the same point.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] classes room for capacity numbers, of which rows * columns are written.
+ * @param capacity see classes.
+ * @param[out] written receives that number. NULL and 0 ask for it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+ *     written but the number), OUT_OF_MEMORY.
+ * @complexity O(nodes); 4 bytes a node.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7475,9 +8303,15 @@ gusset_status gusset_net_classes(const struct gusset_context *context,
                                  size_t *written);
 
 /**
- * Finds the points that are several nodes. groups: receives the result, for gusset_net_groups_destroy; NULL on failure. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
- * the glued nodes.
+ * Finds the points that are several nodes.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] groups receives the result, for gusset_net_groups_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
+ *     the glued nodes.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7486,9 +8320,17 @@ gusset_status gusset_net_groups_create(const struct gusset_context *context,
                                        struct gusset_net_groups **groups);
 
 /**
- * Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the latter; its nodes are in order, and groups are in the
- * order of their first nodes. offsets.count is one more than the number of groups. Valid until the groups are destroyed. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT. O(1). From any thread.
+ * Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the
+ * latter; its nodes are in order, and groups are in the order of their first nodes.
+ *
+ * offsets.count is one more than the number of groups. Valid until the groups are destroyed.
+ *
+ * @param groups the groups.
+ * @param[out] offsets receives the offsets; struct_size is set by the caller.
+ * @param[out] members receives the members; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7498,15 +8340,26 @@ gusset_status gusset_net_groups_get_view(const struct gusset_net_groups *groups,
 
 /**
  * Destroys groups; NULL is allowed.
+ *
+ * @param[in,out] groups the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
 
 /**
- * The local gluing at a node: which of its links have become a point. node: its number, row * columns + column.
- * cyclic: 0, or 1 to count links that lead back to the first row or column too. found: receives one of
- * GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see
- * gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+ * The local gluing at a node: which of its links have become a point.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param node its number, row * columns + column.
+ * @param cyclic 0, or 1 to count links that lead back to the first row or column too.
+ * @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ *     NO_SUCH_ELEMENT, OUT_OF_MEMORY.
+ * @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
+ *     all.
+ * @source Deryagin, Fig. 4.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7517,9 +8370,15 @@ gusset_status gusset_net_classify_node(const struct gusset_context *context,
                                        gusset_gluing_type *found);
 
 /**
- * What a cell has become. cell: its number, row * (columns - 1) + column. found: receives one of GUSSET_TYPE_..., or
- * GUSSET_TYPE_NONE for a quad. Errors: as gusset_net_classify_node. O(1) for a net that its sides describe, else
- * O(nodes).
+ * What a cell has become.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param cell its number, row * (columns - 1) + column.
+ * @param[out] found receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad.
+ * @return GUSSET_OK, or an error: as gusset_net_classify_node.
+ * @complexity O(1) for a net that its sides describe, else O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7529,8 +8388,17 @@ gusset_status gusset_net_classify_cell(const struct gusset_context *context,
                                        gusset_gluing_type *found);
 
 /**
- * Counts the local gluings of a net by type. nodes, cells: receive 18 numbers each, how many nodes (without links that lead back) and how many
- * cells have each type; NULL for what is not wanted. Errors: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes); 4 bytes a node.
+ * Counts the local gluings of a net by type.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
+ *     many cells have each type; NULL for what is not wanted.
+ * @param[out] cells receive 18 numbers each, how many nodes (without links that lead back) and how
+ *     many cells have each type; NULL for what is not wanted.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(nodes); 4 bytes a node.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7540,8 +8408,16 @@ gusset_status gusset_net_histogram(const struct gusset_context *context,
                                    uint64_t *cells);
 
 /**
- * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
- * Errors: as gusset_net_create. O(nodes).
+ * Glues a net otherwise; positions stay what they are.
+ *
+ * On failure the net is as it was.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param gluing NULL for a sheet; it replaces what was glued.
+ * @return GUSSET_OK, or an error: as gusset_net_create.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7550,9 +8426,17 @@ gusset_status gusset_net_set_gluing(const struct gusset_context *context,
                                     const struct gusset_net_gluing *gluing);
 
 /**
- * How a net is glued, in its one form. sides: receives the sides if they say all about its links, else UINT32_MAX: then see
- * gusset_net_get_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
- * not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ * How a net is glued, in its one form.
+ *
+ * @param net the net.
+ * @param[out] sides receives the sides if they say all about its links, else UINT32_MAX: then see
+ *     gusset_net_get_matrix.
+ * @param[out] seam_count receives the number of seams.
+ * @param[out] reversed receives 1 if faces are taken the other way round. NULL for what is not
+ *     wanted.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7562,8 +8446,16 @@ gusset_status gusset_net_get_topology(const struct gusset_net *net,
                                       uint32_t *reversed);
 
 /**
- * Writes the characteristic matrix of a net as gusset_net_gluing has it. matrix: room for capacity bytes, of which 2 * rows * columns are
- * written; written: receives that number. NULL and 0 ask for it. Errors: BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY. O(nodes).
+ * Writes the characteristic matrix of a net as gusset_net_gluing has it.
+ *
+ * @param net the net.
+ * @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
+ * @param capacity see matrix.
+ * @param[out] written receives that number. NULL and 0 ask for it.
+ * @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number),
+ *     OUT_OF_MEMORY.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7573,8 +8465,15 @@ gusset_status gusset_net_get_matrix(const struct gusset_net *net,
                                     size_t *written);
 
 /**
- * Writes the seams of a net. seams: room for capacity of them; written: receives their number. NULL and 0 ask for it. Errors:
- * BUFFER_TOO_SMALL (nothing is written but the number). O(seams).
+ * Writes the seams of a net.
+ *
+ * @param net the net.
+ * @param[out] seams room for capacity of them.
+ * @param capacity see seams.
+ * @param[out] written receives their number. NULL and 0 ask for it.
+ * @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number).
+ * @complexity O(seams).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7584,16 +8483,27 @@ gusset_status gusset_net_get_seams(const struct gusset_net *net,
                                    size_t *written);
 
 /**
- * Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
- * seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
- * see gusset_net_split_create.
+ * Joins nets side by side to one, in one pass.
  *
- * nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
- * joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
- * nets), BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes that are not to be
- * equalised; or sides to be welded that are apart: the report has the place and the distance), OUT_OF_RANGE (tolerance; a twist of an
- * open side), CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes of the result); memory for it, and once more for nets that
- * are enlarged, turned or flipped. Source: Deryagin, "Concatenation".
+ * Each net keeps what it is glued to: links that led back across the direction become seams. Its
+ * bridges are kept; each net but the first gets a new one, between it and the one before, behind
+ * its own. All can be undone: see gusset_net_split_create.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[out] nets net_count handles, at least one, of one scalar type; the same one may come
+ *     several times.
+ * @param net_count see nets.
+ * @param options NULL for the defaults.
+ * @param[out] joined receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no nets),
+ *     BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
+ *     (sizes that are not to be equalised; or sides to be welded that are apart: the report has
+ *     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side),
+ *     CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes of the result); memory for it, and once more for nets that are enlarged,
+ *     turned or flipped.
+ * @source Deryagin, "Concatenation".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7604,12 +8514,22 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
                                             struct gusset_net **joined);
 
 /**
- * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined,
- * unless they were changed since; copies that were made to equalise sizes are removed. Of a net that was joined of
- * joined ones, the last bridge is such a one; take nets apart in the reverse order of joining. What is glued across
- * the bridge is cut. bridge: its number, counted from 0. first, second: receive the nets, for gusset_net_destroy; NULL
- * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it is within a part of
- * the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
+ * they were joined, unless they were changed since; copies that were made to equalise sizes are
+ * removed.
+ *
+ * Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
+ * reverse order of joining. What is glued across the bridge is cut.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param bridge its number, counted from 0.
+ * @param[out] first receive the nets, for gusset_net_destroy; NULL on failure.
+ * @param[out] second receive the nets, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
+ *     bridge, or it is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7620,16 +8540,26 @@ gusset_status gusset_net_split_create(const struct gusset_context *context,
                                       struct gusset_net **second);
 
 /**
- * The number of bridges of a net. count: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ * The number of bridges of a net.
+ *
+ * @param net the net.
+ * @param[out] count receives it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_net_bridge_count(const struct gusset_net *net,
-                                      size_t *count);
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_bridge_count(const struct gusset_net *net, size_t *count);
 
 /**
- * A bridge of a net. index: its number, below gusset_net_bridge_count. bridge: its struct_size set. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+ * A bridge of a net.
+ *
+ * @param net the net.
+ * @param index its number, below gusset_net_bridge_count.
+ * @param[out] bridge its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7640,11 +8570,18 @@ gusset_status gusset_net_get_bridge(const struct gusset_net *net,
 /**
  * Does something else with the cells of a bridge, and gives it other properties.
  *
- * index: of the bridge, below gusset_net_bridge_count. mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or
- * GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0. properties: NULL leaves them.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the
- * place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends,
- * or if the net is shared with a copy or a scene; else O(1).
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param index of the bridge, below gusset_net_bridge_count.
+ * @param mode GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+ * @param tolerance how far nodes that are welded may be apart, at least 0.
+ * @param properties NULL leaves them.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the place and the distance, CROSSING_CELL,
+ *     OUT_OF_MEMORY; the net is then as it was.
+ * @complexity O(nodes) if welding begins or ends, or if the net is shared with a copy or a scene;
+ *     else O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7656,10 +8593,19 @@ gusset_status gusset_net_set_bridge(const struct gusset_context *context,
                                     const struct gusset_bridge_properties *properties);
 
 /**
- * Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there.
- * measures: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY,
- * CANCELLED. O(nodes), no memory. From any thread; the same bits for any number of threads. Volumes are exact for the
- * bilinear patches of the cells (divergence theorem).
+ * Measures a net: area, volume, box.
+ *
+ * Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
+ * for the bilinear patches of the cells (divergence theorem).
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] measures its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), no memory.
+ * @threads From any thread; the same bits for any number of threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7668,9 +8614,14 @@ gusset_status gusset_net_measure(const struct gusset_context *context,
                                  struct gusset_net_measure_report *measures);
 
 /**
- * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
- * the bilinear patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten
- * times the work.
+ * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly
+ * but for rounding for the bilinear patches of its cells.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] moments its struct_size set.
+ * @return GUSSET_OK, or an error: those of gusset_net_measure, and about ten times the work.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7681,12 +8632,19 @@ gusset_status gusset_net_moments(const struct gusset_context *context,
 /**
  * Tells how plane the cells of a net are: whether it can be clad with plane quads.
  *
- * tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each
- * cell, how far its corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
- * triangles and less, NaN for cells that are not there. capacity: its size; NULL and 0 if it is not wanted. written:
- * receives the number of cells. summary: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), 8 bytes a cell.
- * From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param tolerance at least 0, for the count in the summary.
+ * @param[out] cells a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
+ *     corners are from the plane that lies evenly between them, as a part of its longer diagonal;
+ *     0 for triangles and less, NaN for cells that are not there.
+ * @param capacity its size; NULL and 0 if it is not wanted.
+ * @param[out] written receives the number of cells.
+ * @param[out] summary its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), 8 bytes a cell.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7699,12 +8657,20 @@ gusset_status gusset_net_planarity(const struct gusset_context *context,
                                    struct gusset_net_planarity_report *summary);
 
 /**
- * Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
- * closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh without faces is no failure.
+ * Makes the mesh of a net.
  *
- * options: NULL for the defaults. mesh: receives the result, for gusset_net_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(nodes), and
- * O(w log w) for w cells whose opposite sides are glued.
+ * Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so
+ * that closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh
+ * without faces is no failure.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param options NULL for the defaults.
+ * @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7715,12 +8681,20 @@ gusset_status gusset_net_mesh_create(const struct gusset_context *context,
 
 /**
  * Destroys the mesh of a net; NULL is allowed.
+ *
+ * @param[in,out] mesh the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_mesh_destroy(struct gusset_net_mesh *mesh);
 
 /**
- * Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the mesh, valid until it is destroyed.
+ *
+ * @param mesh the mesh.
+ * @param[out] view its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7728,7 +8702,12 @@ gusset_status gusset_net_mesh_get_mesh(const struct gusset_net_mesh *mesh,
                                        struct gusset_mesh_view *view);
 
 /**
- * Lends what became what. Errors and validity as for gusset_net_mesh_get_mesh.
+ * Lends what became what.
+ *
+ * @param mesh the mesh.
+ * @param[out] maps receives the maps; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_net_mesh_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7736,11 +8715,20 @@ gusset_status gusset_net_mesh_get_view(const struct gusset_net_mesh *mesh,
                                        struct gusset_net_mesh_view *maps);
 
 /**
- * Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
- * missing nodes; faces are counter-clockwise from above, whichever way rows and columns run.
+ * Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin
+ * + height.
  *
- * net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- * NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing, origin), OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * Missing heights become missing nodes; faces are counter-clockwise from above, whichever way rows
+ * and columns run.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param heights the heights.
+ * @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing,
+ *     origin), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7749,12 +8737,19 @@ gusset_status gusset_net_from_heights_create(const struct gusset_context *contex
                                              struct gusset_net **net);
 
 /**
- * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of triangles round a pole at its first
- * and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+ * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of
+ * triangles round a pole at its first and last row, or either.
  *
- * mesh: see gusset_mesh_view. face: a face of the component that is meant; UINT32_MAX: the mesh must be one grid. grid: receives the
- * result, for gusset_net_grid_destroy; NULL on failure. Errors: those of the view, NO_GRID with a face that shows it,
- * OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and vertices of degree d.
+ * Rows run as the first quad says, and round if only one direction is closed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh see gusset_mesh_view.
+ * @param face a face of the component that is meant; UINT32_MAX: the mesh must be one grid.
+ * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of the view, NO_GRID with a face that shows it,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and vertices of degree d.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7765,12 +8760,21 @@ gusset_status gusset_net_grid_create(const struct gusset_context *context,
 
 /**
  * Destroys a grid; NULL is allowed.
+ *
+ * @param[in,out] grid the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
 
 /**
- * The net that was found. net: receives it, for gusset_net_destroy; it outlives the grid. NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT. O(1).
+ * The net that was found.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param grid the grid.
+ * @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7779,7 +8783,13 @@ gusset_status gusset_net_grid_net_create(const struct gusset_context *context,
                                          struct gusset_net **net);
 
 /**
- * Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends where the net was found.
+ *
+ * @param grid the grid.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7789,15 +8799,30 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
 /**
  * Computes the unit normal of every node of a net.
  *
- * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
- * after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
- * has room for. missing_count: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
- * cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
- * normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
- * seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are
- * filled in part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any
- * number of threads.
+ * Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the
+ * other way for nets that are reversed. Nodes that are glued get the same bits, poles and seams
+ * their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are
+ * there decide.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] x receive the coordinates of the normals, float or double as the net's are, rows x
+ *     columns numbers each, row after row without gaps, aligned, and apart from each other and
+ *     from the net's own.
+ * @param[out] y receive the coordinates of the normals, float or double as the net's are, rows x
+ *     columns numbers each, row after row without gaps, aligned, and apart from each other and
+ *     from the net's own.
+ * @param[out] z receive the coordinates of the normals, float or double as the net's are, rows x
+ *     columns numbers each, row after row without gaps, aligned, and apart from each other and
+ *     from the net's own.
+ * @param capacity the numbers that each has room for.
+ * @param[out] missing_count receives the number of nodes that have no normal and get zeros:
+ *     missing ones, and those whose cells have no area or cancel out; may be NULL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP,
+ *     OUT_OF_MEMORY, CANCELLED (the buffers are filled in part).
+ * @complexity O(nodes); a bit a node, and memory for the glued nodes.
+ * @threads From any thread; the same bits for any number of threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7812,10 +8837,18 @@ gusset_status gusset_net_normals(const struct gusset_context *context,
 /**
  * Makes a net of a standard shape, centred at the origin, its axis along z.
  *
- * Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise seen from outside. primitive: what is
- * wanted. net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
- * OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
- * CANCELLED. O(nodes); 12 or 24 bytes a node, and 1/4 for boxes. Source: Deryagin, "Closures of nets".
+ * Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise
+ * seen from outside.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param primitive what is wanted.
+ * @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too
+ *     few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes); 12 or 24 bytes a node, and 1/4 for boxes.
+ * @source Deryagin, "Closures of nets".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7824,13 +8857,21 @@ gusset_status gusset_net_primitive_create(const struct gusset_context *context,
                                           struct gusset_net **net);
 
 /**
- * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last
- * ones stay, and new nodes that fall on old ones have their bits.
+ * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of
+ * another; first and last ones stay, and new nodes that fall on old ones have their bits.
  *
- * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal
- * bits. interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on
- * failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
- * O(nodes of both). From any thread; the same bits for any number of threads.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net glued along whole sides only, without bridges; the new one is glued in the same way,
+ *     glued nodes have equal bits.
+ * @param rows of the result, at least 2.
+ * @param columns of the result, at least 2.
+ * @param interpolation one of GUSSET_INTERPOLATION_...
+ * @param[out] resampled receives the net, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE,
+ *     GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes of both).
+ * @threads From any thread; the same bits for any number of threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7842,15 +8883,23 @@ gusset_status gusset_net_resample_create(const struct gusset_context *context,
                                          struct gusset_net **resampled);
 
 /**
- * Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the
- * one whose loss costs least, as long as the tolerance allows.
+ * Makes a net of the rows and columns of another that matter most: rows, and then columns, are
+ * left out, always the one whose loss costs least, as long as the tolerance allows.
  *
- * net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half
- * of it away from the segments that replace their columns, and as much from those that replace their rows. rows,
- * columns: receive the indices of what was kept, as many as the new net has; each has room for as many as the old net
- * has; NULL if not wanted. deviation: receives what was reached; may be NULL. decimated: receives the net; NULL on
- * failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About
- * O(nodes x log rows). From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net glued along whole sides only, without bridges.
+ * @param tolerance at least 0, may be infinite; nodes are at most half of it away from the
+ *     segments that replace their columns, and as much from those that replace their rows.
+ * @param[out] rows receive the indices of what was kept, as many as the new net has; each has room
+ *     for as many as the old net has; NULL if not wanted.
+ * @param[out] columns receive the indices of what was kept, as many as the new net has; each has
+ *     room for as many as the old net has; NULL if not wanted.
+ * @param[out] deviation receives what was reached; may be NULL.
+ * @param[out] decimated receives the net; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(nodes x log rows).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7863,15 +8912,20 @@ gusset_status gusset_net_decimate_create(const struct gusset_context *context,
                                          struct gusset_net **decimated);
 
 /**
- * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row
- * and column of the one before, bit for bit.
+ * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the
+ * others every second row and column of the one before, bit for bit.
  *
- * net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy,
- * else it is resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets,
- * each for gusset_net_destroy; all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is
- * always enough. count: receives how many there are, also with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes),
- * memory for 4/3 of the first. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the
+ *     first level is a copy, else it is resampled to the next sizes.
+ * @param interpolation as for gusset_net_resample_create.
+ * @param[out] levels receives the nets, each for gusset_net_destroy; all NULL on failure.
+ * @param capacity how many it has room for; GUSSET_PYRAMID_LEVELS is always enough.
+ * @param[out] count receives how many there are, also with BUFFER_TOO_SMALL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ *     BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), memory for 4/3 of the first.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7883,7 +8937,13 @@ gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
                                         size_t *count);
 
 /**
- * Makes an empty scene. scene: receives it, for gusset_scene_destroy. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+ * Makes an empty scene.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[out] scene receives it, for gusset_scene_destroy.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7891,13 +8951,24 @@ gusset_status gusset_scene_create(const struct gusset_context *context,
                                   struct gusset_scene **scene);
 
 /**
- * Destroys a scene; NULL is allowed. O(entries), at any depth.
+ * Destroys a scene; NULL is allowed.
+ *
+ * @param[in,out] scene the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 
 /**
- * Adds a net, in no group yet, as it is now: what is done to the handle later does not change the scene. entry: receives its index.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+ * Adds a net, in no group yet, as it is now: what is done to the handle later does not change the
+ * scene.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param net the net.
+ * @param[out] entry receives its index.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY.
+ * @complexity O(1), and O(nodes) for a net in the caller's memory.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7907,9 +8978,17 @@ gusset_status gusset_scene_add_net(const struct gusset_context *context,
                                    uint32_t *entry);
 
 /**
- * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. entry:
- * its index. Errors: NO_SUCH_ELEMENT with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in
- * the caller's memory.
+ * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
+ * its transform.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param entry its index.
+ * @param net the net.
+ * @return GUSSET_OK, or an error: NO_SUCH_ELEMENT with the entry (also for a group),
+ *     OUT_OF_MEMORY.
+ * @complexity O(1), and O(nodes) for a net in the caller's memory.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7919,7 +8998,14 @@ gusset_status gusset_scene_set_net(const struct gusset_context *context,
                                    const struct gusset_net *net);
 
 /**
- * Adds an empty group, in no group yet. entry: receives its index. Errors: as gusset_scene_add_net. O(1).
+ * Adds an empty group, in no group yet.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param[out] entry receives its index.
+ * @return GUSSET_OK, or an error: as gusset_scene_add_net.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7928,10 +9014,17 @@ gusset_status gusset_scene_add_group(const struct gusset_context *context,
                                      uint32_t *entry);
 
 /**
- * Puts an entry into a group, behind what is in it; again, if it is in it already. group: the index of the group.
- * child: the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such entry, or group
- * is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group in no group; at most O(entries
- * below the one or above the other, whichever are fewer).
+ * Puts an entry into a group, behind what is in it; again, if it is in it already.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param group the index of the group.
+ * @param child the index of the entry.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
+ *     entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY.
+ * @complexity O(1) for an entry without children or a group in no group; at most O(entries below
+ *     the one or above the other, whichever are fewer).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7941,9 +9034,16 @@ gusset_status gusset_scene_add_child(const struct gusset_context *context,
                                      uint32_t child);
 
 /**
- * Takes an entry out of a group: the first one, if it is in it several times. group: the index of the group. child:
- * the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it is not in the group.
- * O(children of the group + groups of the child).
+ * Takes an entry out of a group: the first one, if it is in it several times.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param group the index of the group.
+ * @param child the index of the entry.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it
+ *     is not in the group.
+ * @complexity O(children of the group + groups of the child).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7953,8 +9053,14 @@ gusset_status gusset_scene_remove_child(const struct gusset_context *context,
                                         uint32_t child);
 
 /**
- * Removes an entry from the scene and from all groups; what was in a group stays. entry: its index. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+ * Removes an entry from the scene and from all groups; what was in a group stays.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param entry its index.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT.
+ * @complexity O(children of its groups + groups of its children).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7963,8 +9069,16 @@ gusset_status gusset_scene_remove(const struct gusset_context *context,
                                   uint32_t entry);
 
 /**
- * Places an entry in the space of the groups that it is in. entry: its index. transform: twelve finite numbers.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+ * Places an entry in the space of the groups that it is in.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param entry its index.
+ * @param transform twelve finite numbers.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ *     OUT_OF_RANGE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7974,8 +9088,16 @@ gusset_status gusset_scene_set_transform(const struct gusset_context *context,
                                          const struct gusset_transform *transform);
 
 /**
- * Shows an entry, or hides it and all that is in it. entry: its index. visible: 1 or 0. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE. O(1).
+ * Shows an entry, or hides it and all that is in it.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] scene the scene.
+ * @param entry its index.
+ * @param visible 1 or 0.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ *     UNKNOWN_VALUE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7985,8 +9107,15 @@ gusset_status gusset_scene_set_visible(const struct gusset_context *context,
                                        uint32_t visible);
 
 /**
- * What an entry is. entry: its index. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+ * What an entry is.
+ *
+ * @param scene the scene.
+ * @param entry its index.
+ * @param[out] out its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7995,9 +9124,16 @@ gusset_status gusset_scene_get_entry(const struct gusset_scene *scene,
                                      struct gusset_scene_entry_report *out);
 
 /**
- * The net of an entry, as a handle that shares its memory until it is changed. entry: its index. net: receives it, for
- * gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group.
- * O(1).
+ * The net of an entry, as a handle that shares its memory until it is changed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param scene the scene.
+ * @param entry its index.
+ * @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+ *     group.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8007,9 +9143,18 @@ gusset_status gusset_scene_net_create(const struct gusset_context *context,
                                       struct gusset_net **net);
 
 /**
- * The entries in a group, in order. group: its index. children: room for capacity indices, or NULL with capacity 0 to
- * ask for their number. written: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
- * net, BUFFER_TOO_SMALL. O(children).
+ * The entries in a group, in order.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param scene the scene.
+ * @param group its index.
+ * @param[out] children room for capacity indices, or NULL with capacity 0 to ask for their number.
+ * @param capacity see children.
+ * @param[out] written receives it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+ *     net, BUFFER_TOO_SMALL.
+ * @complexity O(children).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8021,8 +9166,14 @@ gusset_status gusset_scene_get_children(const struct gusset_context *context,
                                         size_t *written);
 
 /**
- * How much is in a scene. counts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY.
- * O(entries + children), however many instances there are. From any thread.
+ * How much is in a scene.
+ *
+ * @param scene the scene.
+ * @param[out] counts its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     OUT_OF_MEMORY.
+ * @complexity O(entries + children), however many instances there are.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8032,9 +9183,17 @@ gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
 /**
  * All instances and where they are: each behind the group that it is in, children in order.
  *
- * instances: room for capacity of them, or NULL with capacity 0 to ask for their number. written: receives it. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
- * before any is looked at), OUT_OF_MEMORY, CANCELLED. O(entries + instances).
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param scene the scene.
+ * @param[out] instances room for capacity of them, or NULL with capacity 0 to ask for their
+ *     number.
+ * @param capacity see instances.
+ * @param[out] written receives it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE
+ *     (more than 2^24, as sharing can make of few entries: refused before any is looked at),
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(entries + instances).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8045,12 +9204,20 @@ gusset_status gusset_scene_world_transforms(const struct gusset_context *context
                                             size_t *written);
 
 /**
- * Joins the nets of all visible instances, where they are in the space of the scene, to one. Nets under transforms that mirror are
- * flipped where the others would be opposed to them, as if options said turn. gusset_scene_unflatten_create is the inverse.
+ * Joins the nets of all visible instances, where they are in the space of the scene, to one.
  *
- * options: NULL for each net below the one before, with hidden bridges. net: receives the result, for gusset_net_destroy; NULL on
- * failure. Errors: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), and those of
- * gusset_net_concatenate_create. O(entries + instances + nodes). Source: Deryagin, scenes as "a single whole".
+ * Nets under transforms that mirror are flipped where the others would be opposed to them, as if
+ * options said turn. gusset_scene_unflatten_create is the inverse.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param scene the scene.
+ * @param options NULL for each net below the one before, with hidden bridges.
+ * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24
+ *     instances, or nodes), and those of gusset_net_concatenate_create.
+ * @complexity O(entries + instances + nodes).
+ * @source Deryagin, scenes as "a single whole".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8060,11 +9227,20 @@ gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
                                           struct gusset_net **net);
 
 /**
- * A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once:
- * the inverse of gusset_scene_flatten_create, in one group (entry 0). Nets come back as they are in the space of the
- * flat one, bit for bit; copies that were made to equalise sizes are removed. direction: GUSSET_DIRECTION_..., that of
- * the bridges. scene: receives it, for gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * A scene of the nets between the bridges of a direction that run from side to side and were made
+ * last, all at once: the inverse of gusset_scene_flatten_create, in one group (entry 0).
+ *
+ * Nets come back as they are in the space of the flat one, bit for bit; copies that were made to
+ * equalise sizes are removed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param direction GUSSET_DIRECTION_..., that of the bridges.
+ * @param[out] scene receives it, for gusset_scene_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ *     CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8076,12 +9252,20 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
 /**
  * Makes a stream of a net: its coordinates, what is glued to what, its bridges.
  *
- * options: NULL for 14 bits a coordinate. stream: receives the bytes, for gusset_stream_destroy; NULL on failure. QUANTISED and
- * LOSSLESS do not store nodes that are glued to others; decoding gives them the same bits (LOSSLESS stores all if the net's
- * differ). QUANTISED gives nodes with a coordinate that is NaN or infinite three NaN. Errors: UNKNOWN_VALUE, OUT_OF_RANGE (bits;
- * QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks coded by the
- * context's threads; the same bytes for any number of them. From any thread. Method: linear prediction with weights fitted to
- * each block, and a range coder with adaptive models.
+ * QUANTISED and LOSSLESS do not store nodes that are glued to others; decoding gives them the same
+ * bits (LOSSLESS stores all if the net's differ). QUANTISED gives nodes with a coordinate that is
+ * NaN or infinite three NaN. Method: linear prediction with weights fitted to each block, and a
+ * range coder with adaptive models.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param options NULL for 14 bits a coordinate.
+ * @param[out] stream receives the bytes, for gusset_stream_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_RANGE (bits; QUANTISED: a coordinate above
+ *     a quarter of the largest double), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
+ *     of them.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8091,8 +9275,14 @@ gusset_status gusset_net_encode_create(const struct gusset_context *context,
                                        struct gusset_stream **stream);
 
 /**
- * Lends the bytes of a stream, valid until it is destroyed. data, size: receive where they are and how many. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT. O(1). From any thread.
+ * Lends the bytes of a stream, valid until it is destroyed.
+ *
+ * @param stream the stream.
+ * @param[out] data receive where they are and how many.
+ * @param[out] size receive where they are and how many.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8102,12 +9292,23 @@ gusset_status gusset_stream_get_view(const struct gusset_stream *stream,
 
 /**
  * Destroys a stream; NULL is allowed.
+ *
+ * @param[in,out] stream the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_stream_destroy(struct gusset_stream *stream);
 
 /**
- * Reads the header of a stream. data: its first 128 bytes, or more; size: how many there are. info: its struct_size set. Errors:
- * BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Reads the header of a stream.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param data its first 128 bytes, or more.
+ * @param size how many there are.
+ * @param[out] info its struct_size set.
+ * @return GUSSET_OK, or an error: BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ *     BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8117,10 +9318,18 @@ gusset_status gusset_stream_inspect(const struct gusset_context *context,
                                     struct gusset_stream_report *info);
 
 /**
- * Makes the net of a stream. data: all its bytes, at any alignment; size: how many. net: receives the net, for gusset_net_destroy;
- * NULL on failure. A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one of its size can
- * need it: 4096 nodes a byte at most. Errors: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks decoded by
- * the context's threads. From any thread.
+ * Makes the net of a stream.
+ *
+ * A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one
+ * of its size can need it: 4096 nodes a byte at most.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param data all its bytes, at any alignment.
+ * @param size how many.
+ * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), with blocks decoded by the context's threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8130,9 +9339,15 @@ gusset_status gusset_net_decode_create(const struct gusset_context *context,
                                        struct gusset_net **net);
 
 /**
- * Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken
- * before all of the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for
- * gusset_stream_decoder_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(1).
+ * Begins to decode a stream that arrives in pieces.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param node_limit a net of more nodes is refused, as its memory is taken before all of the
+ *     stream is there; 0 for no limit but the library's, 2^31 - 1.
+ * @param[out] decoder receives the decoder, for gusset_stream_decoder_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8141,10 +9356,19 @@ gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
                                            struct gusset_stream_decoder **decoder);
 
 /**
- * Gives a decoder the next bytes of its stream, any number of them. data: the bytes, at any alignment. size: how many.
- * rows_done: receives how many rows are complete, those of all blocks so far; NULL if it is not wanted. After a
- * failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY. O(bytes + nodes of the
- * blocks that they complete).
+ * Gives a decoder the next bytes of its stream, any number of them.
+ *
+ * After a failure every call fails alike.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] decoder the decoder.
+ * @param data the bytes, at any alignment.
+ * @param size how many.
+ * @param[out] rows_done receives how many rows are complete, those of all blocks so far; NULL if
+ *     it is not wanted.
+ * @return GUSSET_OK, or an error: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY.
+ * @complexity O(bytes + nodes of the blocks that they complete).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8155,8 +9379,15 @@ gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
                                          size_t *rows_done);
 
 /**
- * Makes the net of the rows that a decoder has so far, at least two: open on all sides, without gluing and bridges, for a preview.
- * net: receives it. Errors: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY. O(nodes).
+ * Makes the net of the rows that a decoder has so far, at least two: open on all sides, without
+ * gluing and bridges, for a preview.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param decoder the decoder.
+ * @param[out] net receives it.
+ * @return GUSSET_OK, or an error: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8165,8 +9396,16 @@ gusset_status gusset_stream_decoder_preview_create(const struct gusset_context *
                                                    struct gusset_net **net);
 
 /**
- * Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing had been pushed. net: receives it.
- * Errors: BAD_STREAM if the stream is not complete, or what pushing failed with. O(1).
+ * Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing
+ * had been pushed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] decoder the decoder.
+ * @param[out] net receives it.
+ * @return GUSSET_OK, or an error: BAD_STREAM if the stream is not complete, or what pushing failed
+ *     with.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8176,20 +9415,34 @@ gusset_status gusset_stream_decoder_finish_create(const struct gusset_context *c
 
 /**
  * Destroys a decoder; NULL is allowed.
+ *
+ * @param[in,out] decoder the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_stream_decoder_destroy(struct gusset_stream_decoder *decoder);
 
 /**
- * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in
- * place.
+ * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied
+ * in one pass, in place.
  *
- * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
- * that are glued and have equal bits keep them equal; missing nodes stay missing (and may lose coordinates that were finite). If the operations together mirror
- * (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
- * faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
- * Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
- * product that overflows), FIELD_UNDEFINED with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
- * memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+ * The arithmetic is that of the net's scalar type; nodes that are glued and have equal bits keep
+ * them equal; missing nodes stay missing (and may lose coordinates that were finite). If the
+ * operations together mirror (odd numbers of reflections) the surface would be turned inside out:
+ * the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is heard
+ * before the first node is moved; whatever the error, none is moved.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param operations `count` of them, at any alignment; 0 for none.
+ * @param count see operations.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a
+ *     number that is not finite, an axis of length 0, a product that overflows), FIELD_UNDEFINED
+ *     with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its
+ *     memory), CANCELLED.
+ * @complexity O(nodes), no memory.
+ * @threads The same bits for any number of threads.
+ * @source Deryagin, T, R, S, C.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8199,11 +9452,22 @@ gusset_status gusset_net_transform(const struct gusset_context *context,
                                    size_t count);
 
 /**
- * Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
+ * Checks that glued nodes lie together, and looks for what is suspicious.
  *
- * tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
- * violation. validation: receives the result, for gusset_net_validation_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
+ * What it finds is no error.
+ *
+ * Two missing nodes are no violation.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param tolerance how far two nodes may be apart, at least 0; for 0 their coordinates must be
+ *     equal (0 and -0 are).
+ * @param[out] validation receives the result, for gusset_net_validation_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), and a sort of the findings.
+ * @source Deryagin, "Non-spatial operations".
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8213,7 +9477,13 @@ gusset_status gusset_net_validation_create(const struct gusset_context *context,
                                            struct gusset_net_validation **validation);
 
 /**
- * Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
+ * Lends the findings.
+ *
+ * @param validation the validation.
+ * @param[out] report receives the report; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(log findings).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8222,15 +9492,26 @@ gusset_status gusset_net_validation_get_view(const struct gusset_net_validation 
 
 /**
  * Destroys a validation; NULL is allowed.
+ *
+ * @param[in,out] validation the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_net_validation_destroy(struct gusset_net_validation *validation);
 
 /**
- * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
+ * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more
+ * nodes of its sides that do, forwards or backwards.
  *
- * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
- * gusset_net_validation_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
- * CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
+ * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are
+ * taken stays. On failure the net is as it was.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param tolerance as for gusset_net_validation_create.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+ *     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), and a sort of the nodes of the sides.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8239,20 +9520,35 @@ gusset_status gusset_net_derive(const struct gusset_context *context,
                                 double tolerance);
 
 /**
- * What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
- * NULL; static. O(1). From any thread.
+ * What a status means, in a few English words.
+ *
+ * Never NULL; static.
+ *
+ * @param status any number; for one that is no status, "unknown status".
+ * @return a static string, never NULL.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API const char *gusset_status_text(int32_t status);
 
 /**
  * Builds the index of one sheet or several, which together are one surface.
  *
- * sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
- * coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
- * defaults. surface: receives the result, for gusset_surface_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
- * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
- * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
+ * The greatest absolute coordinate of each is from 1e-30 to 1e37, or 0, control points included:
+ * boxes are in single precision.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[out] sheets count handles, none NULL, the array at any alignment; they may be destroyed
+ *     afterwards.
+ * @param count see sheets.
+ * @param options NULL for the defaults.
+ * @param[out] surface receives the result, for gusset_surface_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT (of a handle with its number, as
+ *     GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH
+ *     without sheets, OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are
+ *     too large or too small, or for the tolerance; SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), about 7 bytes a node, and 0.7 with cones; threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8263,15 +9559,23 @@ gusset_status gusset_surface_create(const struct gusset_context *context,
                                     struct gusset_surface **surface);
 
 /**
- * Frees a surface; NULL is allowed. What was found with it stays.
+ * Frees a surface; NULL is allowed.
+ *
+ * What was found with it stays.
+ *
+ * @param[in,out] surface the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
 
 /**
  * The curves, lent until they are destroyed.
  *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * O(1). From any thread.
+ * @param paths the paths.
+ * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8280,21 +9584,36 @@ gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *p
 
 /**
  * Frees curves; NULL is allowed.
+ *
+ * @param[in,out] paths the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
- * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
- * normal and the surface's.
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest
+ * cells, along the cross product of the planes' normal and the surface's.
  *
- * point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
- * any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
- * defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
- * a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
- * contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
- * tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
- * normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
- * cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
+ * Every curve is found, also one within a cell, and on a closed surface all are closed; a corner
+ * on a plane counts as above it. Cells where a plane touches or contains the surface, so that
+ * curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+ * tolerance too.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param point x, y, z of a point of the plane of offset 0, at any alignment, as normal and
+ *     offsets are.
+ * @param normal x, y, z, not 0, of any length.
+ * @param offsets count of them, rising, distances of the planes from the point along the normal.
+ * @param count see offsets.
+ * @param options NULL for the defaults.
+ * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a normal of 0, offsets that do not rise,
+ *     chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(count + cells that are cut); threads.
+ * @source Leus, "Carcasses on smooth surfaces", task d.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8308,13 +9627,27 @@ gusset_status gusset_surface_section_create(const struct gusset_context *context
                                             struct gusset_surface_paths **paths);
 
 /**
- * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
- * surface is; greater values are to the left, seen from where the normals point to.
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the
+ * values of levels.
  *
- * values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
- * one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
- * level_count of them, rising. Otherwise as gusset_surface_section_create. Errors: as there; SIZE_OVERFLOW if there are too few values,
- * TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
+ * It is interpolated as the surface is; greater values are to the left, seen from where the
+ * normals point to.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param values value_count of them, finite, at any alignment, as levels are: of all sheets, one
+ *     after the other, each row after row, one more row and column than there are cells; the last
+ *     line of a closed direction repeats the first and is not used.
+ * @param value_count see values.
+ * @param levels level_count of them, rising.
+ * @param level_count see levels.
+ * @param options NULL for the defaults.
+ * @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there;
+ *     SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number
+ *     of the value.
+ * @complexity O(values + cells that are crossed); threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8328,14 +9661,29 @@ gusset_status gusset_surface_contours_create(const struct gusset_context *contex
                                              struct gusset_surface_paths **paths);
 
 /**
- * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
- * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of
+ * the surface seen along the direction; at 0 and pi points in place of curves, each a path of one
+ * point.
  *
- * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
- * / 2 if normals are unsigned. Otherwise as gusset_surface_section_create. Where normals jump between cells (patches,
- * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
- * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
- * O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+ * Angles are smaller to the left, seen from where the normals point to.
+ *
+ * Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side
+ * between them; poles that may have the angle are listed as unresolved. Angles are of order three,
+ * as normals are; contours of the cosines at the nodes are of order four.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param direction x, y, z, not 0, at any alignment, as angles are.
+ * @param angles count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are
+ *     unsigned.
+ * @param count see angles.
+ * @param options NULL for the defaults.
+ * @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there.
+ * @complexity About O(cells that are crossed), and O(cells) once, for the cones of normals;
+ *     threads.
+ * @source Leus, task b.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8350,10 +9698,18 @@ gusset_status gusset_surface_isophotes_create(const struct gusset_context *conte
 /**
  * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
  *
- * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
- * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
- * O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param direction x, y, z, not 0, at any alignment.
+ * @param angle in radians, 0 to pi, or to pi / 2 if normals are unsigned.
+ * @param options NULL for the defaults; what is between crossings is not used.
+ * @param[out] nearest struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(cells that come near to the angle), and O(cells) once, for the cones of
+ *     normals; threads.
+ * @source Leus, task b.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8365,14 +9721,23 @@ gusset_status gusset_surface_nearest_angle(const struct gusset_context *context,
                                            struct gusset_nearest_angle_report *nearest);
 
 /**
- * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
+ * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the
+ * next, of fourth order.
  *
- * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
- * again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
- * receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
- * NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
- * OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the surface of a
- * curve.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param nodes x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of
+ *     which the last is the first one again: closed paths of a surface do not repeat it, and need
+ *     it added.
+ * @param count see nodes.
+ * @param closed 0 or 1.
+ * @param scheme GUSSET_SCHEME_...
+ * @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve), NET_TOO_SMALL with
+ *     too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
+ *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(count).
+ * @source Leus, "Carcasses on smooth surfaces": points are the surface of a curve.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8386,10 +9751,16 @@ gusset_status gusset_curve_through_create(const struct gusset_context *context,
 /**
  * A coordinate curve of a sheet, exactly: a segment for each cell.
  *
- * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
- * parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
- * gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
- * OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param along GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs;
+ *     GUSSET_ALONG_COLUMNS: the other way round.
+ * @param parameter 0 to the number of cells that way; whole numbers are lines of nodes.
+ * @param[out] curve receives the result, for gusset_curve_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+ *     (parameter), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells along the curve).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8400,13 +9771,21 @@ gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
                                         struct gusset_curve **curve);
 
 /**
- * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
+ * Where two curves in space come as near to each other as `within`: each place where their
+ * distance is least, once.
  *
- * within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
- * first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
- * told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
- * each pair of segments whose boxes are near. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param other the other.
+ * @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
+ * @param[out] places receives the places on the first curve, those on the other, and the points of
+ *     the first; overlaps are parts where the curves stay as near, or cannot be told apart;
+ *     undecided is 1 if something was given up that may be near enough. For gusset_places_destroy;
+ *     NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+ *     (within), OUT_OF_MEMORY, CANCELLED.
+ * @complexity Bounded work for each pair of segments whose boxes are near.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8419,8 +9798,16 @@ gusset_status gusset_curve_near_misses_create(const struct gusset_context *conte
 /**
  * Where a curve in space comes as near to a line, ray or segment as `within`.
  *
- * line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
- * gusset_curve_near_misses_create; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
+ * The others among the places have segment 0, and the line's own parameter as t.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param line one, at any alignment.
+ * @param within a distance, at least 0.
+ * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
+ *     a line that is not finite or has no direction.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8433,9 +9820,16 @@ gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *
 /**
  * Points, derivatives, normals and curvatures at places.
  *
- * places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
- * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
- * CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param places count of them, at any alignment.
+ * @param count see places.
+ * @param[out] results room for count; all 0 on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+ *     (reserved), NO_SUCH_ELEMENT with the first place that the surface does not have: no such
+ *     sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(1) a place, at a pole O(cells round it); threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8446,12 +9840,22 @@ gusset_status gusset_surface_evaluate(const struct gusset_context *context,
                                       struct gusset_surface_point *results);
 
 /**
- * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
- * what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j.
  *
- * sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
- * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
- * not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
+ * Closed directions are counted round; what is beyond an open side is on it. The other way the
+ * parameters of a place are row + u and column + v.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param sheet its number, counted from 0.
+ * @param parameters u, v of each, packed, at any alignment.
+ * @param count see places.
+ * @param[out] places room for count; all 0 on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW,
+ *     NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet;
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(1) each.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8465,12 +9869,22 @@ gusset_status gusset_surface_locate(const struct gusset_context *context,
 /**
  * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
  *
- * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
- * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
- * selection: GUSSET_HITS_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
- * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none
+ * is missed: where a line touches the surface or runs in it, a hit says from where to where.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param lines count of them, at any alignment; NULL for none.
+ * @param count see lines.
+ * @param selection GUSSET_HITS_...
+ * @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+ *     with the line that is not finite, has no direction, or ends before it begins; SIZE_OVERFLOW,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ *     threads.
+ * @source Leus, "Carcasses on smooth surfaces", task c.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8482,11 +9896,19 @@ gusset_status gusset_surface_line_hits_create(const struct gusset_context *conte
                                               struct gusset_surface_hits **hits);
 
 /**
- * The first hit of each of many lines, rays or segments: that of least t, which gusset_surface_line_hits_create gives first.
+ * The first hit of each of many lines, rays or segments: that of least t, which
+ * gusset_surface_line_hits_create gives first.
  *
- * lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
- * where there is none, and everywhere on failure. Errors: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT (hits). About
- * O(log cells) a line; threads. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param lines count of them, at any alignment.
+ * @param count see lines.
+ * @param[out] hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+ *     where there is none, and everywhere on failure.
+ * @return GUSSET_OK, or an error: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT
+ *     (hits).
+ * @complexity About O(log cells) a line; threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8499,10 +9921,19 @@ gusset_status gusset_surface_first_hits(const struct gusset_context *context,
 /**
  * Where a curve in space meets a surface, in the order of the curve.
  *
- * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. selection: GUSSET_HITS_... hits:
- * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
- * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
+ * As for lines; a point at a joint of segments is found once too.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param curve of degree 7 at most.
+ * @param selection GUSSET_HITS_...
+ * @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
+ *     OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(log cells) for each cell that the curve comes near to; bounded for each
+ *     segment and cell that run in each other; threads.
+ * @source Leus, task c.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8515,8 +9946,11 @@ gusset_status gusset_surface_curve_hits_create(const struct gusset_context *cont
 /**
  * The hits, lent until they are destroyed.
  *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
+ * @param hits the hits.
+ * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8525,20 +9959,35 @@ gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hit
 
 /**
  * Frees hits; NULL is allowed.
+ *
+ * @param[in,out] hits the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 
 /**
  * The nearest points of a surface to queries, one or many.
  *
- * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
- * points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
- * answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
- * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
- * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
- * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
- * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
- * surfaces", task a, by branch and bound.
+ * Each answer is the same to the bit whether it is asked for alone or among others, in any order,
+ * on any number of threads; of several nearest points it is that of the first sheet, row and
+ * column. What is proved is relative to the surface as declared: no point of it is nearer than
+ * bound.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param queries x, y, z of each, at any alignment, `stride` bytes apart (0: packed).
+ * @param count see points.
+ * @param stride see queries.
+ * @param options NULL for the defaults: no limit.
+ * @param[out] points room for count answers, in the order of the queries; none is found on
+ *     failure: no flags, and infinite distances.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE,
+ *     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
+ *     work; threads.
+ * @source Leus, "Carcasses on smooth surfaces", task a, by branch and bound.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8551,14 +10000,24 @@ gusset_status gusset_surface_nearest(const struct gusset_context *context,
                                      struct gusset_surface_nearest_point *points);
 
 /**
- * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+ * The places where the distance from a query is locally least: all, those within a limit, or the
+ * nearest ones.
  *
- * query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
- * gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
- * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
- * with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
- * CANCELLED. O(cells within the limit); with max_count, those no farther than the last. From any thread.
+ * None is missed: where it cannot be proved whether there is one (the distance is the same all
+ * round, as at a focus), one point is given for all cells that touch, without
+ * GUSSET_NEAREST_PROVEN and with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places
+ * count from which no way on the surface leads nearer.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param query x, y, z, at any alignment.
+ * @param options NULL for the defaults: all.
+ * @param[out] points receives the result, the nearest first, for gusset_surface_points_destroy;
+ *     NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE,
+ *     OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells within the limit); with max_count, those no farther than the last.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8569,8 +10028,13 @@ gusset_status gusset_surface_minima_create(const struct gusset_context *context,
                                            struct gusset_surface_points **points);
 
 /**
- * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * The points, lent until they are destroyed.
+ *
+ * @param points the points.
+ * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8579,16 +10043,27 @@ gusset_status gusset_surface_points_get_view(const struct gusset_surface_points 
 
 /**
  * Frees points; NULL is allowed.
+ *
+ * @param[in,out] points the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
 
 /**
- * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ * The cells that have a point within a radius of a query: the paper's region, with its logical
+ * scale.
  *
- * query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
- * and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
- * gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
- * OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param query x, y, z, at any alignment.
+ * @param radius at least 0; INFINITY: all cells.
+ * @param[out] region receives all cells that have such a point, and no others but such as come
+ *     within the tolerance of the radius or could not be decided in bounded work; for
+ *     gusset_surface_region_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+ *     (radius), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells found, and one bit a cell).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8599,8 +10074,13 @@ gusset_status gusset_surface_region_create(const struct gusset_context *context,
                                            struct gusset_surface_region **region);
 
 /**
- * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * The cells, lent until they are destroyed.
+ *
+ * @param region the region.
+ * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8609,18 +10089,30 @@ gusset_status gusset_surface_region_get_view(const struct gusset_surface_region 
 
 /**
  * Frees a region; NULL is allowed.
+ *
+ * @param[in,out] region the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
 
 /**
  * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
  *
- * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
- * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
- * room for; either may be NULL, both with capacity 0. written: receives the number of cells. max: receives two
- * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
- * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param[out] euclidean receives for each cell, row after row, a bound of the distance between any
+ *     two of its points.
+ * @param[out] intrinsic of the length of the shortest curve within the cell between them.
+ * @param capacity how many numbers each of the two has room for; either may be NULL, both with
+ *     capacity 0.
+ * @param[out] written receives the number of cells.
+ * @param[out] max receives two numbers, the greatest of the first and of the second kind, the
+ *     paper's d; may be NULL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells), 16 bytes a cell; threads; the same bits for any number of them.
+ * @source Leus, eqs. (1) and (7); the bounds are ours.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8635,8 +10127,12 @@ gusset_status gusset_sheet_diameters(const struct gusset_context *context,
 /**
  * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
  *
- * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param[out] bound receives the bound; infinite where the surface is not regular, as at poles.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells); threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8645,15 +10141,27 @@ gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
                                            double *bound);
 
 /**
- * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+ * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in
+ * common, across corners too.
  *
- * words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
- * j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
- * column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
- * from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
- * written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
- * distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
- * NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
+ * The sum of their diameters bounds the distance between points of from and of to.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
+ *     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
+ * @param count the words, at least as many as the cells need.
+ * @param from row and column of a cell of the region, two numbers each, at any alignment.
+ * @param to row and column of a cell of the region, two numbers each, at any alignment.
+ * @param[out] cells receives row and column of each cell of the chain, from and to included, two
+ *     numbers each; NULL with capacity 0 to ask for the size.
+ * @param capacity how many cells it has room for.
+ * @param[out] written receives the number of cells, the integer length; 0 if there is no chain.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
+ *     words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells).
+ * @source Leus, eq. (3).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8668,11 +10176,19 @@ gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
                                       size_t *written);
 
 /**
- * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+ * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
+ * Euler characteristic.
  *
- * words, count: the region, as for gusset_sheet_mask_chain. report: struct_size set by the caller; all else is overwritten. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
- * for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param words the region, as for gusset_sheet_mask_chain.
+ * @param count the region, as for gusset_sheet_mask_chain.
+ * @param[out] report struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
+ * @source Leus, eqs. (4) to (6).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8683,17 +10199,27 @@ gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
                                         struct gusset_mask_report *report);
 
 /**
- * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
- * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
- * surface (gusset_surface_create) answers the same and more from its index, much faster.
+ * The paper's search with its logical scale, corrected: which cells of a sheet may have a point
+ * within a distance of an object, or the nearest one, or a normal at an angle.
  *
- * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with capacity 0 for the
- * size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
- * words. report: what was
- * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
- * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
- * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
- * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module surface::leus.
+ * None that has is missing. It is the documented reference and looks at many nodes; a surface
+ * (gusset_surface_create) answers the same and more from its index, much faster.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param task what is looked for.
+ * @param[out] words receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL
+ *     with capacity 0 for the size and the report alone; all words are 0 on failure.
+ * @param capacity how many words it has room for.
+ * @param[out] written receives the number of words.
+ * @param[out] report what was done; its struct_size set by the caller; may be NULL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative
+ *     distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+ *     at for the search.
+ * @source Leus; its errata are listed with the Rust module surface::leus.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8706,14 +10232,24 @@ gusset_status gusset_sheet_reference_mask(const struct gusset_context *context,
                                           struct gusset_reference_report *report);
 
 /**
- * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
- * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
- * size of cells; the exact normals of the surface are had from a surface.
+ * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of
+ * the normals at the cell's corners, cut the lines of the net; cubics through four crossings each
+ * have tangents that span the tangent plane.
  *
- * places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
- * each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
- * (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
- * OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
+ * Of third order in the size of cells; the exact normals of the surface are had from a surface.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param places count places of the sheet, whose own number is not read, at any alignment; u and v
+ *     0 to 1.
+ * @param count see places.
+ * @param[out] normals receives x, y, z of each; 0 where there is none, and everywhere on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+ *     (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell,
+ *     parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+ * @complexity Bounded work for each.
+ * @source Leus, fig. 1.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8724,8 +10260,13 @@ gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *cont
                                                double *normals);
 
 /**
- * What a surface is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ * What a surface is.
+ *
+ * @param surface the surface.
+ * @param[out] facts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(sheets).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8735,8 +10276,13 @@ gusset_status gusset_surface_get_report(const struct gusset_surface *surface,
 /**
  * What a sheet of a surface is.
  *
- * sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
+ * @param surface the surface.
+ * @param sheet its number, as in places.
+ * @param[out] facts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT (sheet).
+ * @complexity O(sheets).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8747,12 +10293,18 @@ gusset_status gusset_surface_get_sheet(const struct gusset_surface *surface,
 /**
  * Makes a surface through a copy of nodes.
  *
- * nodes: at any alignment, finite; of sheets for a surface the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
- * 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
- * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
- * NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
- * direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY, CANCELLED. O(nodes); 24 bytes a
- * node. From any thread. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param nodes at any alignment, finite; of sheets for a surface the greatest coordinate in
+ *     absolute terms is from 1e-30 to 1e37, or 0, however the sheet is made; repeated nodes and
+ *     rows that are one point (poles) are allowed.
+ * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet),
+ *     BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE,
+ *     NOT_FINITE with the node, SIDES_DIFFER if a closed direction does not end where it begins,
+ *     with the place of the largest gap, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes); 24 bytes a node.
+ * @source Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8761,12 +10313,17 @@ gusset_status gusset_sheet_from_nodes_create(const struct gusset_context *contex
                                              struct gusset_sheet **sheet);
 
 /**
- * Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
- * of it are destroyed.
+ * Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged
+ * until the sheet and all that was made of it are destroyed.
  *
- * nodes: as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
- * MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
- * a node. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param nodes as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides
+ *     multiples of 8.
+ * @param[out] sheet receives the result, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: as there; MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32
+ *     and for strides that are no multiples of 8; CANCELLED.
+ * @complexity O(nodes); no memory a node.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8775,18 +10332,29 @@ gusset_status gusset_sheet_borrow_create(const struct gusset_context *context,
                                          struct gusset_sheet **sheet);
 
 /**
- * Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
+ * Frees a sheet; NULL is allowed.
+ *
+ * What was made of it keeps what it needs.
+ *
+ * @param[in,out] sheet the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
 
 /**
  * Makes the bicubic Hermite surface through nodes with given tangents: C1.
  *
- * nodes: as for gusset_sheet_from_nodes_create; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
- * line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
- * gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes_create, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
- * UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
- * OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param nodes as for gusset_sheet_from_nodes_create; the scheme is not used.
+ * @param tangents rows x columns vectors each; those of the repeated line of a closed direction
+ *     are not read as tangents, but must be there; at any alignment.
+ * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_sheet_from_nodes_create, among them
+ *     NULL_ARGUMENT, BAD_STRUCT_SIZE and UNKNOWN_VALUE (twist, reserved) for the tangents, and
+ *     NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(nodes); 384 bytes a cell.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8796,14 +10364,25 @@ gusset_status gusset_sheet_from_tangents_create(const struct gusset_context *con
                                                 struct gusset_sheet **sheet);
 
 /**
- * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
+ * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their
+ * sides.
  *
- * points: x, y, z of the control points, packed, at any alignment: patch after patch, row after row of patches; in each patch
- * degree_v + 1 points follow each other in v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at
- * least 1. Repeated points and sides that are one point are allowed. sheet: receives the surface, for gusset_sheet_destroy; NULL
- * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH without patches, TOO_LARGE,
- * SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(points); 384 bytes a patch up to
- * degree 3, else 1536. From any thread.
+ * Repeated points and sides that are one point are allowed.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param points x, y, z of the control points, packed, at any alignment: patch after patch, row
+ *     after row of patches; in each patch degree_v + 1 points follow each other in v, degree_u + 1
+ *     times.
+ * @param degree_u 1 to 7.
+ * @param degree_v 1 to 7.
+ * @param rows of patches, at least 1.
+ * @param columns of patches, at least 1.
+ * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE
+ *     (degree), EMPTY_MESH without patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control
+ *     point (as a node), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8816,14 +10395,19 @@ gusset_status gusset_sheet_from_patches_create(const struct gusset_context *cont
                                                struct gusset_sheet **sheet);
 
 /**
- * Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
- * the whole numbers of rows and columns.
+ * Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding:
+ * cells are its spans that are not empty, so that knots become the whole numbers of rows and
+ * columns.
  *
- * spline: its arrays are at any alignment. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control
- * points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often, TOO_LARGE, SIZE_OVERFLOW,
- * NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
- * else 1536. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param spline its arrays are at any alignment.
+ * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with
+ *     the first knot that is not finite, out of order or repeated too often, TOO_LARGE,
+ *     SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8832,20 +10416,29 @@ gusset_status gusset_sheet_from_spline_create(const struct gusset_context *conte
                                               struct gusset_sheet **sheet);
 
 /**
- * Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two columns it is Coons's patch. Nodes are where
- * each row and each column are nearest.
+ * Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two
+ * columns it is Coons's patch.
  *
- * Between two nodes rows of equally many segments are matched segment by segment; else all of them are cut where any one has a joint: there may be
- * more cells than meshes of the net. The surface is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
- * (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
- * with gusset_outline_create.
+ * Nodes are where each row and each column are nearest.
  *
- * net: the curves may be destroyed afterwards; the arrays of handles are at any alignment. sheet: receives the surface, for
- * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- * UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and
- * the distance (the message has the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
- * CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. From any
- * thread. Source: Gordon (1969).
+ * Between two nodes rows of equally many segments are matched segment by segment; else all of them
+ * are cut where any one has a joint: there may be more cells than meshes of the net. The surface
+ * is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
+ * (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a
+ * smooth surface draw curves through their points first, with gusset_outline_create.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the curves may be destroyed afterwards; the arrays of handles are at any alignment.
+ * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT,
+ *     BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree,
+ *     tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and the distance (the message has
+ *     the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up
+ *     to degree 3, else 1536.
+ * @source Gordon (1969).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8856,10 +10449,15 @@ gusset_status gusset_sheet_from_curves_create(const struct gusset_context *conte
 /**
  * Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
  *
- * frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for
- * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves
- * OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY,
- * CANCELLED. O(nodes). From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param frame may be destroyed afterwards.
+ * @param kind GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES.
+ * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ *     NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or
+ *     are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8869,12 +10467,21 @@ gusset_status gusset_sheet_from_frame_create(const struct gusset_context *contex
                                              struct gusset_sheet **sheet);
 
 /**
- * Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
- * directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
+ * Makes a mesh of points of a sheet.
  *
- * options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and
- * more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices). From any thread.
+ * Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit;
+ * seams of closed directions and poles are closed. Faces are counter-clockwise seen from where S_u
+ * x S_v points to. A mesh without faces is no failure.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param options NULL for the defaults.
+ * @param[out] mesh receives the result, for gusset_sheet_mesh_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more),
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells + vertices).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8885,12 +10492,20 @@ gusset_status gusset_sheet_mesh_create(const struct gusset_context *context,
 
 /**
  * Destroys the mesh of a sheet; NULL is allowed.
+ *
+ * @param[in,out] mesh the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_sheet_mesh_destroy(struct gusset_sheet_mesh *mesh);
 
 /**
- * Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
- * thread.
+ * Lends the mesh, valid until it is destroyed.
+ *
+ * @param mesh the mesh.
+ * @param[out] view its struct_size set.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8898,7 +10513,12 @@ gusset_status gusset_sheet_mesh_get_mesh(const struct gusset_sheet_mesh *mesh,
                                          struct gusset_mesh_view *view);
 
 /**
- * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_get_mesh. From any thread.
+ * Lends places and normals of the vertices.
+ *
+ * @param mesh the mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_sheet_mesh_get_mesh.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8908,8 +10528,11 @@ gusset_status gusset_sheet_mesh_get_view(const struct gusset_sheet_mesh *mesh,
 /**
  * Tells what a sheet is.
  *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
- * sides). From any thread.
+ * @param sheet the sheet.
+ * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(cells at the sides).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8917,15 +10540,23 @@ gusset_status gusset_sheet_get_report(const struct gusset_sheet *sheet,
                                       struct gusset_sheet_report *parts);
 
 /**
- * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
+ * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i,
+ * j).
  *
- * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
- * parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
- * in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
- * through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
- * capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
- * value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
- * thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param[out] errors an estimate of how far a surface through nodes is from the smooth one that
+ *     they were taken from, at equal parameters: C h^4 times the fourth derivatives, from
+ *     differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the
+ *     patches were given.
+ * @param[out] bilinear a bound of how far the surface is from the bilinear patch through the
+ *     cell's corners.
+ * @param[out] triangles from the two triangles that either diagonal makes. Each may be NULL.
+ * @param capacity how many numbers each has room for.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value
+ *     is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then.
+ * @complexity O(cells); threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8937,9 +10568,15 @@ gusset_status gusset_sheet_estimates(const struct gusset_context *context,
                                      size_t capacity);
 
 /**
- * The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
+ * The largest angle between the normals on both sides of borders between cells, in radians: 0, or
+ * rounding, where the surface is smooth.
  *
- * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param[out] crease receives it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells); threads.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8948,16 +10585,26 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
                                   double *crease);
 
 /**
- * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+ * The curves in which two surfaces meet, with the places of their points on both: ordered along
+ * N_A x N_B, closed ones marked so.
  *
- * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
- * receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
- * `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
- * cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
- * Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- * OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
- * cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
- * "Carcasses on smooth surfaces", task e; the proofs are ours.
+ * Points and normals are those of a; the points of b at `others` are the same but for rounding.
+ * Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of
+ * a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves
+ * may end there. Intersections of one surface with itself are not looked for.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param a the surfaces, which may be the same handle: then all is reported as coincident.
+ * @param b the surfaces, which may be the same handle: then all is reported as coincident.
+ * @param options NULL for the defaults.
+ * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity In proportion to the pairs of cells that may meet, with a limit for each; threads;
+ *     the same bits for any number of them.
+ * @source Leus, "Carcasses on smooth surfaces", task e; the proofs are ours.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8968,11 +10615,18 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
                                                  struct gusset_surface_paths **paths);
 
 /**
- * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+ * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and
+ * few others.
  *
- * within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
- * proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param a the a.
+ * @param b the b.
+ * @param within a length, finite; 0: cells that may meet.
+ * @param[out] pairs receives them, for gusset_cell_pairs_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
+ *     TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED.
+ * @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8985,8 +10639,11 @@ gusset_status gusset_surface_cell_pairs_create(const struct gusset_context *cont
 /**
  * The pairs, lent until they are destroyed.
  *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
+ * @param pairs the pairs.
+ * @param[out] parts struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8995,17 +10652,32 @@ gusset_status gusset_cell_pairs_get_view(const struct gusset_cell_pairs *pairs,
 
 /**
  * Frees pairs of cells; NULL is allowed.
+ *
+ * @param[in,out] pairs the handle; NULL is allowed.
+ * @since 0.1
  */
 GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
 
 /**
- * The library's version, "major.minor.patch". Never NULL; static. O(1). From any thread.
+ * The library's version, "major.minor.patch".
+ *
+ * Never NULL; static.
+ *
+ * @return a static string, never NULL.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API const char *gusset_version(void);
 
 /**
- * The number of the binary interface. It changes whenever a program built against an older header could break; until
- * 1.0 that is when the minor version changes. O(1). From any thread.
+ * The number of the binary interface.
+ *
+ * It changes whenever a program built against an older header could break; until 1.0 that is when
+ * the minor version changes.
+ *
+ * @return the number.
+ * @complexity O(1).
+ * @since 0.1
  */
 GUSSET_API uint32_t gusset_abi(void);
 

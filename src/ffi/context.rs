@@ -182,8 +182,14 @@ impl State {
     }
 }
 
-/// Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+/// Creates a context with automatic threads and no callbacks.
+///
+/// Destroy it with gusset_context_destroy.
+///
+/// @param[out] context threads, progress, cancellation and error report; NULL for the defaults.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
@@ -198,21 +204,37 @@ pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context
     })
 }
 
-/// Destroys a context; NULL is allowed. No call may be using it.
+/// Destroys a context; NULL is allowed.
+///
+/// No call may be using it.
+///
+/// @param[in,out] context the context.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
     input::destroy(context);
 }
 
-/// Sets the number of threads, on which results do not depend. threads: 0 as many as the machine has, 1 the calling
-/// thread only. Errors: NULL_ARGUMENT, CONTEXT_BUSY. O(1).
+/// Sets the number of threads, on which results do not depend.
+///
+/// @param[in,out] context the context.
+/// @param threads 0 as many as the machine has, 1 the calling thread only.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
     change(context, |settings| settings.threads = threads)
 }
 
-/// Sets the progress callback. progress: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
-/// CONTEXT_BUSY. O(1).
+/// Sets the progress callback.
+///
+/// @param[in,out] context the context.
+/// @param progress NULL for none.
+/// @param[out] user handed to it, and not looked at.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
     context: *mut gusset_context,
@@ -222,8 +244,14 @@ pub unsafe extern "C" fn gusset_context_set_progress(
     change(context, |settings| (settings.progress, settings.progress_user) = (progress, user))
 }
 
-/// Sets the log callback. log: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
-/// CONTEXT_BUSY. O(1).
+/// Sets the log callback.
+///
+/// @param[in,out] context the context.
+/// @param log NULL for none.
+/// @param[out] user handed to it, and not looked at.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
     context: *mut gusset_context,
@@ -240,7 +268,12 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut Settings)) -> gu
     })
 }
 
-/// Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed. O(1).
+/// Cancels the running call, and every later one until gusset_context_reset.
+///
+/// @param context the context.
+/// @complexity O(1).
+/// @threads From any thread; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     if let Ok(context) = input::reference(context, "context") {
@@ -248,7 +281,13 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     }
 }
 
-/// Takes a cancel back. NULL is allowed. O(1).
+/// Takes a cancel back.
+///
+/// NULL is allowed.
+///
+/// @param context the context.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     if let Ok(context) = input::reference(context, "context") {
@@ -256,22 +295,41 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     }
 }
 
-/// How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
+/// How much of the running (or last) call is done, 0 to 1; 0 for NULL.
+///
+/// @param context the context.
+/// @return 0 to 1; 0 for NULL.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
     input::reference(context, "context").map_or(0.0, |context| f64::from_bits(context.fraction.load(Ordering::Relaxed)))
 }
 
-/// What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
-/// until the next call with the context. Empty too for NULL, and while a call is running. O(1).
+/// What went wrong in the last call with this context, as an English sentence; empty after a
+/// success.
+///
+/// Never NULL. Valid until the next call with the context. Empty too for NULL, and while a call is
+/// running.
+///
+/// @param context the context.
+/// @return a NUL-terminated UTF-8 string, never NULL.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
     let state = input::reference(context, "context").and_then(gusset_context::lock);
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
 
-/// What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
+/// What went wrong in the last call with this context, as numbers.
+///
+/// @param context the context.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     CONTEXT_BUSY.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_report(
     context: *const gusset_context,

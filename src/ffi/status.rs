@@ -308,8 +308,14 @@ impl From<Error> for Failure {
 
 include!(concat!(env!("OUT_DIR"), "/status_text.rs"));
 
-/// What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
-/// NULL; static. O(1). From any thread.
+/// What a status means, in a few English words.
+///
+/// Never NULL; static.
+///
+/// @param status any number; for one that is no status, "unknown status".
+/// @return a static string, never NULL.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
     status_text(status).as_ptr()

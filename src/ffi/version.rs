@@ -2,7 +2,13 @@
 
 use std::ffi::CStr;
 
-/// The library's version, "major.minor.patch". Never NULL; static. O(1). From any thread.
+/// The library's version, "major.minor.patch".
+///
+/// Never NULL; static.
+///
+/// @return a static string, never NULL.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_version() -> *const libc::c_char {
     const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
@@ -12,8 +18,14 @@ pub extern "C" fn gusset_version() -> *const libc::c_char {
     TEXT.as_ptr()
 }
 
-/// The number of the binary interface. It changes whenever a program built against an older header could break; until
-/// 1.0 that is when the minor version changes. O(1). From any thread.
+/// The number of the binary interface.
+///
+/// It changes whenever a program built against an older header could break; until 1.0 that is when
+/// the minor version changes.
+///
+/// @return the number.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_abi() -> u32 {
     1

@@ -58,11 +58,21 @@ impl From<&Offset> for gusset_offset_report {
     }
 }
 
-/// The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
-/// may run over the start, and from a place to itself it goes round once. part: receives the result, for
-/// gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
-/// UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+/// The part of a curve from one place to another, open.
+///
+/// On a closed curve it may run over the start, and from a place to itself it goes round once.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param from where it begins.
+/// @param to where it ends.
+/// @param[out] part receives the result, for gusset_curve_destroy, as for all functions of this
+///     group; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is
+///     from, 1 is to), OUT_OF_RANGE (an open curve, and to before from), UNKNOWN_VALUE, TOO_LARGE,
+///     OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_part_create(
@@ -77,8 +87,15 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     })
 }
 
-/// The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
-/// it, 1 for the part after it. Otherwise as gusset_curve_part_create.
+/// The part of a curve before a place, or the part after it; both are open.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param at the place.
+/// @param after 0 for the part before it, 1 for the part after it.
+/// @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_curve_part_create.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_split_create(
@@ -94,7 +111,14 @@ pub unsafe extern "C" fn gusset_curve_split_create(
     })
 }
 
-/// The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
+/// The same curve run through from its end to its start.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] reversed receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_reverse_create(
@@ -105,9 +129,18 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     create(context, reversed, "reversed", |_| Ok(gusset_curve(view(curve, "curve")?.reversed()?)))
 }
 
-/// The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above 64, or to is 0), TOO_LARGE, OUT_OF_MEMORY. O(degree) for
-/// each new control point.
+/// The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below
+/// `to` raised to it.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param by how much each segment is raised, or 0.
+/// @param to if `by` is 0: the degree, 1 to 64.
+/// @param[out] elevated receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above
+///     64, or to is 0), TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(degree) for each new control point.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_elevate_create(
@@ -123,11 +156,20 @@ pub unsafe extern "C" fn gusset_curve_elevate_create(
     })
 }
 
-/// The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
-/// tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
-/// deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
-/// been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
-/// OUT_OF_MEMORY. O(degree^3) a segment.
+/// The curve with segments of a lower degree, by least squares with fixed ends.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param degree of each at most, 1 to 64.
+/// @param tolerance segments that would deviate by more are kept; at least 0, in the unit of the
+///     points; infinity is allowed.
+/// @param[out] deviations receives a bound on the deviation of each segment from the original, of a
+///     kept one what it would have been; NULL if it is not wanted.
+/// @param[out] reduced receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree,
+///     tolerance), OUT_OF_MEMORY.
+/// @complexity O(degree^3) a segment.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_reduce_create(
@@ -147,11 +189,22 @@ pub unsafe extern "C" fn gusset_curve_reduce_create(
     })
 }
 
-/// The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
-/// removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
-/// its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
-/// tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
+/// The curve beside a plane curve, re-fitted by segments with common tangents.
+///
+/// Places where it crosses itself are not removed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param distance how far to the left of it, to the right if negative; in the unit of the points,
+///     finite.
+/// @param options its tolerance must be given.
+/// @param[out] report what became of it; NULL if it is not wanted.
+/// @param[out] offset receives the result, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree),
+///     TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(degree) for each of the places measured.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_offset_create(

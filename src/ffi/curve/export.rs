@@ -42,9 +42,17 @@ pub struct gusset_curve_form_view {
 
 versioned! { gusset_curve_form_view: 72 }
 
-/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
-/// the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
+/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not
+/// turned over.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] form receives the result, for gusset_curve_form_destroy, as for all functions of
+///     this group; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+///     OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_svg_create(
@@ -59,10 +67,18 @@ pub unsafe extern "C" fn gusset_curve_svg_create(
     })
 }
 
-/// The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
-/// tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
-/// does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
-/// degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+/// The contour of a TrueType font: control points, and those joints that are not in the middle
+/// between two of them.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param tolerance how far from the middle still counts as there, at least 0, in the unit of the
+///     points; rounding always does.
+/// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+///     CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_contour_create(
@@ -78,9 +94,17 @@ pub unsafe extern "C" fn gusset_curve_contour_create(
     })
 }
 
-/// The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
-/// n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
-/// OUT_OF_MEMORY. O(points).
+/// The curve as a clamped B-spline, if all segments have one degree n.
+///
+/// Joints with one tangent become knots of multiplicity n - 1 and are no control points.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] form receives the result, for gusset_curve_form_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+///     (other degrees), OUT_OF_MEMORY.
+/// @complexity O(points).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_spline_create(
@@ -96,12 +120,21 @@ pub unsafe extern "C" fn gusset_curve_spline_create(
 }
 
 /// Destroys a form; NULL is allowed.
+///
+/// @param[in,out] form the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form) {
     input::destroy(form);
 }
 
-/// Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the parts.
+///
+/// @param form the form.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_form_get_view(

@@ -121,14 +121,20 @@ impl gusset_frame_options {
     }
 }
 
-/// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
-/// it, and a curve along through each column.
+/// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve
+/// across through each row of it, and a curve along through each column.
 ///
-/// sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
-/// NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
-/// as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
-/// half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
-/// the correspondences are ours.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sections at least 2, 3 of a ring.
+/// @param options NULL for the defaults.
+/// @param[out] frame receives the result, for gusset_frame_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (too few sections
+///     or columns; landmarks that are not as many for each section, or not in order; an axis
+///     without direction), SECTIONS_DIFFER, NO_NODE (a section that a half-plane does not meet, or
+///     that is no curve).
+/// @complexity O(points), with ANGLE O(columns x points).
+/// @source Nadopta, introduction; the correspondences are ours.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_create(
@@ -150,13 +156,21 @@ pub unsafe extern "C" fn gusset_frame_create(
 }
 
 /// Destroys what gusset_frame_create made; NULL is allowed.
+///
+/// @param[in,out] frame the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
     input::destroy(frame);
 }
 
-/// Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
-/// From any thread.
+/// Lends the nodes, valid until the frame is destroyed.
+///
+/// @param frame the frame.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_get_view(
@@ -180,9 +194,17 @@ pub unsafe extern "C" fn gusset_frame_get_view(
     })
 }
 
-/// Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
-/// of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+/// Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one
+/// for each column; node i of row k is point i H + k), for H rows of W columns.
+///
+/// Not to be destroyed: valid until the frame is. Either may be NULL.
+///
+/// @param frame the frame.
+/// @param[out] across receives the result, for gusset_outline_destroy; NULL on failure.
+/// @param[out] along receives the result, for gusset_outline_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_curves_create(
@@ -204,13 +226,19 @@ pub unsafe extern "C" fn gusset_frame_curves_create(
     })
 }
 
-/// Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
-/// across were made: a new section.
+/// Cuts the curves along by the plane through a point across a normal, and draws a curve through
+/// the crossings as the curves across were made: a new section.
 ///
-/// point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
-/// failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
-/// OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
-/// O(segments).
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param frame the frame.
+/// @param point x, y, z; the normal of any length but 0.
+/// @param normal x, y, z; the normal of any length but 0.
+/// @param[out] section receives one outline, for gusset_outline_destroy; NULL on failure; point i
+///     of it is on the curve along column i, at its first crossing.
+/// @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (the normal),
+///     NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+/// @complexity O(segments).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_slice_create(
@@ -228,8 +256,15 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
     })
 }
 
-/// Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+/// Measures curve `index` of an outline: girth, area and centre.
+///
+/// @param outline the outline.
+/// @param index its number, from 0.
+/// @param[out] measure receives them.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     OUT_OF_MEMORY.
+/// @complexity O(segments).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_section(

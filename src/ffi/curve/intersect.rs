@@ -104,10 +104,18 @@ impl gusset_places {
     }
 }
 
-/// Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
-/// but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
-/// crossing.
+/// Where a curve crosses or touches a plane.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param point x, y, z of a point of the plane.
+/// @param normal x, y, z across it, of any length but 0.
+/// @param[out] places receives the result, for gusset_places_destroy, as for all functions of this
+///     group; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal),
+///     NOT_FINITE, OUT_OF_MEMORY.
+/// @complexity O(points), and O(degree^2) a crossing.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
@@ -123,8 +131,16 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     })
 }
 
-/// Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
-/// CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
+/// Where a plane curve crosses or touches a line.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param point x, y of a point of the line.
+/// @param direction x, y along it, not 0.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
+///     gusset_curve_intersect_plane_create.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_line_create(
@@ -140,9 +156,17 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     })
 }
 
-/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
-/// not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
-/// pair of segments whose boxes meet.
+/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then
+/// joints of neighbours do not count.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param other the other.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity Bounded work for each pair of segments whose boxes meet.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect_create(
@@ -160,9 +184,17 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     })
 }
 
-/// Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
-/// amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+/// Points along a curve, in its order; of a closed curve the start is not repeated at the end.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param rule GUSSET_SAMPLE_...
+/// @param amount a whole number (at least 1, for an open curve 2), or a length above 0.
+/// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
+///     OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(points, and samples).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_sample_create(
@@ -185,12 +217,21 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
 }
 
 /// Destroys what was found; NULL is allowed.
+///
+/// @param[in,out] places the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
     input::destroy(places);
 }
 
-/// Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends what was found.
+///
+/// @param places the places.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_places_get_view(

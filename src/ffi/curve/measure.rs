@@ -33,10 +33,19 @@ pub struct gusset_curve_moment_report {
 versioned! { gusset_curve_moment_report: 56 }
 fixed! { gusset_curve_nearest_point: 48 }
 
-/// Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
-/// out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
-/// and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
-/// (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+/// Points and derivatives at many places.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param places count of them, at least 0.
+/// @param count see places.
+/// @param order 0 for the points alone, at most 64.
+/// @param[out] out receives 3 (order + 1) count numbers: for each place x, y, z of the point, then
+///     of the first derivative by t, and so on; 0 beyond the degree.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place),
+///     OUT_OF_RANGE (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY.
+/// @complexity O(degree^2) a place.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_derivatives(
@@ -55,8 +64,15 @@ pub unsafe extern "C" fn gusset_curve_derivatives(
     })
 }
 
-/// The directions at many places, of length 1; 0 on a segment without extent. out: receives 3 count numbers. Otherwise as
-/// gusset_curve_derivatives.
+/// The directions at many places, of length 1; 0 on a segment without extent.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param places the places.
+/// @param count see out.
+/// @param[out] out receives 3 count numbers.
+/// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_tangents(
@@ -73,8 +89,16 @@ pub unsafe extern "C" fn gusset_curve_tangents(
     })
 }
 
-/// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
-/// the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+/// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
+/// from x to y; infinite where the first derivative is 0.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param places the places.
+/// @param count see out.
+/// @param[out] out receives count numbers.
+/// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_curvatures(
@@ -91,9 +115,17 @@ pub unsafe extern "C" fn gusset_curve_curvatures(
     })
 }
 
-/// The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
-/// About O(log segments + degree^2) a point, on the context's threads.
+/// The nearest points of a curve to many points.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param points x, y, z of each, packed, count of them.
+/// @param count see points.
+/// @param[out] out receives count results.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE,
+///     TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(log segments + degree^2) a point, on the context's threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_nearest(
@@ -113,8 +145,14 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
-/// 1e-13, in closed form up to degree 2.
+/// The arc length of a curve.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] length receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(points); to 1e-13, in closed form up to degree 2.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_length(
@@ -129,8 +167,16 @@ pub unsafe extern "C" fn gusset_curve_length(
     })
 }
 
-/// The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
-/// O(points) in all.
+/// The arc lengths from the start to many places.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param places the places.
+/// @param count see out.
+/// @param[out] out receives count numbers.
+/// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
+/// @complexity O(points) in all.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_lengths_at(
@@ -151,9 +197,17 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
-/// count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
-/// OUT_OF_MEMORY. O(points + count log segments).
+/// The places at many arc lengths from the start; beyond the ends, the ends.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param lengths count numbers.
+/// @param count see lengths.
+/// @param[out] out receives count places.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE
+///     (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+/// @complexity O(points + count log segments).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_places_at(
@@ -173,8 +227,14 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     })
 }
 
-/// The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+/// The smallest box with sides along the axes.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] bounds receives the least x, y, z and the greatest x, y, z.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE.
+/// @complexity O(points); exact but for rounding.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_bounds(
@@ -190,8 +250,14 @@ pub unsafe extern "C" fn gusset_curve_bounds(
     })
 }
 
-/// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+/// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] area receives x, y, z.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(sum of degree^2); exact but for rounding.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_area_vector(
@@ -206,8 +272,15 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
     })
 }
 
-/// Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+/// Area, centroid and second moments of what a plane curve encloses.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param[out] moments receives the moments; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     CURVE_NOT_PLANE, EMPTY_CURVE.
+/// @complexity O(sum of degree^2); exact but for rounding.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_moments(

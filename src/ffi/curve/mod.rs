@@ -98,11 +98,21 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 
 /// Makes a curve from its control points.
 ///
-/// points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
-/// place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
-/// and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
-/// for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
-/// CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+/// Degrees are 1 to 64.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param points x, y of each control point, or x, y, z, packed.
+/// @param point_count at least 1.
+/// @param dimension 2 or 3.
+/// @param ends 0, then the place of the last control point of each segment, rising; the last is
+///     point_count - 1.
+/// @param end_count the number of segments and 1.
+/// @param closed 1 if the last control point is the first one again, else 0.
+/// @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
+///     CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(points).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_create(
@@ -123,13 +133,21 @@ pub unsafe extern "C" fn gusset_curve_create(
 }
 
 /// Destroys a curve; NULL is allowed.
+///
+/// @param[in,out] curve the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
     input::destroy(curve);
 }
 
-/// Lends the control points, valid until the curve is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// O(1). From any thread.
+/// Lends the control points, valid until the curve is destroyed.
+///
+/// @param curve the curve.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_get_view(

@@ -194,18 +194,26 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     Ok(Constraint { point, kind })
 }
 
-/// Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
-/// outline.
+/// Finds the curves through the points of outlines: control points are sought such that each curve
+/// passes the points of its outline.
 ///
-/// outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
-/// for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
-/// as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
+/// A point that cannot be treated as asked is no failure: its status says so, and the curve passes
+/// it all the same if that is possible at all.
 ///
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
-/// BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
-/// whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
-/// Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
-/// Nadopta; the composite and blended readings are ours.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param outlines any number of them.
+/// @param options NULL for the defaults: smooth quadratic segments by the bisector, one control
+///     point for each point.
+/// @param[out] outline receives the result, for gusset_outline_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE, BAD_OFFSETS,
+///     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a
+///     constraint whose point does not exist or is not behind the one before; the report has the
+///     constraint), OUT_OF_MEMORY, CANCELLED.
+/// @complexity Composite, blended and cubic curves take linear time; linear memory, none for each
+///     outline but for its result.
+/// @source Nadopta; the composite and blended readings are ours.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_create(
@@ -222,13 +230,21 @@ pub unsafe extern "C" fn gusset_outline_create(
 }
 
 /// Destroys what gusset_outline_create made; NULL is allowed.
+///
+/// @param[in,out] outline the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
     input::destroy(outline);
 }
 
-/// Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
-/// From any thread.
+/// Lends the curves, valid until the outline is destroyed.
+///
+/// @param outline the outline.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_view(
@@ -252,8 +268,15 @@ pub unsafe extern "C" fn gusset_outline_get_view(
     })
 }
 
-/// The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
-/// any thread.
+/// The account of outline `index`.
+///
+/// @param outline the outline.
+/// @param index its number, from 0.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_report(
@@ -279,8 +302,16 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     })
 }
 
-/// Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
-/// NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+/// Copies the curve of outline `index`, for what the gusset_curve functions do.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param outline the outline.
+/// @param index its number, from 0.
+/// @param[out] curve receives it, for gusset_curve_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(segments).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_curve_create(
@@ -298,15 +329,22 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     })
 }
 
-/// Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
-/// guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
-/// point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
-/// bisector) takes its place, and the status says so.
+/// Finds the section of each point with its two neighbours: the quadratic through the three whose
+/// control point lies on the guide of the method.
 ///
-/// options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
-/// gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
-/// the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
-/// A) of the guide.
+/// A tangent demanded at a point makes its section pass in that direction; one at the first or last
+/// point of an open outline is that of the neighbour's section there. Where it cannot be had, or
+/// the normal, the method (the bisector) takes its place, and the status says so.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param outlines the outlines.
+/// @param options NULL for the defaults; method and alpha are read, all must be valid.
+/// @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_outline_create.
+/// @complexity O(n).
+/// @source Nadopta, the methods of the normal, tangent, bisector and median; closed forms: B = P +
+///     (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sections_create(
@@ -324,13 +362,21 @@ pub unsafe extern "C" fn gusset_sections_create(
 }
 
 /// Destroys what gusset_sections_create made; NULL is allowed.
+///
+/// @param[in,out] sections the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sections_destroy(sections: *mut gusset_sections) {
     input::destroy(sections);
 }
 
-/// Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
-/// From any thread.
+/// Lends the sections, valid until they are destroyed.
+///
+/// @param sections the sections.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sections_get_view(

@@ -293,27 +293,37 @@ impl gusset_assembly {
     }
 }
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
-/// across a gap stitched, and holes filled, as the options say.
+/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
+/// loops that face each other across a gap stitched, and holes filled, as the options say.
 ///
-/// pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
-/// have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on
-/// failure. That two loops cannot be joined is no failure: each joint has its outcome.
+/// That two loops cannot be joined is no failure: each joint has its outcome.
 ///
-/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop,
-/// and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices) or so that the
-/// nearest vertices go round the other loop once; else runs of
-/// neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is
-/// left alone. Pieces that overlap are not cut: where two lie on each other, their borders face each other and enclose what is
-/// between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
-/// the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
+/// Loops of different components face each other as wholes if nearly all vertices of each (9/10)
+/// are nearest to the other loop, and from similar distances (the ninth decile is at most four
+/// times the first, or the spacing of the vertices) or so that the nearest vertices go round the
+/// other loop once; else runs of neighbouring vertices that are nearest to each other face each
+/// other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
+/// not cut: where two lie on each other, their borders face each other and enclose what is between.
+/// Vertices of the result: those of the pieces in order, then those of the strips, then those of
+/// the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
+/// ones keep their bits.
 ///
-/// Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has
-/// f64 positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that
-/// can be joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d
-/// edges at a vertex, O(V log V) for V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole
-/// as for gusset_fill_create; a pass over all faces for each strip that is faired or tested for intersections. Extra memory is
-/// linear in the pieces and the result. Source: Nesterenko for a single gap; the rest is our own.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param pieces piece_count mesh views one after another, each as large as the first one's
+///     struct_size says, at least one; each may have several components.
+/// @param piece_count see pieces.
+/// @param options NULL for the defaults.
+/// @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
+///     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
+///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
+///     joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
+///     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
+///     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
+///     intersections. Extra memory is linear in the pieces and the result.
+/// @source Nesterenko for a single gap; the rest is our own.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_assembly_create(
@@ -334,13 +344,21 @@ pub unsafe extern "C" fn gusset_assembly_create(
 }
 
 /// Destroys an assembly; NULL is allowed.
+///
+/// @param[in,out] assembly the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_assembly_destroy(assembly: *mut gusset_assembly) {
     input::destroy(assembly);
 }
 
-/// Lends the whole result, valid until the assembly is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the whole result, valid until the assembly is destroyed.
+///
+/// @param assembly the assembly.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_assembly_get_mesh(
@@ -350,7 +368,12 @@ pub unsafe extern "C" fn gusset_assembly_get_mesh(
     lend!(assembly, view, |assembly| mesh::lend(&assembly.done.mesh))
 }
 
-/// Lends the account. Errors and validity as for gusset_assembly_get_mesh.
+/// Lends the account.
+///
+/// @param assembly the assembly.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_assembly_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_assembly_get_view(

@@ -143,17 +143,26 @@ impl From<&Defect> for gusset_defect {
 
 /// Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
 ///
-/// Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface
-/// is on the left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of
-/// its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
-/// smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
-/// are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
-/// other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_get_defects.
+/// Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise
+/// from outside, the surface is on the left and the hole on the right of someone who walks along
+/// the loop on the outside. Every loop passes each of its vertices once: where the boundary touches
+/// itself it is cut into several loops. Loops come in the order of their smallest half-edges. A
+/// loop has at least one edge with exactly one face: walks along edges with three or more faces
+/// alone are left out. A face of fewer than three sides of different ends has no border; its
+/// neighbours are taken to touch each other. A loop may have two vertices. Odd places are no
+/// errors: see the flags of each loop, and gusset_boundary_get_defects.
 ///
-/// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
-/// of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
-/// or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory. Source: Nesterenko, algorithm
-/// 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param options NULL for the defaults.
+/// @param[out] boundary receives the result, for gusset_boundary_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex, or O(H + B log B) for
+///     GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
+/// @source Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round
+///     each vertex.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_create(
@@ -172,26 +181,48 @@ pub unsafe extern "C" fn gusset_boundary_create(
 }
 
 /// Destroys a boundary; NULL is allowed.
+///
+/// @param[in,out] boundary the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary) {
     input::destroy(boundary);
 }
 
-/// The number of loops and open chains: 0 if the mesh is closed, or for NULL. O(1). From any thread.
+/// The number of loops and open chains: 0 if the mesh is closed, or for NULL.
+///
+/// @param boundary the boundary.
+/// @return their number; 0 for NULL.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_loop_count(boundary: *const gusset_boundary) -> usize {
     input::reference(boundary, "boundary").map_or(0, |b| b.boundary.len())
 }
 
-/// The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round
-/// the boundary passes from one to the next. 0 for NULL. O(1). From any thread.
+/// The number of walks that the loops were cut from: loops that touch at vertices, counted as one
+/// where the walk round the boundary passes from one to the next.
+///
+/// 0 for NULL.
+///
+/// @param boundary the boundary.
+/// @return their number; 0 for NULL.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_walk_count(boundary: *const gusset_boundary) -> usize {
     input::reference(boundary, "boundary").map_or(0, |b| b.boundary.walk_count() as usize)
 }
 
-/// Lends loop number `index`, below gusset_boundary_loop_count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+/// Lends loop number `index`, below gusset_boundary_loop_count.
+///
+/// @param boundary the boundary.
+/// @param index its number, from 0.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_loop(
@@ -215,10 +246,17 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     })
 }
 
-/// Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
-/// and the bow-tie vertices on its boundary. They are valid until the boundary is destroyed; NULL and 0 if there is
-/// nothing. defects: receives the first one. count: receives how many. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
-/// O(1). From any thread.
+/// Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges
+/// of the whole mesh, and the bow-tie vertices on its boundary.
+///
+/// They are valid until the boundary is destroyed; NULL and 0 if there is nothing.
+///
+/// @param boundary the boundary.
+/// @param[out] defects receives the first one.
+/// @param[out] count receives how many.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_defects(

@@ -62,10 +62,16 @@ pub struct gusset_check_view {
 
 versioned! { gusset_check_view: 192 }
 
-/// Checks a mesh. What it finds is no error.
+/// Checks a mesh.
 ///
-/// check: receives the result, for gusset_check_destroy; NULL on failure. Errors: those of gusset_mesh_view, OUT_OF_MEMORY,
-/// CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// What it finds is no error.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param[out] check receives the result, for gusset_check_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_create(
@@ -81,12 +87,21 @@ pub unsafe extern "C" fn gusset_check_create(
 }
 
 /// Destroys a check; NULL is allowed.
+///
+/// @param[in,out] check the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
     input::destroy(check);
 }
 
-/// Lends what the check found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends what the check found.
+///
+/// @param check the check.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_get_view(

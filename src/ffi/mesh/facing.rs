@@ -72,11 +72,21 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 
 /// Finds which vertices of two loops face each other.
 ///
-/// points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
-/// options: NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure. Errors:
-/// LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
-/// beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear
-/// extra memory. Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of
+///     them, at least 1 each.
+/// @param count_a see points_a.
+/// @param points_b x, y, z of the vertices of each loop in order, packed, count_a and count_b of
+///     them, at least 1 each.
+/// @param count_b see points_a.
+/// @param options NULL for the defaults.
+/// @param[out] facing receives the result, for gusset_facing_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is beyond the tolerance,
+///     as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O((N + M) log M); linear extra memory.
+/// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_create(
@@ -104,12 +114,21 @@ pub unsafe extern "C" fn gusset_facing_create(
 }
 
 /// Destroys what gusset_facing_create made; NULL is allowed.
+///
+/// @param[in,out] facing the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
     input::destroy(facing);
 }
 
-/// Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends what was found.
+///
+/// @param facing the facing.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_get_view(
@@ -126,13 +145,21 @@ pub unsafe extern "C" fn gusset_facing_get_view(
     })
 }
 
-/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the
-/// later.
+/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least,
+/// of two equal ones the later.
 ///
-/// n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a
-/// closed one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their
-/// number; may not be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the
-/// number is written). O(n). Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
+///     N vertices has N - 1, a closed one N.
+/// @param m segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
+///     N vertices has N - 1, a closed one N.
+/// @param[out] j receives n + 1 numbers; NULL with capacity 0 asks for how many.
+/// @param capacity of j.
+/// @param[out] written receives their number; may not be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
+///     BUFFER_TOO_SMALL (nothing but the number is written).
+/// @complexity O(n).
+/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_meridians_index(

@@ -182,22 +182,32 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
     Ok(Some(list))
 }
 
-/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them.
+/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round
+/// them.
 ///
-/// loops: the vertices of each loop in order, in either direction, each consecutive pair (and the last with the first) an edge
-/// with exactly one face; loop_count of them. NULL with 0: all loops that the mesh has. options: NULL for the defaults. fill:
-/// receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
-/// account of each says why.
+/// Loops that cannot be filled are left, which is no error: the account of each says why.
 ///
-/// The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles,
-/// hole by hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not
-/// cross itself; whether a patch meets other parts of the surface is not looked at.
+/// The result has the old vertices with their bits and indices, then the new ones; the old faces,
+/// then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
+/// overlaps, however concave it is, if its rim does not cross itself; whether a patch meets other
+/// parts of the surface is not looked at.
 ///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500
-/// vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log
-/// n) and linear memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices
-/// of a hole; loops that touch at one vertex look at each other's edges there. Source: Barequet and Sharir 1995; Liepa,
-/// Filling holes in meshes, 2003.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param loops the vertices of each loop in order, in either direction, each consecutive pair (and
+///     the last with the first) an edge with exactly one face; loop_count of them. NULL with 0: all
+///     loops that the mesh has.
+/// @param loop_count see loops.
+/// @param options NULL for the defaults.
+/// @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
+///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
+///     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
+///     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a
+///     hole; loops that touch at one vertex look at each other's edges there.
+/// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_create(
@@ -223,20 +233,33 @@ pub unsafe extern "C" fn gusset_fill_create(
 }
 
 /// Destroys a fill; NULL is allowed.
+///
+/// @param[in,out] fill the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
     input::destroy(fill);
 }
 
-/// Lends the result, valid until the fill is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
-/// any thread.
+/// Lends the result, valid until the fill is destroyed.
+///
+/// @param fill the fill.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *mut gusset_mesh_view) -> gusset_status {
     lend!(fill, view, |fill| mesh::lend(&fill.filled.mesh))
 }
 
-/// Lends the accounts of the loops. Errors and validity as for gusset_fill_get_mesh.
+/// Lends the accounts of the loops.
+///
+/// @param fill the fill.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_fill_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *mut gusset_fill_view) -> gusset_status {
@@ -248,8 +271,13 @@ pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *
     })
 }
 
-/// Measures of the new faces and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
-/// thread.
+/// Measures of the new faces and of the result.
+///
+/// @param fill the fill.
+/// @param[out] quality receives the quality; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_get_quality(

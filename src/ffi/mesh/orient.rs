@@ -64,14 +64,20 @@ impl gusset_orient_options {
 
 /// Turns faces over until faces that share an edge of two faces run it in opposite directions.
 ///
-/// In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three
-/// or more faces connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
-/// turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
+/// In each component as few faces as possible are turned; where both sides are as many, its
+/// smallest face stays. Edges of three or more faces connect nothing. A component that cannot be
+/// oriented, such as a Moebius strip, stays as it is and is listed. A turned face keeps its first
+/// corner and has the others in reverse order; all else is as it was: vertices, positions, order of
 /// faces.
 ///
-/// options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure. Errors: those of
-/// gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
-/// linear extra memory.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param options NULL for the defaults.
+/// @param[out] orient receives the result, for gusset_orient_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient_create(
@@ -93,13 +99,21 @@ pub unsafe extern "C" fn gusset_orient_create(
 }
 
 /// Destroys what gusset_orient_create made; NULL is allowed.
+///
+/// @param[in,out] orient the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_orient_destroy(orient: *mut gusset_orient) {
     input::destroy(orient);
 }
 
-/// Lends the oriented mesh, valid until the handle is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// O(1). From any thread.
+/// Lends the oriented mesh, valid until the handle is destroyed.
+///
+/// @param orient the orient.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient_get_mesh(
@@ -109,7 +123,12 @@ pub unsafe extern "C" fn gusset_orient_get_mesh(
     lend!(orient, view, |orient| mesh::lend(&orient.done.mesh))
 }
 
-/// Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
+/// Lends the flags, lists and counts.
+///
+/// @param orient the orient.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_orient_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient_get_view(

@@ -99,29 +99,41 @@ impl gusset_quality_report {
     }
 }
 
-/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
-/// between the arcs that face each other.
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band
+/// between whole loops, or a strip between the arcs that face each other.
 ///
-/// mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
-/// consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
-/// loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
-/// gusset_stitch_destroy; NULL on failure.
+/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A,
+/// then of B, then the strip. Positions are of the scalar type of A, old ones keep their bits, and
+/// every old face is kept. An arc of one vertex gets a fan, which touches its piece at that vertex
+/// only; two arcs of one vertex each get one meridian and no face.
 ///
-/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
-/// strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
-/// gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
-///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
-/// LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
-/// MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-///
-/// O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
-/// beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
-/// asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
-/// a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
-/// GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
-/// GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
-/// algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh_a the mesh a.
+/// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
+///     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
+///     and the loops that lie nearest to each other are taken.
+/// @param mesh_b NULL if both loops are of mesh_a.
+/// @param loop_b the vertices of each loop in order, in either direction, each consecutive pair
+///     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
+///     and the loops that lie nearest to each other are taken.
+/// @param options NULL for the defaults.
+/// @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
+///     PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
+///     f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians
+///     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
+///     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
+///     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
+///     case); plus a box test for each pair of loops where the choice is left open. Extra memory is
+///     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
+///     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
+///     GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each
+///     pair.
+/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
+///     start: N + 1 and M + 1 points.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_create(
@@ -149,13 +161,21 @@ pub unsafe extern "C" fn gusset_stitch_create(
 }
 
 /// Destroys a stitch; NULL is allowed.
+///
+/// @param[in,out] stitch the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stitch_destroy(stitch: *mut gusset_stitch) {
     input::destroy(stitch);
 }
 
-/// Lends the whole result, valid until the stitch is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the whole result, valid until the stitch is destroyed.
+///
+/// @param stitch the stitch.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_get_mesh(
@@ -165,8 +185,12 @@ pub unsafe extern "C" fn gusset_stitch_get_mesh(
     lend!(stitch, view, |stitch| mesh::lend(&stitch.0.mesh))
 }
 
-/// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
-/// gusset_stitch_get_mesh.
+/// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them.
+///
+/// @param stitch the stitch.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_get_strip(
@@ -176,7 +200,12 @@ pub unsafe extern "C" fn gusset_stitch_get_strip(
     lend!(stitch, view, |stitch| mesh::lend(&stitch.0.strip))
 }
 
-/// Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
+/// Lends the maps, rims and meridians.
+///
+/// @param stitch the stitch.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_stitch_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_get_view(
@@ -207,8 +236,13 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
     })
 }
 
-/// Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
-/// thread.
+/// Measures of the strip and of the result.
+///
+/// @param stitch the stitch.
+/// @param[out] quality receives the quality; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_get_quality(

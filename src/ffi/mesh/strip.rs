@@ -57,13 +57,23 @@ impl gusset_strip_options {
     }
 }
 
-/// Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
+/// Makes a strip of triangles between two polylines that run side by side: meridians and faces,
+/// without any mesh.
 ///
-/// points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
-/// least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
-/// result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
-/// UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
-/// Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
+///     each, closed ones at least 3, and the last point is not the first again.
+/// @param count_a see points_a.
+/// @param points_b x, y, z of the points in order, packed, count_a and count_b of them: at least 1
+///     each, closed ones at least 3, and the last point is not the first again.
+/// @param count_b see points_a.
+/// @param options NULL for the defaults (open polylines).
+/// @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+///     UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
+/// @complexity Time and memory of the meridians of gusset_stitch_create, and O(N + M).
+/// @source Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_strip_create(
@@ -84,13 +94,21 @@ pub unsafe extern "C" fn gusset_strip_create(
 }
 
 /// Destroys a strip; NULL is allowed.
+///
+/// @param[in,out] strip the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
     input::destroy(strip);
 }
 
-/// Lends the meridians and triangles, valid until the strip is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the meridians and triangles, valid until the strip is destroyed.
+///
+/// @param strip the strip.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_strip_get_view(

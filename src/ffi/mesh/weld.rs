@@ -85,22 +85,29 @@ impl gusset_weld_options {
 
 /// Makes one vertex of vertices that lie together.
 ///
-/// By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
-/// edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
-/// collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
-/// together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
-/// become one whatever comes of the edges.
+/// By default borders are sewn: where exactly two free edges lie on one another, whatever their
+/// directions, they become one edge, and so do their ends. Where three or more lie together none is
+/// preferred, and a pair is left where sewing it would collapse a face or make an edge of three or
+/// more faces: a manifold stays one. What is left is listed. Vertices that lie together without an
+/// edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie
+/// together become one whatever comes of the edges.
 ///
-/// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
-/// within the tolerance of it, nearest first, so that nothing chains.
+/// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed
+/// claims the unclaimed ones within the tolerance of it, nearest first, so that nothing chains.
 ///
-/// The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
-/// and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
-/// and is no valid input.
+/// The result has the old faces in their order, each from its own first corner. Of vertices made
+/// one the smallest is left, and its position keeps its bits; the vertices left are in their old
+/// order. If every face is dropped, the result has none and is no valid input.
 ///
-/// options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
-/// half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param options NULL for the defaults.
+/// @param[out] weld receives the result, for gusset_weld_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the
+///     tolerance), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log H) for H half-edges, if no vertex has very many and few corners of one face
+///     lie together; linear extra memory.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld_create(
@@ -117,20 +124,33 @@ pub unsafe extern "C" fn gusset_weld_create(
 }
 
 /// Destroys a weld; NULL is allowed.
+///
+/// @param[in,out] weld the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
     input::destroy(weld);
 }
 
-/// Lends the welded mesh, valid until the weld is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
-/// From any thread.
+/// Lends the welded mesh, valid until the weld is destroyed.
+///
+/// @param weld the weld.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld_get_mesh(weld: *const gusset_weld, view: *mut gusset_mesh_view) -> gusset_status {
     lend!(weld, view, |weld| mesh::lend(&weld.0.mesh))
 }
 
-/// Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
+/// Lends the maps, lists and counts.
+///
+/// @param weld the weld.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_weld_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *mut gusset_weld_view) -> gusset_status {

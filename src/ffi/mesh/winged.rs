@@ -94,13 +94,21 @@ c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise,
 
 /// Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
 ///
-/// options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
-/// three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
-/// mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
-/// gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
-/// linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
-/// NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
-/// border on both sides.
+/// An edge with three or more faces, or with two that run it in the same direction, becomes several
+/// marked records of one face each. The mesh of a stitch keeps the edge numbers of its first mesh:
+/// only NULL sides along the rim are filled.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param options NULL for the defaults.
+/// @param[out] winged receives the result, for gusset_winged_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
+/// @source Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R
+///     is NULL", as the text has it; the loops are those of gusset_boundary_create, except that an
+///     edge whose faces disagree has a border on both sides.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_create(
@@ -119,12 +127,21 @@ pub unsafe extern "C" fn gusset_winged_create(
 }
 
 /// Destroys tables; NULL is allowed.
+///
+/// @param[in,out] winged the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
     input::destroy(winged);
 }
 
-/// Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the tables.
+///
+/// @param winged the winged.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_get_view(

@@ -90,13 +90,20 @@ impl From<&gusset_net_analysis> for gusset_net_analysis_view {
     }
 }
 
-/// Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
+/// Compares a net after a deformation with what it was before: what is newly glued, torn, folded
+/// over, stretched.
 ///
-/// before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are
-/// none. analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly glued is no surface),
-/// OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From any thread. Source: Deryagin, soft and hard deformations;
-/// links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param before of one size; the gluing is that of `before`.
+/// @param after of one size; the gluing is that of `before`.
+/// @param tolerance lengths up to it, at least 0 and finite, are none.
+/// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
+///     CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), 24 bytes a node.
+/// @source Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian
+///     neither follows from gluing nor implies it.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_create(
@@ -111,10 +118,19 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
     })
 }
 
-/// The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
-/// count, time: as for gusset_net_deform. tolerance: as for gusset_net_analysis_create. Errors: those of
-/// gusset_net_analysis_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
-/// of the net. From any thread.
+/// The same of what fields would do to a net, which stays as it is, with the determinants of their
+/// Jacobian.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param fields as for gusset_net_deform.
+/// @param count as for gusset_net_deform.
+/// @param time as for gusset_net_deform.
+/// @param tolerance as for gusset_net_analysis_create.
+/// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_net_analysis_create and of gusset_net_deform.
+/// @complexity O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy of the net.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
@@ -133,8 +149,13 @@ pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
     })
 }
 
-/// Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
-/// From any thread.
+/// Lends an analysis.
+///
+/// @param analysis the analysis.
+/// @param[out] parts its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_get_view(
@@ -145,17 +166,26 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
 }
 
 /// Destroys an analysis; NULL is allowed.
+///
+/// @param[in,out] analysis the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
     input::destroy(analysis);
 }
 
-/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what
-/// they are: follow it with gusset_net_snap.
+/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it.
 ///
-/// links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT,
-/// SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
-/// O(nodes).
+/// Positions stay what they are: follow it with gusset_net_snap.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param links `count` of them, each node * 2, and 1 if it is vertical; at any alignment.
+/// @param count see links.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link,
+///     CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_absorb(

@@ -62,12 +62,24 @@ pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Repli
     }
 }
 
-/// A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the bridges that cross it.
-/// Links that lead back are within it if all rows, or all columns, are. row_first: its first row. row_count: how many
-/// rows, at least 2. column_first: its first column. column_count: how many columns, at least 2. part: receives it, for
-/// gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite
-/// corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
+/// A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the
+/// bridges that cross it.
+///
+/// Links that lead back are within it if all rows, or all columns, are.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param row_first its first row.
+/// @param row_count how many rows, at least 2.
+/// @param column_first its first column.
+/// @param column_count how many columns, at least 2.
+/// @param[out] part receives it, for gusset_net_destroy, as for all functions of this group; NULL
+///     on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below
+///     2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite corners
+///     one), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes of the part), and O(contracted links).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_part_create(
@@ -86,8 +98,17 @@ pub unsafe extern "C" fn gusset_net_part_create(
     })
 }
 
-/// The net with rows and columns exchanged. The surface stays as it is in space, and so do its normals: faces are taken the other
-/// way round from then on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// The net with rows and columns exchanged.
+///
+/// The surface stays as it is in space, and so do its normals: faces are taken the other way round
+/// from then on.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] transposed receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_transpose_create(
@@ -98,8 +119,18 @@ pub unsafe extern "C" fn gusset_net_transpose_create(
     create(context, transposed, "transposed", |job| Ok(gusset_net::new(read(net)?.transposed(job)?)))
 }
 
-/// The net the other way round. direction: GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
-/// last row. Normals stay, as for gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
+/// The net the other way round.
+///
+/// Normals stay, as for gusset_net_transpose_create.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param direction GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
+///     last row.
+/// @param[out] flipped receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: as there, UNKNOWN_VALUE.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_flip_create(
@@ -116,8 +147,16 @@ pub unsafe extern "C" fn gusset_net_flip_create(
     })
 }
 
-/// The net turned. quarters: how many quarters of a turn, any number: after one, the last column is the first row;
-/// negative ones turn back. Errors: as gusset_net_transpose_create. O(nodes).
+/// The net turned.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param quarters how many quarters of a turn, any number: after one, the last column is the first
+///     row; negative ones turn back.
+/// @param[out] turned receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: as gusset_net_transpose_create.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_turn_create(
@@ -129,9 +168,19 @@ pub unsafe extern "C" fn gusset_net_turn_create(
     create(context, turned, "turned", |job| Ok(gusset_net::new(read(net)?.turned(quarters, job)?)))
 }
 
-/// A larger net that is the same surface: rows and columns are replicated, and the links between copies contracted. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index
-/// beyond the net), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes). Source: Deryagin, "Reformatting".
+/// A larger net that is the same surface: rows and columns are replicated, and the links between
+/// copies contracted.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param options NULL for the defaults.
+/// @param[out] reformatted receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index beyond the net),
+///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @source Deryagin, "Reformatting".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_reformat_create(
@@ -154,9 +203,18 @@ pub unsafe extern "C" fn gusset_net_reformat_create(
     })
 }
 
-/// The net without the rows and columns that are the one before them again: links between the two all contracted, coordinates and
-/// links along them the same. The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and those that
-/// a bridge ends on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// The net without the rows and columns that are the one before them again: links between the two
+/// all contracted, coordinates and links along them the same.
+///
+/// The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and
+/// those that a bridge ends on.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] compacted receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_compact_create(
@@ -167,8 +225,15 @@ pub unsafe extern "C" fn gusset_net_compact_create(
     create(context, compacted, "compacted", |job| Ok(gusset_net::new(read(net)?.compacted(job)?)))
 }
 
-/// Makes missing every node of which a coordinate is `value`, the number that stands for what a scanner did not see. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+/// Makes missing every node of which a coordinate is `value`, the number that stands for what a
+/// scanner did not see.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param value the marker of missing data, compared exactly.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_clear_no_data(

@@ -112,11 +112,18 @@ impl gusset_net_complex {
     }
 }
 
-/// Finds out what surface a net is once glued nodes are one. What it finds is no error.
+/// Finds out what surface a net is once glued nodes are one.
 ///
-/// cells: GUSSET_NET_CELLS_... complex: receives the result, for gusset_net_complex_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of what belongs to each
-/// glued node; linear extra memory.
+/// What it finds is no error.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param cells GUSSET_NET_CELLS_...
+/// @param[out] complex receives the result, for gusset_net_complex_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
+///     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_create(
@@ -136,7 +143,13 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     })
 }
 
-/// Lends what is known of a complex. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends what is known of a complex.
+///
+/// @param complex the complex.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_get_view(
@@ -147,6 +160,9 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
 }
 
 /// Destroys a complex; NULL is allowed.
+///
+/// @param[in,out] complex the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_complex_destroy(complex: *mut gusset_net_complex) {
     input::destroy(complex);

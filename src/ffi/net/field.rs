@@ -181,17 +181,27 @@ impl gusset_field {
     }
 }
 
-/// Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and
-/// projection.
+/// Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping,
+/// animation and projection.
 ///
-/// fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations
-/// deform a copy of the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do
-/// nothing at all, to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay missing.
-/// Fields that are defined everywhere are not watched for overflow: a node that they make too large for its type is
-/// infinite then, and missing. Whatever the error, no node is moved. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing),
-/// OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
-/// O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any number of threads.
-/// Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+/// The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all,
+/// to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay
+/// missing. Fields that are defined everywhere are not watched for overflow: a node that they make
+/// too large for its type is infinite then, and missing. Whatever the error, no node is moved.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param fields `count` of them.
+/// @param count see fields.
+/// @param time for fields with keys; a net is deformed from what it is now, so that animations
+///     deform a copy of the net at rest.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis,
+///     easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node,
+///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes x fields), twice that if a field is not defined everywhere.
+/// @threads The same bits for any number of threads.
+/// @source Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_deform(
@@ -208,11 +218,19 @@ pub unsafe extern "C" fn gusset_net_deform(
     })
 }
 
-/// Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as gusset_net_snap does.
+/// Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as
+/// gusset_net_snap does.
 ///
-/// map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a
-/// few thousand. user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors:
-/// NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// If it stops, the status is CANCELLED and what was done stays done.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param map called on this thread, from the first node to the last, each time for consecutive
+///     nodes: as many as a row or a few thousand.
+/// @param[out] user passed on.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_deform_rows(
@@ -235,9 +253,16 @@ pub unsafe extern "C" fn gusset_net_deform_rows(
     })
 }
 
-/// Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes
-/// without a normal stay. Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as
-/// much memory as the coordinates take.
+/// Moves every node of a net along its normal by `distance`, which may be negative; glued nodes
+/// stay together, nodes without a normal stay.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param distance a length of either sign, finite.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(nodes), and as much memory as the coordinates take.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_displace(
@@ -248,9 +273,14 @@ pub unsafe extern "C" fn gusset_net_displace(
     guard(context, |job| Ok(displace(edit(net)?, distance, job)?))
 }
 
-/// Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how
-/// many nodes got other bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued
-/// along its sides alone, else O(nodes).
+/// Gives all nodes that are glued to each other the position of the first of them, bit for bit.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param[out] moved receives how many nodes got other bits; may be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(rows + columns) if the net is glued along its sides alone, else O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_snap(

@@ -123,10 +123,21 @@ fn number(found: Option<GluingType>) -> gusset_gluing_type {
     found.map_or(GUSSET_TYPE_NONE, |kind| kind.number() as u32)
 }
 
-/// Glues nodes of a net; positions stay what they are. gluings: count of them, done as a whole or not at all; at any alignment. On failure the net
-/// is as it was. Errors: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or
-/// cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
-/// local gluing, which no surface allows), OUT_OF_MEMORY. O(nodes + glued pairs). Source: Deryagin, "Local gluings of nodes".
+/// Glues nodes of a net; positions stay what they are.
+///
+/// On failure the net is as it was.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param gluings count of them, done as a whole or not at all; at any alignment.
+/// @param count see gluings.
+/// @return GUSSET_OK, or an error: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above
+///     15), NO_SUCH_ELEMENT (the link, node or cell), BAD_SEAM (its place among the gluings),
+///     CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
+///     local gluing, which no surface allows), OUT_OF_MEMORY.
+/// @complexity O(nodes + glued pairs).
+/// @source Deryagin, "Local gluings of nodes".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_glue(
@@ -143,14 +154,26 @@ pub unsafe extern "C" fn gusset_net_glue(
     })
 }
 
-/// Unglues pairs of nodes: their links are free, and seams that have them are cut there. Nodes that are still glued by way of others stay
-/// one point; pairs that are not glued are left alone. gluings, count: as for gusset_net_glue.
+/// Unglues pairs of nodes: their links are free, and seams that have them are cut there.
 ///
-/// separation: 0, or how far apart what becomes separate is moved, in the unit of the coordinates: each piece of a point that falls
-/// apart moves by half of it towards the mean of its neighbours (of those that do not fall apart themselves, if there are any);
-/// one without neighbours, or in the middle of them, stays. moved: receives the number of pieces that moved; NULL if it is not wanted.
-/// On failure the net is as it was. Errors: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite number from 0 on). O(nodes), and a
-/// sort of the pairs.
+/// Nodes that are still glued by way of others stay one point; pairs that are not glued are left
+/// alone.
+///
+/// On failure the net is as it was.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param gluings as for gusset_net_glue.
+/// @param count as for gusset_net_glue.
+/// @param separation 0, or how far apart what becomes separate is moved, in the unit of the
+///     coordinates: each piece of a point that falls apart moves by half of it towards the mean of
+///     its neighbours (of those that do not fall apart themselves, if there are any); one without
+///     neighbours, or in the middle of them, stays.
+/// @param[out] moved receives the number of pieces that moved; NULL if it is not wanted.
+/// @return GUSSET_OK, or an error: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite
+///     number from 0 on).
+/// @complexity O(nodes), and a sort of the pairs.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_unglue(
@@ -172,8 +195,15 @@ pub unsafe extern "C" fn gusset_net_unglue(
     })
 }
 
-/// Contracts every link whose ends are one point already, by way of others, and drops seams that links then say: the canonical form, in which nets that
-/// glue the same neighbours have the same matrix. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+/// Contracts every link whose ends are one point already, by way of others, and drops seams that
+/// links then say: the canonical form, in which nets that glue the same neighbours have the same
+/// matrix.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_saturate(context: *const gusset_context, net: *mut gusset_net) -> gusset_status {
@@ -184,9 +214,17 @@ pub unsafe extern "C" fn gusset_net_saturate(context: *const gusset_context, net
     })
 }
 
-/// Writes for each node the smallest node that is the same point. classes: room for capacity numbers, of which rows * columns are written;
-/// written: receives that number. NULL and 0 ask for it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is written but
-/// the number), OUT_OF_MEMORY. O(nodes); 4 bytes a node. From any thread.
+/// Writes for each node the smallest node that is the same point.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] classes room for capacity numbers, of which rows * columns are written.
+/// @param capacity see classes.
+/// @param[out] written receives that number. NULL and 0 ask for it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+///     written but the number), OUT_OF_MEMORY.
+/// @complexity O(nodes); 4 bytes a node.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classes(
@@ -209,9 +247,15 @@ pub unsafe extern "C" fn gusset_net_classes(
 /// The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
 pub struct gusset_net_groups(Groups);
 
-/// Finds the points that are several nodes. groups: receives the result, for gusset_net_groups_destroy; NULL on failure. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
-/// the glued nodes.
+/// Finds the points that are several nodes.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] groups receives the result, for gusset_net_groups_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
+///     the glued nodes.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_create(
@@ -222,9 +266,17 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     create(context, groups, "groups", |_| Ok(gusset_net_groups(Classes::of(read(net)?.topology())?.groups()?)))
 }
 
-/// Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the latter; its nodes are in order, and groups are in the
-/// order of their first nodes. offsets.count is one more than the number of groups. Valid until the groups are destroyed. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT. O(1). From any thread.
+/// Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the
+/// latter; its nodes are in order, and groups are in the order of their first nodes.
+///
+/// offsets.count is one more than the number of groups. Valid until the groups are destroyed.
+///
+/// @param groups the groups.
+/// @param[out] offsets receives the offsets; struct_size is set by the caller.
+/// @param[out] members receives the members; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_get_view(
@@ -242,16 +294,27 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
 }
 
 /// Destroys groups; NULL is allowed.
+///
+/// @param[in,out] groups the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_groups) {
     input::destroy(groups);
 }
 
-/// The local gluing at a node: which of its links have become a point. node: its number, row * columns + column.
-/// cyclic: 0, or 1 to count links that lead back to the first row or column too. found: receives one of
-/// GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see
-/// gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+/// The local gluing at a node: which of its links have become a point.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param node its number, row * columns + column.
+/// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
+/// @param[out] found receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     NO_SUCH_ELEMENT, OUT_OF_MEMORY.
+/// @complexity O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for
+///     all.
+/// @source Deryagin, Fig. 4.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classify_node(
@@ -268,9 +331,15 @@ pub unsafe extern "C" fn gusset_net_classify_node(
     })
 }
 
-/// What a cell has become. cell: its number, row * (columns - 1) + column. found: receives one of GUSSET_TYPE_..., or
-/// GUSSET_TYPE_NONE for a quad. Errors: as gusset_net_classify_node. O(1) for a net that its sides describe, else
-/// O(nodes).
+/// What a cell has become.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param cell its number, row * (columns - 1) + column.
+/// @param[out] found receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad.
+/// @return GUSSET_OK, or an error: as gusset_net_classify_node.
+/// @complexity O(1) for a net that its sides describe, else O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classify_cell(
@@ -286,8 +355,17 @@ pub unsafe extern "C" fn gusset_net_classify_cell(
     })
 }
 
-/// Counts the local gluings of a net by type. nodes, cells: receive 18 numbers each, how many nodes (without links that lead back) and how many
-/// cells have each type; NULL for what is not wanted. Errors: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes); 4 bytes a node.
+/// Counts the local gluings of a net by type.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
+///     many cells have each type; NULL for what is not wanted.
+/// @param[out] cells receive 18 numbers each, how many nodes (without links that lead back) and how
+///     many cells have each type; NULL for what is not wanted.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(nodes); 4 bytes a node.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_histogram(

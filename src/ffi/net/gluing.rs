@@ -163,8 +163,16 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing) -> Result
     Ok(Topology::new(shape, links, &seams)?.with_reversed(flag(gluing.reversed, "reversed")?))
 }
 
-/// Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
-/// Errors: as gusset_net_create. O(nodes).
+/// Glues a net otherwise; positions stay what they are.
+///
+/// On failure the net is as it was.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param gluing NULL for a sheet; it replaces what was glued.
+/// @return GUSSET_OK, or an error: as gusset_net_create.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_gluing(
@@ -179,9 +187,17 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     })
 }
 
-/// How a net is glued, in its one form. sides: receives the sides if they say all about its links, else UINT32_MAX: then see
-/// gusset_net_get_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
-/// not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+/// How a net is glued, in its one form.
+///
+/// @param net the net.
+/// @param[out] sides receives the sides if they say all about its links, else UINT32_MAX: then see
+///     gusset_net_get_matrix.
+/// @param[out] seam_count receives the number of seams.
+/// @param[out] reversed receives 1 if faces are taken the other way round. NULL for what is not
+///     wanted.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_topology(
@@ -208,8 +224,16 @@ pub unsafe extern "C" fn gusset_net_get_topology(
     })
 }
 
-/// Writes the characteristic matrix of a net as gusset_net_gluing has it. matrix: room for capacity bytes, of which 2 * rows * columns are
-/// written; written: receives that number. NULL and 0 ask for it. Errors: BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY. O(nodes).
+/// Writes the characteristic matrix of a net as gusset_net_gluing has it.
+///
+/// @param net the net.
+/// @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
+/// @param capacity see matrix.
+/// @param[out] written receives that number. NULL and 0 ask for it.
+/// @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number),
+///     OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_matrix(
@@ -229,8 +253,15 @@ pub unsafe extern "C" fn gusset_net_get_matrix(
     })
 }
 
-/// Writes the seams of a net. seams: room for capacity of them; written: receives their number. NULL and 0 ask for it. Errors:
-/// BUFFER_TOO_SMALL (nothing is written but the number). O(seams).
+/// Writes the seams of a net.
+///
+/// @param net the net.
+/// @param[out] seams room for capacity of them.
+/// @param capacity see seams.
+/// @param[out] written receives their number. NULL and 0 ask for it.
+/// @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number).
+/// @complexity O(seams).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_seams(

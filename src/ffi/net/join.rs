@@ -150,16 +150,27 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
     Ok(nets)
 }
 
-/// Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
-/// seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
-/// see gusset_net_split_create.
+/// Joins nets side by side to one, in one pass.
 ///
-/// nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
-/// joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
-/// nets), BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes that are not to be
-/// equalised; or sides to be welded that are apart: the report has the place and the distance), OUT_OF_RANGE (tolerance; a twist of an
-/// open side), CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes of the result); memory for it, and once more for nets that
-/// are enlarged, turned or flipped. Source: Deryagin, "Concatenation".
+/// Each net keeps what it is glued to: links that led back across the direction become seams. Its
+/// bridges are kept; each net but the first gets a new one, between it and the one before, behind
+/// its own. All can be undone: see gusset_net_split_create.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[out] nets net_count handles, at least one, of one scalar type; the same one may come
+///     several times.
+/// @param net_count see nets.
+/// @param options NULL for the defaults.
+/// @param[out] joined receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no nets),
+///     BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
+///     (sizes that are not to be equalised; or sides to be welded that are apart: the report has
+///     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side),
+///     CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes of the result); memory for it, and once more for nets that are enlarged,
+///     turned or flipped.
+/// @source Deryagin, "Concatenation".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_concatenate_create(
@@ -175,12 +186,22 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     })
 }
 
-/// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined,
-/// unless they were changed since; copies that were made to equalise sizes are removed. Of a net that was joined of
-/// joined ones, the last bridge is such a one; take nets apart in the reverse order of joining. What is glued across
-/// the bridge is cut. bridge: its number, counted from 0. first, second: receive the nets, for gusset_net_destroy; NULL
-/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it is within a part of
-/// the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
+/// they were joined, unless they were changed since; copies that were made to equalise sizes are
+/// removed.
+///
+/// Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
+/// reverse order of joining. What is glued across the bridge is cut.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param bridge its number, counted from 0.
+/// @param[out] first receive the nets, for gusset_net_destroy; NULL on failure.
+/// @param[out] second receive the nets, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
+///     bridge, or it is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_split_create(
@@ -200,7 +221,13 @@ pub unsafe extern "C" fn gusset_net_split_create(
     })
 }
 
-/// The number of bridges of a net. count: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+/// The number of bridges of a net.
+///
+/// @param net the net.
+/// @param[out] count receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: *mut usize) -> gusset_status {
@@ -211,8 +238,15 @@ pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: 
     })
 }
 
-/// A bridge of a net. index: its number, below gusset_net_bridge_count. bridge: its struct_size set. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+/// A bridge of a net.
+///
+/// @param net the net.
+/// @param index its number, below gusset_net_bridge_count.
+/// @param[out] bridge its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_bridge(
@@ -228,11 +262,18 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 
 /// Does something else with the cells of a bridge, and gives it other properties.
 ///
-/// index: of the bridge, below gusset_net_bridge_count. mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or
-/// GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0. properties: NULL leaves them.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the
-/// place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends,
-/// or if the net is shared with a copy or a scene; else O(1).
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param index of the bridge, below gusset_net_bridge_count.
+/// @param mode GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+/// @param tolerance how far nodes that are welded may be apart, at least 0.
+/// @param properties NULL leaves them.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the place and the distance, CROSSING_CELL,
+///     OUT_OF_MEMORY; the net is then as it was.
+/// @complexity O(nodes) if welding begins or ends, or if the net is shared with a copy or a scene;
+///     else O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_bridge(

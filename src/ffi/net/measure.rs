@@ -98,10 +98,19 @@ impl From<&Planarity> for gusset_net_planarity_report {
     }
 }
 
-/// Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there.
-/// measures: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY,
-/// CANCELLED. O(nodes), no memory. From any thread; the same bits for any number of threads. Volumes are exact for the
-/// bilinear patches of the cells (divergence theorem).
+/// Measures a net: area, volume, box.
+///
+/// Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
+/// for the bilinear patches of the cells (divergence theorem).
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] measures its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), no memory.
+/// @threads From any thread; the same bits for any number of threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_measure(
@@ -117,9 +126,14 @@ pub unsafe extern "C" fn gusset_net_measure(
     })
 }
 
-/// Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
-/// the bilinear patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten
-/// times the work.
+/// Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly
+/// but for rounding for the bilinear patches of its cells.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] moments its struct_size set.
+/// @return GUSSET_OK, or an error: those of gusset_net_measure, and about ten times the work.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_moments(
@@ -137,12 +151,19 @@ pub unsafe extern "C" fn gusset_net_moments(
 
 /// Tells how plane the cells of a net are: whether it can be clad with plane quads.
 ///
-/// tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each
-/// cell, how far its corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
-/// triangles and less, NaN for cells that are not there. capacity: its size; NULL and 0 if it is not wanted. written:
-/// receives the number of cells. summary: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), 8 bytes a cell.
-/// From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param tolerance at least 0, for the count in the summary.
+/// @param[out] cells a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
+///     corners are from the plane that lies evenly between them, as a part of its longer diagonal;
+///     0 for triangles and less, NaN for cells that are not there.
+/// @param capacity its size; NULL and 0 if it is not wanted.
+/// @param[out] written receives the number of cells.
+/// @param[out] summary its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), 8 bytes a cell.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_planarity(

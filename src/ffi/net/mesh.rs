@@ -133,12 +133,20 @@ impl gusset_net_mesh_options {
     }
 }
 
-/// Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
-/// closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh without faces is no failure.
+/// Makes the mesh of a net.
 ///
-/// options: NULL for the defaults. mesh: receives the result, for gusset_net_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(nodes), and
-/// O(w log w) for w cells whose opposite sides are glued.
+/// Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so
+/// that closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh
+/// without faces is no failure.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param options NULL for the defaults.
+/// @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_mesh_create(
@@ -154,13 +162,21 @@ pub unsafe extern "C" fn gusset_net_mesh_create(
 }
 
 /// Destroys the mesh of a net; NULL is allowed.
+///
+/// @param[in,out] mesh the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_mesh_destroy(mesh: *mut gusset_net_mesh) {
     input::destroy(mesh);
 }
 
-/// Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the mesh, valid until it is destroyed.
+///
+/// @param mesh the mesh.
+/// @param[out] view its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_mesh_get_mesh(
@@ -170,7 +186,12 @@ pub unsafe extern "C" fn gusset_net_mesh_get_mesh(
     lend!(mesh, view, |mesh| self::mesh::lend(&mesh.0.mesh))
 }
 
-/// Lends what became what. Errors and validity as for gusset_net_mesh_get_mesh.
+/// Lends what became what.
+///
+/// @param mesh the mesh.
+/// @param[out] maps receives the maps; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_net_mesh_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_mesh_get_view(
@@ -228,11 +249,20 @@ where
     Ok(net_of_heights(&heights, job)?)
 }
 
-/// Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
-/// missing nodes; faces are counter-clockwise from above, whichever way rows and columns run.
+/// Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin
+/// + height.
 ///
-/// net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-/// NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing, origin), OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// Missing heights become missing nodes; faces are counter-clockwise from above, whichever way rows
+/// and columns run.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param heights the heights.
+/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing,
+///     origin), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_from_heights_create(
@@ -249,12 +279,19 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     })
 }
 
-/// Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of triangles round a pole at its first
-/// and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+/// Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of
+/// triangles round a pole at its first and last row, or either.
 ///
-/// mesh: see gusset_mesh_view. face: a face of the component that is meant; UINT32_MAX: the mesh must be one grid. grid: receives the
-/// result, for gusset_net_grid_destroy; NULL on failure. Errors: those of the view, NO_GRID with a face that shows it,
-/// OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and vertices of degree d.
+/// Rows run as the first quad says, and round if only one direction is closed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh see gusset_mesh_view.
+/// @param face a face of the component that is meant; UINT32_MAX: the mesh must be one grid.
+/// @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of the view, NO_GRID with a face that shows it,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log d) for H half-edges and vertices of degree d.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_create(
@@ -272,13 +309,22 @@ pub unsafe extern "C" fn gusset_net_grid_create(
 }
 
 /// Destroys a grid; NULL is allowed.
+///
+/// @param[in,out] grid the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
     input::destroy(grid);
 }
 
-/// The net that was found. net: receives it, for gusset_net_destroy; it outlives the grid. NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT. O(1).
+/// The net that was found.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param grid the grid.
+/// @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_net_create(
@@ -289,7 +335,13 @@ pub unsafe extern "C" fn gusset_net_grid_net_create(
     create(context, net, "net", |_| Ok(gusset_net::of_shared(input::reference(grid, "grid")?.net.clone())))
 }
 
-/// Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends where the net was found.
+///
+/// @param grid the grid.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_get_view(

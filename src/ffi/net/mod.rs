@@ -204,11 +204,17 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 
 /// Makes a net of a copy of the caller's coordinates.
 ///
-/// arrays: the coordinates, rows x columns numbers each, at any alignment; any numbers: a node with one that is NaN or infinite is
-/// missing. gluing: NULL for a sheet. net: receives the net, for gusset_net_destroy; NULL on failure. Errors: NET_TOO_SMALL,
-/// TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
-/// with the cell, OUT_OF_MEMORY. O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all. Source: Deryagin, "Model of
-/// the tetragonal regular network".
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param arrays the coordinates, rows x columns numbers each, at any alignment; any numbers: a
+///     node with one that is NaN or infinite is missing.
+/// @param gluing NULL for a sheet.
+/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE,
+///     SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
+///     with the cell, OUT_OF_MEMORY.
+/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
+/// @source Deryagin, "Model of the tetragonal regular network".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_create(
@@ -229,10 +235,16 @@ pub unsafe extern "C" fn gusset_net_create(
 
 /// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
 ///
-/// arrays: as for gusset_net_create, but aligned to their scalar type, without gaps in rows, row_stride a multiple of the scalar's
-/// size; the three must not overlap, and must stay valid and unmoved until the net is destroyed. The rest is as there; also
-/// MISALIGNED_ARGUMENT, NULL_ARGUMENT, OVERLAP. O(nodes) if there are a matrix or seams, else
-/// O(1); no memory a node, or 1/4 byte.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
+///     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
+///     and unmoved until the net is destroyed.
+/// @param gluing the gluing.
+/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT, NULL_ARGUMENT,
+///     OVERLAP.
+/// @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_borrow_create(
@@ -256,8 +268,15 @@ fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape
     Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
 }
 
-/// Makes a copy of a net, with its bridges, in memory of the library's. net: unchanged. copy: receives it. O(nodes), or O(1) where nobody
-/// can tell the difference: memory is shared until one of the two is changed. Errors: OUT_OF_MEMORY.
+/// Makes a copy of a net, with its bridges, in memory of the library's.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net unchanged.
+/// @param[out] copy receives it.
+/// @return GUSSET_OK, or an error: OUT_OF_MEMORY.
+/// @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
+///     of the two is changed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_clone_create(
@@ -268,9 +287,18 @@ pub unsafe extern "C" fn gusset_net_clone_create(
     create(context, copy, "copy", |_| Ok(gusset_net::of_shared(input::reference(net, "net")?.share()?)))
 }
 
-/// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
-/// receives it, for gusset_net_destroy; NULL on failure. From double to float coordinates are rounded, and nodes whose coordinates
-/// are too large for it become missing. Errors: UNKNOWN_VALUE, OUT_OF_MEMORY. O(nodes). From any thread.
+/// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type.
+///
+/// From double to float coordinates are rounded, and nodes whose coordinates are too large for it
+/// become missing.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param scalar GUSSET_F32 or GUSSET_F64.
+/// @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_convert_create(
@@ -283,6 +311,9 @@ pub unsafe extern "C" fn gusset_net_convert_create(
 }
 
 /// Destroys a net; NULL is allowed.
+///
+/// @param[in,out] net the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
     input::destroy(net);
@@ -313,17 +344,30 @@ fn lend_all(net: &Net<'_>) -> gusset_net_view {
     each!(net.coordinates(), planes => lend(planes, scalar))
 }
 
-/// Lends size and coordinates to be read only, as copies may share them, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends size and coordinates to be read only, as copies may share them, valid until the net is
+/// changed or destroyed.
+///
+/// @param net the net.
+/// @param[out] arrays its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
     lend!(net, arrays, |net| lend_all(net.net()))
 }
 
-/// Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
-/// gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_get_view,
-/// OUT_OF_MEMORY.
+/// Lends the coordinates to be written, valid until the next call with this net.
+///
+/// Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
+/// scene is copied first: O(nodes) then, else O(1).
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param[out] arrays receives the arrays; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: as gusset_net_get_view, OUT_OF_MEMORY.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_edit(
@@ -346,9 +390,18 @@ pub unsafe extern "C" fn gusset_net_edit(
     })
 }
 
-/// Copies the coordinates of a net to the caller's matrices. arrays: where they go, of the net's rows and columns, in any layout and of either
-/// scalar type: double to float is rounded. Bytes between the numbers stay as they are. Errors: SIDES_DIFFER (other rows or columns),
-/// UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW. O(nodes). From any thread.
+/// Copies the coordinates of a net to the caller's matrices.
+///
+/// Bytes between the numbers stay as they are.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
+///     type: double to float is rounded.
+/// @return GUSSET_OK, or an error: SIDES_DIFFER (other rows or columns), UNKNOWN_VALUE, BAD_STRIDE,
+///     SIZE_OVERFLOW.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_read(

@@ -49,15 +49,30 @@ impl Buffers {
 
 /// Computes the unit normal of every node of a net.
 ///
-/// x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
-/// after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
-/// has room for. missing_count: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
-/// cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
-/// normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
-/// seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are
-/// filled in part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any
-/// number of threads.
+/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the
+/// other way for nets that are reversed. Nodes that are glued get the same bits, poles and seams
+/// their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are
+/// there decide.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] x receive the coordinates of the normals, float or double as the net's are, rows x
+///     columns numbers each, row after row without gaps, aligned, and apart from each other and
+///     from the net's own.
+/// @param[out] y receive the coordinates of the normals, float or double as the net's are, rows x
+///     columns numbers each, row after row without gaps, aligned, and apart from each other and
+///     from the net's own.
+/// @param[out] z receive the coordinates of the normals, float or double as the net's are, rows x
+///     columns numbers each, row after row without gaps, aligned, and apart from each other and
+///     from the net's own.
+/// @param capacity the numbers that each has room for.
+/// @param[out] missing_count receives the number of nodes that have no normal and get zeros:
+///     missing ones, and those whose cells have no area or cancel out; may be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP,
+///     OUT_OF_MEMORY, CANCELLED (the buffers are filled in part).
+/// @complexity O(nodes); a bit a node, and memory for the glued nodes.
+/// @threads From any thread; the same bits for any number of threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_normals(

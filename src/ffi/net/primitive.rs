@@ -127,10 +127,18 @@ impl gusset_net_primitive {
 
 /// Makes a net of a standard shape, centred at the origin, its axis along z.
 ///
-/// Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise seen from outside. primitive: what is
-/// wanted. net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
-/// OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
-/// CANCELLED. O(nodes); 12 or 24 bytes a node, and 1/4 for boxes. Source: Deryagin, "Closures of nets".
+/// Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise
+/// seen from outside.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param primitive what is wanted.
+/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too
+///     few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 for boxes.
+/// @source Deryagin, "Closures of nets".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_primitive_create(

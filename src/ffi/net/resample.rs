@@ -19,13 +19,21 @@ c_enum! {
     interpolation: Interpolation { GUSSET_INTERPOLATION_BICUBIC => Bicubic, GUSSET_INTERPOLATION_BILINEAR => Bilinear }
 }
 
-/// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last
-/// ones stay, and new nodes that fall on old ones have their bits.
+/// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of
+/// another; first and last ones stay, and new nodes that fall on old ones have their bits.
 ///
-/// net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal
-/// bits. interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on
-/// failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
-/// O(nodes of both). From any thread; the same bits for any number of threads.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net glued along whole sides only, without bridges; the new one is glued in the same way,
+///     glued nodes have equal bits.
+/// @param rows of the result, at least 2.
+/// @param columns of the result, at least 2.
+/// @param interpolation one of GUSSET_INTERPOLATION_...
+/// @param[out] resampled receives the net, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE,
+///     GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes of both).
+/// @threads From any thread; the same bits for any number of threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_resample_create(
@@ -42,15 +50,23 @@ pub unsafe extern "C" fn gusset_net_resample_create(
     })
 }
 
-/// Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the
-/// one whose loss costs least, as long as the tolerance allows.
+/// Makes a net of the rows and columns of another that matter most: rows, and then columns, are
+/// left out, always the one whose loss costs least, as long as the tolerance allows.
 ///
-/// net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half
-/// of it away from the segments that replace their columns, and as much from those that replace their rows. rows,
-/// columns: receive the indices of what was kept, as many as the new net has; each has room for as many as the old net
-/// has; NULL if not wanted. deviation: receives what was reached; may be NULL. decimated: receives the net; NULL on
-/// failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About
-/// O(nodes x log rows). From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net glued along whole sides only, without bridges.
+/// @param tolerance at least 0, may be infinite; nodes are at most half of it away from the
+///     segments that replace their columns, and as much from those that replace their rows.
+/// @param[out] rows receive the indices of what was kept, as many as the new net has; each has room
+///     for as many as the old net has; NULL if not wanted.
+/// @param[out] columns receive the indices of what was kept, as many as the new net has; each has
+///     room for as many as the old net has; NULL if not wanted.
+/// @param[out] deviation receives what was reached; may be NULL.
+/// @param[out] decimated receives the net; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(nodes x log rows).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decimate_create(
@@ -82,15 +98,20 @@ fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), 
     Ok(())
 }
 
-/// Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row
-/// and column of the one before, bit for bit.
+/// Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the
+/// others every second row and column of the one before, bit for bit.
 ///
-/// net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy,
-/// else it is resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets,
-/// each for gusset_net_destroy; all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is
-/// always enough. count: receives how many there are, also with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes),
-/// memory for 4/3 of the first. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the
+///     first level is a copy, else it is resampled to the next sizes.
+/// @param interpolation as for gusset_net_resample_create.
+/// @param[out] levels receives the nets, each for gusset_net_destroy; all NULL on failure.
+/// @param capacity how many it has room for; GUSSET_PYRAMID_LEVELS is always enough.
+/// @param[out] count receives how many there are, also with BUFFER_TOO_SMALL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), memory for 4/3 of the first.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_pyramid_create(

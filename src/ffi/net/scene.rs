@@ -112,7 +112,13 @@ fn changed<'a>(scene: *mut gusset_scene) -> Result<&'a mut Scene, Failure> {
     Ok(&mut input::exclusive(scene, "scene")?.0)
 }
 
-/// Makes an empty scene. scene: receives it, for gusset_scene_destroy. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+/// Makes an empty scene.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[out] scene receives it, for gusset_scene_destroy.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_create(
@@ -122,14 +128,25 @@ pub unsafe extern "C" fn gusset_scene_create(
     create(context, scene, "scene", |_| Ok(gusset_scene(Scene::new())))
 }
 
-/// Destroys a scene; NULL is allowed. O(entries), at any depth.
+/// Destroys a scene; NULL is allowed.
+///
+/// @param[in,out] scene the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
     input::destroy(scene);
 }
 
-/// Adds a net, in no group yet, as it is now: what is done to the handle later does not change the scene. entry: receives its index.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+/// Adds a net, in no group yet, as it is now: what is done to the handle later does not change the
+/// scene.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param net the net.
+/// @param[out] entry receives its index.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_net(
@@ -146,9 +163,17 @@ pub unsafe extern "C" fn gusset_scene_add_net(
     })
 }
 
-/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. entry:
-/// its index. Errors: NO_SUCH_ELEMENT with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in
-/// the caller's memory.
+/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
+/// its transform.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @param net the net.
+/// @return GUSSET_OK, or an error: NO_SUCH_ELEMENT with the entry (also for a group),
+///     OUT_OF_MEMORY.
+/// @complexity O(1), and O(nodes) for a net in the caller's memory.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_net(
@@ -163,7 +188,14 @@ pub unsafe extern "C" fn gusset_scene_set_net(
     })
 }
 
-/// Adds an empty group, in no group yet. entry: receives its index. Errors: as gusset_scene_add_net. O(1).
+/// Adds an empty group, in no group yet.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param[out] entry receives its index.
+/// @return GUSSET_OK, or an error: as gusset_scene_add_net.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_group(
@@ -179,10 +211,17 @@ pub unsafe extern "C" fn gusset_scene_add_group(
     })
 }
 
-/// Puts an entry into a group, behind what is in it; again, if it is in it already. group: the index of the group.
-/// child: the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such entry, or group
-/// is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group in no group; at most O(entries
-/// below the one or above the other, whichever are fewer).
+/// Puts an entry into a group, behind what is in it; again, if it is in it already.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param group the index of the group.
+/// @param child the index of the entry.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
+///     entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY.
+/// @complexity O(1) for an entry without children or a group in no group; at most O(entries below
+///     the one or above the other, whichever are fewer).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_child(
@@ -194,9 +233,16 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     guard(context, |_| Ok(changed(scene)?.add_child(group, child)?))
 }
 
-/// Takes an entry out of a group: the first one, if it is in it several times. group: the index of the group. child:
-/// the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it is not in the group.
-/// O(children of the group + groups of the child).
+/// Takes an entry out of a group: the first one, if it is in it several times.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param group the index of the group.
+/// @param child the index of the entry.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it
+///     is not in the group.
+/// @complexity O(children of the group + groups of the child).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_remove_child(
@@ -208,8 +254,14 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     guard(context, |_| Ok(changed(scene)?.remove_child(group, child)?))
 }
 
-/// Removes an entry from the scene and from all groups; what was in a group stays. entry: its index. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+/// Removes an entry from the scene and from all groups; what was in a group stays.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT.
+/// @complexity O(children of its groups + groups of its children).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_remove(
@@ -220,8 +272,16 @@ pub unsafe extern "C" fn gusset_scene_remove(
     guard(context, |_| Ok(changed(scene)?.remove(entry)?))
 }
 
-/// Places an entry in the space of the groups that it is in. entry: its index. transform: twelve finite numbers.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+/// Places an entry in the space of the groups that it is in.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @param transform twelve finite numbers.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     OUT_OF_RANGE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_transform(
@@ -236,8 +296,16 @@ pub unsafe extern "C" fn gusset_scene_set_transform(
     })
 }
 
-/// Shows an entry, or hides it and all that is in it. entry: its index. visible: 1 or 0. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE. O(1).
+/// Shows an entry, or hides it and all that is in it.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] scene the scene.
+/// @param entry its index.
+/// @param visible 1 or 0.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+///     UNKNOWN_VALUE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_visible(
@@ -249,8 +317,15 @@ pub unsafe extern "C" fn gusset_scene_set_visible(
     guard(context, |_| Ok(changed(scene)?.set_visible(entry, flag(visible, "visible")?)?))
 }
 
-/// What an entry is. entry: its index. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+/// What an entry is.
+///
+/// @param scene the scene.
+/// @param entry its index.
+/// @param[out] out its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_entry(
@@ -275,9 +350,16 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
     })
 }
 
-/// The net of an entry, as a handle that shares its memory until it is changed. entry: its index. net: receives it, for
-/// gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group.
-/// O(1).
+/// The net of an entry, as a handle that shares its memory until it is changed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param entry its index.
+/// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+///     group.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_net_create(
@@ -289,9 +371,18 @@ pub unsafe extern "C" fn gusset_scene_net_create(
     create(context, net, "net", |_| Ok(gusset_net::of_shared(self::scene(scene)?.net(entry)?.clone())))
 }
 
-/// The entries in a group, in order. group: its index. children: room for capacity indices, or NULL with capacity 0 to
-/// ask for their number. written: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
-/// net, BUFFER_TOO_SMALL. O(children).
+/// The entries in a group, in order.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param group its index.
+/// @param[out] children room for capacity indices, or NULL with capacity 0 to ask for their number.
+/// @param capacity see children.
+/// @param[out] written receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+///     net, BUFFER_TOO_SMALL.
+/// @complexity O(children).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_children(
@@ -310,8 +401,14 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     })
 }
 
-/// How much is in a scene. counts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY.
-/// O(entries + children), however many instances there are. From any thread.
+/// How much is in a scene.
+///
+/// @param scene the scene.
+/// @param[out] counts its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     OUT_OF_MEMORY.
+/// @complexity O(entries + children), however many instances there are.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_get_report(
@@ -334,9 +431,17 @@ pub unsafe extern "C" fn gusset_scene_get_report(
 
 /// All instances and where they are: each behind the group that it is in, children in order.
 ///
-/// instances: room for capacity of them, or NULL with capacity 0 to ask for their number. written: receives it. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
-/// before any is looked at), OUT_OF_MEMORY, CANCELLED. O(entries + instances).
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param[out] instances room for capacity of them, or NULL with capacity 0 to ask for their
+///     number.
+/// @param capacity see instances.
+/// @param[out] written receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE
+///     (more than 2^24, as sharing can make of few entries: refused before any is looked at),
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(entries + instances).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_world_transforms(
@@ -357,12 +462,20 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     })
 }
 
-/// Joins the nets of all visible instances, where they are in the space of the scene, to one. Nets under transforms that mirror are
-/// flipped where the others would be opposed to them, as if options said turn. gusset_scene_unflatten_create is the inverse.
+/// Joins the nets of all visible instances, where they are in the space of the scene, to one.
 ///
-/// options: NULL for each net below the one before, with hidden bridges. net: receives the result, for gusset_net_destroy; NULL on
-/// failure. Errors: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), and those of
-/// gusset_net_concatenate_create. O(entries + instances + nodes). Source: Deryagin, scenes as "a single whole".
+/// Nets under transforms that mirror are flipped where the others would be opposed to them, as if
+/// options said turn. gusset_scene_unflatten_create is the inverse.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param scene the scene.
+/// @param options NULL for each net below the one before, with hidden bridges.
+/// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24
+///     instances, or nodes), and those of gusset_net_concatenate_create.
+/// @complexity O(entries + instances + nodes).
+/// @source Deryagin, scenes as "a single whole".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_flatten_create(
@@ -381,11 +494,20 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
     })
 }
 
-/// A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once:
-/// the inverse of gusset_scene_flatten_create, in one group (entry 0). Nets come back as they are in the space of the
-/// flat one, bit for bit; copies that were made to equalise sizes are removed. direction: GUSSET_DIRECTION_..., that of
-/// the bridges. scene: receives it, for gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// A scene of the nets between the bridges of a direction that run from side to side and were made
+/// last, all at once: the inverse of gusset_scene_flatten_create, in one group (entry 0).
+///
+/// Nets come back as they are in the space of the flat one, bit for bit; copies that were made to
+/// equalise sizes are removed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param direction GUSSET_DIRECTION_..., that of the bridges.
+/// @param[out] scene receives it, for gusset_scene_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_unflatten_create(

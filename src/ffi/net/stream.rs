@@ -113,12 +113,20 @@ impl From<&StreamInfo> for gusset_stream_report {
 
 /// Makes a stream of a net: its coordinates, what is glued to what, its bridges.
 ///
-/// options: NULL for 14 bits a coordinate. stream: receives the bytes, for gusset_stream_destroy; NULL on failure. QUANTISED and
-/// LOSSLESS do not store nodes that are glued to others; decoding gives them the same bits (LOSSLESS stores all if the net's
-/// differ). QUANTISED gives nodes with a coordinate that is NaN or infinite three NaN. Errors: UNKNOWN_VALUE, OUT_OF_RANGE (bits;
-/// QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks coded by the
-/// context's threads; the same bytes for any number of them. From any thread. Method: linear prediction with weights fitted to
-/// each block, and a range coder with adaptive models.
+/// QUANTISED and LOSSLESS do not store nodes that are glued to others; decoding gives them the same
+/// bits (LOSSLESS stores all if the net's differ). QUANTISED gives nodes with a coordinate that is
+/// NaN or infinite three NaN. Method: linear prediction with weights fitted to each block, and a
+/// range coder with adaptive models.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param options NULL for 14 bits a coordinate.
+/// @param[out] stream receives the bytes, for gusset_stream_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_RANGE (bits; QUANTISED: a coordinate above
+///     a quarter of the largest double), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
+///     of them.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_encode_create(
@@ -133,8 +141,14 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     })
 }
 
-/// Lends the bytes of a stream, valid until it is destroyed. data, size: receive where they are and how many. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT. O(1). From any thread.
+/// Lends the bytes of a stream, valid until it is destroyed.
+///
+/// @param stream the stream.
+/// @param[out] data receive where they are and how many.
+/// @param[out] size receive where they are and how many.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_get_view(
@@ -152,13 +166,24 @@ pub unsafe extern "C" fn gusset_stream_get_view(
 }
 
 /// Destroys a stream; NULL is allowed.
+///
+/// @param[in,out] stream the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
     input::destroy(stream);
 }
 
-/// Reads the header of a stream. data: its first 128 bytes, or more; size: how many there are. info: its struct_size set. Errors:
-/// BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Reads the header of a stream.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param data its first 128 bytes, or more.
+/// @param size how many there are.
+/// @param[out] info its struct_size set.
+/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+///     BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_inspect(
@@ -175,10 +200,18 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     })
 }
 
-/// Makes the net of a stream. data: all its bytes, at any alignment; size: how many. net: receives the net, for gusset_net_destroy;
-/// NULL on failure. A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one of its size can
-/// need it: 4096 nodes a byte at most. Errors: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks decoded by
-/// the context's threads. From any thread.
+/// Makes the net of a stream.
+///
+/// A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one
+/// of its size can need it: 4096 nodes a byte at most.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param data all its bytes, at any alignment.
+/// @param size how many.
+/// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), with blocks decoded by the context's threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decode_create(
@@ -190,9 +223,15 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     create(context, net, "net", |job| Ok(gusset_net::new(decode(input::bytes(data, size, 1, "data")?, job)?)))
 }
 
-/// Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken
-/// before all of the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for
-/// gusset_stream_decoder_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(1).
+/// Begins to decode a stream that arrives in pieces.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param node_limit a net of more nodes is refused, as its memory is taken before all of the
+///     stream is there; 0 for no limit but the library's, 2^31 - 1.
+/// @param[out] decoder receives the decoder, for gusset_stream_decoder_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_create(
@@ -206,10 +245,19 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     })
 }
 
-/// Gives a decoder the next bytes of its stream, any number of them. data: the bytes, at any alignment. size: how many.
-/// rows_done: receives how many rows are complete, those of all blocks so far; NULL if it is not wanted. After a
-/// failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY. O(bytes + nodes of the
-/// blocks that they complete).
+/// Gives a decoder the next bytes of its stream, any number of them.
+///
+/// After a failure every call fails alike.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] decoder the decoder.
+/// @param data the bytes, at any alignment.
+/// @param size how many.
+/// @param[out] rows_done receives how many rows are complete, those of all blocks so far; NULL if
+///     it is not wanted.
+/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY.
+/// @complexity O(bytes + nodes of the blocks that they complete).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_push(
@@ -228,8 +276,15 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     })
 }
 
-/// Makes the net of the rows that a decoder has so far, at least two: open on all sides, without gluing and bridges, for a preview.
-/// net: receives it. Errors: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY. O(nodes).
+/// Makes the net of the rows that a decoder has so far, at least two: open on all sides, without
+/// gluing and bridges, for a preview.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param decoder the decoder.
+/// @param[out] net receives it.
+/// @return GUSSET_OK, or an error: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
@@ -240,8 +295,16 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     create(context, net, "net", |_| Ok(gusset_net::new(input::reference(decoder, "decoder")?.0.preview()?)))
 }
 
-/// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing had been pushed. net: receives it.
-/// Errors: BAD_STREAM if the stream is not complete, or what pushing failed with. O(1).
+/// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing
+/// had been pushed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] decoder the decoder.
+/// @param[out] net receives it.
+/// @return GUSSET_OK, or an error: BAD_STREAM if the stream is not complete, or what pushing failed
+///     with.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
@@ -253,6 +316,9 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
 }
 
 /// Destroys a decoder; NULL is allowed.
+///
+/// @param[in,out] decoder the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_decoder_destroy(decoder: *mut gusset_stream_decoder) {
     input::destroy(decoder);

@@ -86,16 +86,27 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
     })
 }
 
-/// Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in
-/// place.
+/// Moves all nodes of a net by operations, the first one first, composed to one matrix and applied
+/// in one pass, in place.
 ///
-/// operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
-/// that are glued and have equal bits keep them equal; missing nodes stay missing (and may lose coordinates that were finite). If the operations together mirror
-/// (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
-/// faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
-/// Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
-/// product that overflows), FIELD_UNDEFINED with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
-/// memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+/// The arithmetic is that of the net's scalar type; nodes that are glued and have equal bits keep
+/// them equal; missing nodes stay missing (and may lose coordinates that were finite). If the
+/// operations together mirror (odd numbers of reflections) the surface would be turned inside out:
+/// the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is heard
+/// before the first node is moved; whatever the error, none is moved.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param operations `count` of them, at any alignment; 0 for none.
+/// @param count see operations.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a
+///     number that is not finite, an axis of length 0, a product that overflows), FIELD_UNDEFINED
+///     with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its
+///     memory), CANCELLED.
+/// @complexity O(nodes), no memory.
+/// @threads The same bits for any number of threads.
+/// @source Deryagin, T, R, S, C.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_transform(

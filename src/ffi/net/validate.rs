@@ -69,11 +69,22 @@ impl From<&Finding> for gusset_net_finding {
     }
 }
 
-/// Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
+/// Checks that glued nodes lie together, and looks for what is suspicious.
 ///
-/// tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
-/// violation. validation: receives the result, for gusset_net_validation_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
+/// What it finds is no error.
+///
+/// Two missing nodes are no violation.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param tolerance how far two nodes may be apart, at least 0; for 0 their coordinates must be
+///     equal (0 and -0 are).
+/// @param[out] validation receives the result, for gusset_net_validation_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), and a sort of the findings.
+/// @source Deryagin, "Non-spatial operations".
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_validation_create(
@@ -88,7 +99,13 @@ pub unsafe extern "C" fn gusset_net_validation_create(
     })
 }
 
-/// Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
+/// Lends the findings.
+///
+/// @param validation the validation.
+/// @param[out] report receives the report; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(log findings).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_validation_get_view(
@@ -107,16 +124,27 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
 }
 
 /// Destroys a validation; NULL is allowed.
+///
+/// @param[in,out] validation the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
     input::destroy(validation);
 }
 
-/// Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
+/// Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more
+/// nodes of its sides that do, forwards or backwards.
 ///
-/// It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
-/// gusset_net_validation_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
-/// CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
+/// It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are
+/// taken stays. On failure the net is as it was.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[in,out] net the net.
+/// @param tolerance as for gusset_net_validation_create.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+///     CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), and a sort of the nodes of the sides.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_derive(

@@ -94,17 +94,29 @@ impl From<Option<NearestAngle>> for gusset_nearest_angle_report {
     }
 }
 
-/// Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
-/// normal and the surface's.
+/// Where parallel planes cut a surface: curves in the order of the planes and of their lowest
+/// cells, along the cross product of the planes' normal and the surface's.
 ///
-/// point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
-/// any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
-/// defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
-/// a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
-/// contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
-/// tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
-/// normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
-/// cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
+/// Every curve is found, also one within a cell, and on a closed surface all are closed; a corner
+/// on a plane counts as above it. Cells where a plane touches or contains the surface, so that
+/// curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+/// tolerance too.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param point x, y, z of a point of the plane of offset 0, at any alignment, as normal and
+///     offsets are.
+/// @param normal x, y, z, not 0, of any length.
+/// @param offsets count of them, rising, distances of the planes from the point along the normal.
+/// @param count see offsets.
+/// @param options NULL for the defaults.
+/// @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a normal of 0, offsets that do not rise,
+///     chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(count + cells that are cut); threads.
+/// @source Leus, "Carcasses on smooth surfaces", task d.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_section_create(
@@ -125,13 +137,27 @@ pub unsafe extern "C" fn gusset_surface_section_create(
     })
 }
 
-/// The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
-/// surface is; greater values are to the left, seen from where the normals point to.
+/// The contours of a scalar field that is given at the corners of the cells: where it takes the
+/// values of levels.
 ///
-/// values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
-/// one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
-/// level_count of them, rising. Otherwise as gusset_surface_section_create. Errors: as there; SIZE_OVERFLOW if there are too few values,
-/// TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
+/// It is interpolated as the surface is; greater values are to the left, seen from where the
+/// normals point to.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param values value_count of them, finite, at any alignment, as levels are: of all sheets, one
+///     after the other, each row after row, one more row and column than there are cells; the last
+///     line of a closed direction repeats the first and is not used.
+/// @param value_count see values.
+/// @param levels level_count of them, rising.
+/// @param level_count see levels.
+/// @param options NULL for the defaults.
+/// @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there;
+///     SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number
+///     of the value.
+/// @complexity O(values + cells that are crossed); threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_contours_create(
@@ -152,14 +178,29 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     })
 }
 
-/// Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
-/// and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+/// Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of
+/// the surface seen along the direction; at 0 and pi points in place of curves, each a path of one
+/// point.
 ///
-/// direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
-/// / 2 if normals are unsigned. Otherwise as gusset_surface_section_create. Where normals jump between cells (patches,
-/// GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
-/// Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
-/// O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+/// Angles are smaller to the left, seen from where the normals point to.
+///
+/// Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side
+/// between them; poles that may have the angle are listed as unresolved. Angles are of order three,
+/// as normals are; contours of the cosines at the nodes are of order four.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param direction x, y, z, not 0, at any alignment, as angles are.
+/// @param angles count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are
+///     unsigned.
+/// @param count see angles.
+/// @param options NULL for the defaults.
+/// @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there.
+/// @complexity About O(cells that are crossed), and O(cells) once, for the cones of normals;
+///     threads.
+/// @source Leus, task b.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_isophotes_create(
@@ -180,10 +221,18 @@ pub unsafe extern "C" fn gusset_surface_isophotes_create(
 
 /// The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
 ///
-/// direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
-/// for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
-/// O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param direction x, y, z, not 0, at any alignment.
+/// @param angle in radians, 0 to pi, or to pi / 2 if normals are unsigned.
+/// @param options NULL for the defaults; what is between crossings is not used.
+/// @param[out] nearest struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(cells that come near to the angle), and O(cells) once, for the cones of
+///     normals; threads.
+/// @source Leus, task b.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest_angle(

@@ -95,9 +95,16 @@ pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) ->
 
 /// Points, derivatives, normals and curvatures at places.
 ///
-/// places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
-/// NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
-/// CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param places count of them, at any alignment.
+/// @param count see places.
+/// @param[out] results room for count; all 0 on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+///     (reserved), NO_SUCH_ELEMENT with the first place that the surface does not have: no such
+///     sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(1) a place, at a pole O(cells round it); threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_evaluate(
@@ -116,12 +123,22 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     })
 }
 
-/// The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
-/// what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
+/// The places of parameters of a whole sheet: node (i, j) has u = i and v = j.
 ///
-/// sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
-/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
-/// not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
+/// Closed directions are counted round; what is beyond an open side is on it. The other way the
+/// parameters of a place are row + u and column + v.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param sheet its number, counted from 0.
+/// @param parameters u, v of each, packed, at any alignment.
+/// @param count see places.
+/// @param[out] places room for count; all 0 on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW,
+///     NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet;
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(1) each.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_locate(

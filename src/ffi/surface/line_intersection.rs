@@ -148,12 +148,22 @@ c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST =>
 
 /// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
 ///
-/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
-/// touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
-/// selection: GUSSET_HITS_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
-/// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
-/// threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
+/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none
+/// is missed: where a line touches the surface or runs in it, a hit says from where to where.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param lines count of them, at any alignment; NULL for none.
+/// @param count see lines.
+/// @param selection GUSSET_HITS_...
+/// @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+///     with the line that is not finite, has no direction, or ends before it begins; SIZE_OVERFLOW,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+///     threads.
+/// @source Leus, "Carcasses on smooth surfaces", task c.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_line_hits_create(
@@ -170,11 +180,19 @@ pub unsafe extern "C" fn gusset_surface_line_hits_create(
     })
 }
 
-/// The first hit of each of many lines, rays or segments: that of least t, which gusset_surface_line_hits_create gives first.
+/// The first hit of each of many lines, rays or segments: that of least t, which
+/// gusset_surface_line_hits_create gives first.
 ///
-/// lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
-/// where there is none, and everywhere on failure. Errors: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT (hits). About
-/// O(log cells) a line; threads. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param lines count of them, at any alignment.
+/// @param count see lines.
+/// @param[out] hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+///     where there is none, and everywhere on failure.
+/// @return GUSSET_OK, or an error: those of gusset_surface_line_hits_create, MISALIGNED_ARGUMENT
+///     (hits).
+/// @complexity About O(log cells) a line; threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_first_hits(
@@ -200,10 +218,19 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
 
 /// Where a curve in space meets a surface, in the order of the curve.
 ///
-/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. selection: GUSSET_HITS_... hits:
-/// receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
-/// comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
+/// As for lines; a point at a joint of segments is found once too.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param curve of degree 7 at most.
+/// @param selection GUSSET_HITS_...
+/// @param[out] hits receives the result, for gusset_surface_hits_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, EMPTY_CURVE,
+///     OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED.
+/// @complexity About O(log cells) for each cell that the curve comes near to; bounded for each
+///     segment and cell that run in each other; threads.
+/// @source Leus, task c.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_curve_hits_create(
@@ -221,8 +248,11 @@ pub unsafe extern "C" fn gusset_surface_curve_hits_create(
 
 /// The hits, lent until they are destroyed.
 ///
-/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
-/// any thread.
+/// @param hits the hits.
+/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_hits_get_view(
@@ -242,6 +272,9 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
 }
 
 /// Frees hits; NULL is allowed.
+///
+/// @param[in,out] hits the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_hits_destroy(hits: *mut gusset_surface_hits) {
     input::destroy(hits);

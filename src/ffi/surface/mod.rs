@@ -143,12 +143,21 @@ fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet
 
 /// Builds the index of one sheet or several, which together are one surface.
 ///
-/// sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
-/// coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
-/// defaults. surface: receives the result, for gusset_surface_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
-/// its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
-/// OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
-/// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
+/// The greatest absolute coordinate of each is from 1e-30 to 1e37, or 0, control points included:
+/// boxes are in single precision.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[out] sheets count handles, none NULL, the array at any alignment; they may be destroyed
+///     afterwards.
+/// @param count see sheets.
+/// @param options NULL for the defaults.
+/// @param[out] surface receives the result, for gusset_surface_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT (of a handle with its number, as
+///     GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH
+///     without sheets, OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are
+///     too large or too small, or for the tolerance; SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), about 7 bytes a node, and 0.7 with cones; threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_create(
@@ -172,7 +181,12 @@ pub unsafe extern "C" fn gusset_surface_create(
     })
 }
 
-/// Frees a surface; NULL is allowed. What was found with it stays.
+/// Frees a surface; NULL is allowed.
+///
+/// What was found with it stays.
+///
+/// @param[in,out] surface the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
     input::destroy(surface);
@@ -180,8 +194,11 @@ pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
 
 /// The curves, lent until they are destroyed.
 ///
-/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
-/// O(1). From any thread.
+/// @param paths the paths.
+/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_paths_get_view(
@@ -207,6 +224,9 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
 }
 
 /// Frees curves; NULL is allowed.
+///
+/// @param[in,out] paths the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_paths_destroy(paths: *mut gusset_surface_paths) {
     input::destroy(paths);

@@ -189,14 +189,26 @@ pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<V
 
 /// The nearest points of a surface to queries, one or many.
 ///
-/// queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
-/// points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
-/// answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
-/// several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
-/// no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
-/// TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
-/// for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
-/// surfaces", task a, by branch and bound.
+/// Each answer is the same to the bit whether it is asked for alone or among others, in any order,
+/// on any number of threads; of several nearest points it is that of the first sheet, row and
+/// column. What is proved is relative to the surface as declared: no point of it is nearer than
+/// bound.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param queries x, y, z of each, at any alignment, `stride` bytes apart (0: packed).
+/// @param count see points.
+/// @param stride see queries.
+/// @param options NULL for the defaults: no limit.
+/// @param[out] points room for count answers, in the order of the queries; none is found on
+///     failure: no flags, and infinite distances.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE,
+///     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
+///     work; threads.
+/// @source Leus, "Carcasses on smooth surfaces", task a, by branch and bound.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest(
@@ -227,14 +239,24 @@ fn cleared<'a>(
     Ok(out)
 }
 
-/// The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+/// The places where the distance from a query is locally least: all, those within a limit, or the
+/// nearest ones.
 ///
-/// query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
-/// gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
-/// is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
-/// with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
-/// CANCELLED. O(cells within the limit); with max_count, those no farther than the last. From any thread.
+/// None is missed: where it cannot be proved whether there is one (the distance is the same all
+/// round, as at a focus), one point is given for all cells that touch, without
+/// GUSSET_NEAREST_PROVEN and with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places
+/// count from which no way on the surface leads nearer.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param query x, y, z, at any alignment.
+/// @param options NULL for the defaults: all.
+/// @param[out] points receives the result, the nearest first, for gusset_surface_points_destroy;
+///     NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE,
+///     OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells within the limit); with max_count, those no farther than the last.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_minima_create(
@@ -251,8 +273,13 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
     })
 }
 
-/// The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// The points, lent until they are destroyed.
+///
+/// @param points the points.
+/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_points_get_view(
@@ -267,17 +294,28 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
 }
 
 /// Frees points; NULL is allowed.
+///
+/// @param[in,out] points the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surface_points) {
     input::destroy(points);
 }
 
-/// The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+/// The cells that have a point within a radius of a query: the paper's region, with its logical
+/// scale.
 ///
-/// query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
-/// and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
-/// gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
-/// OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param query x, y, z, at any alignment.
+/// @param radius at least 0; INFINITY: all cells.
+/// @param[out] region receives all cells that have such a point, and no others but such as come
+///     within the tolerance of the radius or could not be decided in bounded work; for
+///     gusset_surface_region_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+///     (radius), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells found, and one bit a cell).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_region_create(
@@ -293,8 +331,13 @@ pub unsafe extern "C" fn gusset_surface_region_create(
     })
 }
 
-/// The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// The cells, lent until they are destroyed.
+///
+/// @param region the region.
+/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_region_get_view(
@@ -315,6 +358,9 @@ pub unsafe extern "C" fn gusset_surface_region_get_view(
 }
 
 /// Frees a region; NULL is allowed.
+///
+/// @param[in,out] region the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_region_destroy(region: *mut gusset_surface_region) {
     input::destroy(region);

@@ -172,12 +172,21 @@ impl From<&Found> for gusset_reference_report {
 
 /// Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
 ///
-/// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
-/// of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
-/// room for; either may be NULL, both with capacity 0. written: receives the number of cells. max: receives two
-/// numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
-/// for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param[out] euclidean receives for each cell, row after row, a bound of the distance between any
+///     two of its points.
+/// @param[out] intrinsic of the length of the shortest curve within the cell between them.
+/// @param capacity how many numbers each of the two has room for; either may be NULL, both with
+///     capacity 0.
+/// @param[out] written receives the number of cells.
+/// @param[out] max receives two numbers, the greatest of the first and of the second kind, the
+///     paper's d; may be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells), 16 bytes a cell; threads; the same bits for any number of them.
+/// @source Leus, eqs. (1) and (7); the bounds are ours.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_diameters(
@@ -205,8 +214,12 @@ pub unsafe extern "C" fn gusset_sheet_diameters(
 
 /// Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
 ///
-/// bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param[out] bound receives the bound; infinite where the surface is not regular, as at poles.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells); threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_curvature_bound(
@@ -227,15 +240,27 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
     Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
 }
 
-/// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+/// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in
+/// common, across corners too.
 ///
-/// words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
-/// j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
-/// column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
-/// from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
-/// written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
-/// distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
-/// NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
+/// The sum of their diameters bounds the distance between points of from and of to.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
+///     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
+/// @param count the words, at least as many as the cells need.
+/// @param from row and column of a cell of the region, two numbers each, at any alignment.
+/// @param to row and column of a cell of the region, two numbers each, at any alignment.
+/// @param[out] cells receives row and column of each cell of the chain, from and to included, two
+///     numbers each; NULL with capacity 0 to ask for the size.
+/// @param capacity how many cells it has room for.
+/// @param[out] written receives the number of cells, the integer length; 0 if there is no chain.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
+///     words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells).
+/// @source Leus, eq. (3).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask_chain(
@@ -261,11 +286,19 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     })
 }
 
-/// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+/// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
+/// Euler characteristic.
 ///
-/// words, count: the region, as for gusset_sheet_mask_chain. report: struct_size set by the caller; all else is overwritten. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
-/// for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param words the region, as for gusset_sheet_mask_chain.
+/// @param count the region, as for gusset_sheet_mask_chain.
+/// @param[out] report struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
+/// @source Leus, eqs. (4) to (6).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask_measure(
@@ -293,17 +326,27 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     })
 }
 
-/// The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
-/// the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
-/// surface (gusset_surface_create) answers the same and more from its index, much faster.
+/// The paper's search with its logical scale, corrected: which cells of a sheet may have a point
+/// within a distance of an object, or the nearest one, or a normal at an angle.
 ///
-/// task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with capacity 0 for the
-/// size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
-/// words. report: what was
-/// done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
-/// (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
-/// BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
-/// at for the search. From any thread. Source: Leus; its errata are listed with the Rust module surface::leus.
+/// None that has is missing. It is the documented reference and looks at many nodes; a surface
+/// (gusset_surface_create) answers the same and more from its index, much faster.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param task what is looked for.
+/// @param[out] words receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL
+///     with capacity 0 for the size and the report alone; all words are 0 on failure.
+/// @param capacity how many words it has room for.
+/// @param[out] written receives the number of words.
+/// @param[out] report what was done; its struct_size set by the caller; may be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative
+///     distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+///     at for the search.
+/// @source Leus; its errata are listed with the Rust module surface::leus.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_reference_mask(
@@ -327,14 +370,24 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
     })
 }
 
-/// The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
-/// cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
-/// size of cells; the exact normals of the surface are had from a surface.
+/// The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of
+/// the normals at the cell's corners, cut the lines of the net; cubics through four crossings each
+/// have tangents that span the tangent plane.
 ///
-/// places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
-/// each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
-/// (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
-/// OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
+/// Of third order in the size of cells; the exact normals of the surface are had from a surface.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param places count places of the sheet, whose own number is not read, at any alignment; u and v
+///     0 to 1.
+/// @param count see places.
+/// @param[out] normals receives x, y, z of each; 0 where there is none, and everywhere on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+///     (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell,
+///     parameters that are not 0 to 1; OUT_OF_MEMORY, CANCELLED.
+/// @complexity Bounded work for each.
+/// @source Leus, fig. 1.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_normals_by_sections(

@@ -51,8 +51,13 @@ pub struct gusset_surface_sheet_report {
 
 versioned! { gusset_surface_report: 96, gusset_surface_sheet_report: 48 }
 
-/// What a surface is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE. O(sheets). From any thread.
+/// What a surface is.
+///
+/// @param surface the surface.
+/// @param[out] facts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(sheets).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_get_report(
@@ -78,8 +83,13 @@ pub unsafe extern "C" fn gusset_surface_get_report(
 
 /// What a sheet of a surface is.
 ///
-/// sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
+/// @param surface the surface.
+/// @param sheet its number, as in places.
+/// @param[out] facts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT (sheet).
+/// @complexity O(sheets).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_get_sheet(

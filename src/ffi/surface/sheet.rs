@@ -127,12 +127,18 @@ fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, F
 
 /// Makes a surface through a copy of nodes.
 ///
-/// nodes: at any alignment, finite; of sheets for a surface the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
-/// 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
-/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
-/// NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
-/// direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY, CANCELLED. O(nodes); 24 bytes a
-/// node. From any thread. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param nodes at any alignment, finite; of sheets for a surface the greatest coordinate in
+///     absolute terms is from 1e-30 to 1e37, or 0, however the sheet is made; repeated nodes and
+///     rows that are one point (poles) are allowed.
+/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet),
+///     BAD_STRUCT_SIZE, NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE,
+///     NOT_FINITE with the node, SIDES_DIFFER if a closed direction does not end where it begins,
+///     with the place of the largest gap, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes); 24 bytes a node.
+/// @source Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
@@ -146,12 +152,17 @@ pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
     })
 }
 
-/// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
-/// of it are destroyed.
+/// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged
+/// until the sheet and all that was made of it are destroyed.
 ///
-/// nodes: as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
-/// MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
-/// a node. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param nodes as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides
+///     multiples of 8.
+/// @param[out] sheet receives the result, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: as there; MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32
+///     and for strides that are no multiples of 8; CANCELLED.
+/// @complexity O(nodes); no memory a node.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_borrow_create(
@@ -165,7 +176,12 @@ pub unsafe extern "C" fn gusset_sheet_borrow_create(
     })
 }
 
-/// Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
+/// Frees a sheet; NULL is allowed.
+///
+/// What was made of it keeps what it needs.
+///
+/// @param[in,out] sheet the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
     input::destroy(sheet);

@@ -116,11 +116,17 @@ fn curves<'a>(
 
 /// Makes the bicubic Hermite surface through nodes with given tangents: C1.
 ///
-/// nodes: as for gusset_sheet_from_nodes_create; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
-/// line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
-/// gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes_create, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
-/// UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
-/// OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param nodes as for gusset_sheet_from_nodes_create; the scheme is not used.
+/// @param tangents rows x columns vectors each; those of the repeated line of a closed direction
+///     are not read as tangents, but must be there; at any alignment.
+/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_sheet_from_nodes_create, among them
+///     NULL_ARGUMENT, BAD_STRUCT_SIZE and UNKNOWN_VALUE (twist, reserved) for the tangents, and
+///     NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(nodes); 384 bytes a cell.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
@@ -162,14 +168,25 @@ impl Given {
     }
 }
 
-/// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
+/// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their
+/// sides.
 ///
-/// points: x, y, z of the control points, packed, at any alignment: patch after patch, row after row of patches; in each patch
-/// degree_v + 1 points follow each other in v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at
-/// least 1. Repeated points and sides that are one point are allowed. sheet: receives the surface, for gusset_sheet_destroy; NULL
-/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH without patches, TOO_LARGE,
-/// SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(points); 384 bytes a patch up to
-/// degree 3, else 1536. From any thread.
+/// Repeated points and sides that are one point are allowed.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param points x, y, z of the control points, packed, at any alignment: patch after patch, row
+///     after row of patches; in each patch degree_v + 1 points follow each other in v, degree_u + 1
+///     times.
+/// @param degree_u 1 to 7.
+/// @param degree_v 1 to 7.
+/// @param rows of patches, at least 1.
+/// @param columns of patches, at least 1.
+/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE
+///     (degree), EMPTY_MESH without patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control
+///     point (as a node), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(points); 384 bytes a patch up to degree 3, else 1536.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_patches_create(
@@ -197,14 +214,19 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     })
 }
 
-/// Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
-/// the whole numbers of rows and columns.
+/// Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding:
+/// cells are its spans that are not empty, so that knots become the whole numbers of rows and
+/// columns.
 ///
-/// spline: its arrays are at any alignment. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control
-/// points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often, TOO_LARGE, SIZE_OVERFLOW,
-/// NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
-/// else 1536. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param spline its arrays are at any alignment.
+/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with
+///     the first knot that is not finite, out of order or repeated too often, TOO_LARGE,
+///     SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_spline_create(
@@ -227,20 +249,29 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     })
 }
 
-/// Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two columns it is Coons's patch. Nodes are where
-/// each row and each column are nearest.
+/// Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two
+/// columns it is Coons's patch.
 ///
-/// Between two nodes rows of equally many segments are matched segment by segment; else all of them are cut where any one has a joint: there may be
-/// more cells than meshes of the net. The surface is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
-/// (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
-/// with gusset_outline_create.
+/// Nodes are where each row and each column are nearest.
 ///
-/// net: the curves may be destroyed afterwards; the arrays of handles are at any alignment. sheet: receives the surface, for
-/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-/// UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and
-/// the distance (the message has the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
-/// CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. From any
-/// thread. Source: Gordon (1969).
+/// Between two nodes rows of equally many segments are matched segment by segment; else all of them
+/// are cut where any one has a joint: there may be more cells than meshes of the net. The surface
+/// is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
+/// (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a
+/// smooth surface draw curves through their points first, with gusset_outline_create.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the curves may be destroyed afterwards; the arrays of handles are at any alignment.
+/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT,
+///     BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree,
+///     tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and the distance (the message has
+///     the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up
+///     to degree 3, else 1536.
+/// @source Gordon (1969).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_curves_create(
@@ -261,10 +292,15 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 
 /// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
 ///
-/// frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for
-/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves
-/// OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY,
-/// CANCELLED. O(nodes). From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param frame may be destroyed afterwards.
+/// @param kind GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES.
+/// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or
+///     are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_frame_create(

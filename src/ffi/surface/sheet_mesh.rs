@@ -62,12 +62,21 @@ impl gusset_sheet_mesh_options {
     }
 }
 
-/// Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
-/// directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
+/// Makes a mesh of points of a sheet.
 ///
-/// options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and
-/// more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices). From any thread.
+/// Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit;
+/// seams of closed directions and poles are closed. Faces are counter-clockwise seen from where S_u
+/// x S_v points to. A mesh without faces is no failure.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param options NULL for the defaults.
+/// @param[out] mesh receives the result, for gusset_sheet_mesh_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more),
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells + vertices).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mesh_create(
@@ -85,13 +94,21 @@ pub unsafe extern "C" fn gusset_sheet_mesh_create(
 }
 
 /// Destroys the mesh of a sheet; NULL is allowed.
+///
+/// @param[in,out] mesh the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_mesh_destroy(mesh: *mut gusset_sheet_mesh) {
     input::destroy(mesh);
 }
 
-/// Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
-/// thread.
+/// Lends the mesh, valid until it is destroyed.
+///
+/// @param mesh the mesh.
+/// @param[out] view its struct_size set.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
@@ -105,7 +122,12 @@ pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
     })
 }
 
-/// Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_get_mesh. From any thread.
+/// Lends places and normals of the vertices.
+///
+/// @param mesh the mesh.
+/// @param[out] parts receives the parts; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: those of gusset_sheet_mesh_get_mesh.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mesh_get_view(

@@ -37,8 +37,11 @@ versioned! { gusset_sheet_report: 56 }
 
 /// Tells what a sheet is.
 ///
-/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
-/// sides). From any thread.
+/// @param sheet the sheet.
+/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(cells at the sides).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_get_report(
@@ -87,15 +90,23 @@ fn buffer<'a>(
     input::results(pointer, needed, name).map(Some)
 }
 
-/// Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
+/// Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i,
+/// j).
 ///
-/// errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
-/// parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
-/// in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
-/// through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
-/// capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
-/// value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
-/// thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param[out] errors an estimate of how far a surface through nodes is from the smooth one that
+///     they were taken from, at equal parameters: C h^4 times the fourth derivatives, from
+///     differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the
+///     patches were given.
+/// @param[out] bilinear a bound of how far the surface is from the bilinear patch through the
+///     cell's corners.
+/// @param[out] triangles from the two triangles that either diagonal makes. Each may be NULL.
+/// @param capacity how many numbers each has room for.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value
+///     is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then.
+/// @complexity O(cells); threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_estimates(
@@ -123,9 +134,15 @@ pub unsafe extern "C" fn gusset_sheet_estimates(
     })
 }
 
-/// The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
+/// The largest angle between the normals on both sides of borders between cells, in radians: 0, or
+/// rounding, where the surface is smooth.
 ///
-/// crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet the sheet.
+/// @param[out] crease receives it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells); threads.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_crease(

@@ -69,16 +69,26 @@ impl From<CellPair> for gusset_cell_pair {
     }
 }
 
-/// The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+/// The curves in which two surfaces meet, with the places of their points on both: ordered along
+/// N_A x N_B, closed ones marked so.
 ///
-/// a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
-/// receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
-/// `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
-/// cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
-/// Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-/// OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
-/// cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
-/// "Carcasses on smooth surfaces", task e; the proofs are ours.
+/// Points and normals are those of a; the points of b at `others` are the same but for rounding.
+/// Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of
+/// a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves
+/// may end there. Intersections of one surface with itself are not looked for.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param a the surfaces, which may be the same handle: then all is reported as coincident.
+/// @param b the surfaces, which may be the same handle: then all is reported as coincident.
+/// @param options NULL for the defaults.
+/// @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity In proportion to the pairs of cells that may meet, with a limit for each; threads;
+///     the same bits for any number of them.
+/// @source Leus, "Carcasses on smooth surfaces", task e; the proofs are ours.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_intersection_create(
@@ -94,11 +104,18 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
     })
 }
 
-/// Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+/// Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and
+/// few others.
 ///
-/// within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
-/// proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param a the a.
+/// @param b the b.
+/// @param within a length, finite; 0: cells that may meet.
+/// @param[out] pairs receives them, for gusset_cell_pairs_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
+///     TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED.
+/// @complexity In proportion to the pairs, and some for each level of the indices; 24 bytes a pair.
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
@@ -116,8 +133,11 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
 
 /// The pairs, lent until they are destroyed.
 ///
-/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
-/// any thread.
+/// @param pairs the pairs.
+/// @param[out] parts struct_size set by the caller; all else is overwritten.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_cell_pairs_get_view(
@@ -131,6 +151,9 @@ pub unsafe extern "C" fn gusset_cell_pairs_get_view(
 }
 
 /// Frees pairs of cells; NULL is allowed.
+///
+/// @param[in,out] pairs the handle; NULL is allowed.
+/// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_cell_pairs_destroy(pairs: *mut gusset_cell_pairs) {
     input::destroy(pairs);
