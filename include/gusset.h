@@ -6512,9 +6512,9 @@ gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_curves_create(const struct gusset_frame *frame,
-                                         const struct gusset_outline **across,
-                                         const struct gusset_outline **along);
+gusset_status gusset_frame_get_curves(const struct gusset_frame *frame,
+                                      const struct gusset_outline **across,
+                                      const struct gusset_outline **along);
 
 /**
  * Cuts the curves along by the plane through a point across a normal, and draws a curve through
@@ -7729,7 +7729,7 @@ gusset_status gusset_net_create(const struct gusset_context *context,
  *     and unmoved until the net is destroyed.
  * @param gluing the gluing.
  * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: The rest is as there; also MISALIGNED_ARGUMENT, NULL_ARGUMENT,
+ * @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT, NULL_ARGUMENT,
  *     OVERLAP.
  * @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
  * @since 0.1
@@ -7806,12 +7806,13 @@ gusset_status gusset_net_get_view(const struct gusset_net *net,
  * Lends the coordinates to be written, valid until the next call with this net.
  *
  * Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
- * scene is copied first: O(nodes) then, else O(1).
+ * scene is copied first.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] net the net.
  * @param[out] arrays receives the arrays; struct_size is set by the caller.
- * @return GUSSET_OK, or an error: as gusset_net_get_view, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: those of gusset_net_get_view, OUT_OF_MEMORY.
+ * @complexity O(1), or O(nodes) if memory is copied.
  * @since 0.1
  */
 GUSSET_API
@@ -9515,9 +9516,9 @@ GUSSET_API void gusset_net_validation_destroy(struct gusset_net_validation *vali
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_derive(const struct gusset_context *context,
-                                struct gusset_net *net,
-                                double tolerance);
+gusset_status gusset_net_detect_gluing(const struct gusset_context *context,
+                                       struct gusset_net *net,
+                                       double tolerance);
 
 /**
  * What a status means, in a few English words.
@@ -9905,7 +9906,7 @@ gusset_status gusset_surface_line_hits_create(const struct gusset_context *conte
  * @param count see lines.
  * @param[out] hits receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
  *     where there is none, and everywhere on failure.
- * @return GUSSET_OK, or an error: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT
+ * @return GUSSET_OK, or an error: those of gusset_surface_line_hits_create, MISALIGNED_ARGUMENT
  *     (hits).
  * @complexity About O(log cells) a line; threads.
  * @since 0.1

@@ -65,7 +65,7 @@ static void shapes(void) {
         CHECK(!!(report.properties & GUSSET_NET_CLOSED) == (expected[kind][1] == 0));
         CHECK(!!(report.properties & GUSSET_NET_ORIENTABLE) == !(kind >= GUSSET_NET_MOEBIUS && kind < GUSSET_NET_PILLOW));
         CHECK(violations(net, 0) == 0);
-        EXPECT(GUSSET_OK, gusset_net_derive(context, net, 0));
+        EXPECT(GUSSET_OK, gusset_net_detect_gluing(context, net, 0));
         CHECK(violations(net, 0) == 0);
         gusset_net_complex_destroy(complex);
         gusset_net_destroy(net);
@@ -309,9 +309,9 @@ static void surfaces_and_checks(void) {
     gusset_net_validation_destroy(validation);
     gusset_net_validation_destroy(NULL);
 
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_derive(context, net, NAN));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_derive(context, NULL, 0));
-    EXPECT(GUSSET_OK, gusset_net_derive(context, net, 0));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_detect_gluing(context, net, NAN));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_detect_gluing(context, NULL, 0));
+    EXPECT(GUSSET_OK, gusset_net_detect_gluing(context, net, 0));
     CHECK(violations(net, 0) == 0);
     gusset_net_destroy(net);
 }

@@ -304,10 +304,10 @@ static void frames(void) {
     EXPECT(GUSSET_OK, gusset_frame_get_view(frame, &parts));
     CHECK(parts.rows == 2 && parts.columns == 4 && memcmp(parts.nodes, points, sizeof points) == 0);
     CHECK(parts.along[2] == 1.0 && parts.turned[1] == 0 && parts.ambiguous.count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_curves_create(NULL, &across, &along));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_curves_create(frame, misaligned(), NULL));
-    EXPECT(GUSSET_OK, gusset_frame_curves_create(frame, NULL, NULL));
-    EXPECT(GUSSET_OK, gusset_frame_curves_create(frame, &across, &along));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_get_curves(NULL, &across, &along));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_get_curves(frame, misaligned(), NULL));
+    EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, &across, &along));
     EXPECT(GUSSET_OK, gusset_outline_get_section(across, 1, &measure));
     CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
     EXPECT(GUSSET_OK, gusset_outline_get_section(along, 3, &measure));

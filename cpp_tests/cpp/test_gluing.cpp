@@ -74,7 +74,7 @@ TEST_CASE("gluing as the coordinates tell") {
     bare.set_gluing(Sides::sheet);
     CHECK(NetComplex(bare).boundary_count() == 1);
     CHECK(gusset::NetValidation(bare).warnings().size() >= 32);
-    bare.derive();
+    bare.detect_gluing();
     CHECK(bare.classes() == sphere.classes());
     CHECK(NetComplex(bare).euler() == 2);
     bare.saturate();

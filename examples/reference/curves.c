@@ -83,7 +83,7 @@ static void a_body_and_a_new_section(void) {
     MUST(gusset_frame_create(NULL, &sections, NULL, &frame));
     MUST(gusset_frame_get_view(frame, &parts));
     HOLDS(parts.rows == 3 && parts.columns == 8);
-    MUST(gusset_frame_curves_create(frame, &across, &along));
+    MUST(gusset_frame_get_curves(frame, &across, &along));
     MUST(gusset_outline_get_view(along, &columns));
     HOLDS(columns.outline_count == 8);
     MUST(gusset_frame_slice_create(NULL, frame, middle, upwards, &slice));

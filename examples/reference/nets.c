@@ -172,7 +172,7 @@ static void whether_it_is_right(void) {
 
     /* What was glued is forgotten, and found again from the coordinates. */
     MUST(gusset_net_set_gluing(NULL, net, &none));
-    MUST(gusset_net_derive(NULL, net, 0.0));
+    MUST(gusset_net_detect_gluing(NULL, net, 0.0));
     MUST(gusset_net_get_topology(net, &sides, NULL, NULL));
     HOLDS(sides == GUSSET_SIDES_TWO_POLES);
     gusset_net_destroy(net);

@@ -71,13 +71,13 @@ public:
     /// The curve through row k.
     OutlineCurve across(std::size_t k) const {
         const gusset_outline *curves = nullptr;
-        detail::check(gusset_frame_curves_create(frame_.get(), &curves, nullptr));
+        detail::check(gusset_frame_get_curves(frame_.get(), &curves, nullptr));
         return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), k);
     }
     /// The curve through column i.
     OutlineCurve along(std::size_t i) const {
         const gusset_outline *curves = nullptr;
-        detail::check(gusset_frame_curves_create(frame_.get(), nullptr, &curves));
+        detail::check(gusset_frame_get_curves(frame_.get(), nullptr, &curves));
         return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), i);
     }
     /// A new section: the intersection of the curves along with the plane through a point.

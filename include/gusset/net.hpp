@@ -199,9 +199,9 @@ public:
         const gusset_net_gluing given = detail::as_c(gluing, view());
         context.call(gusset_net_set_gluing, get(), &given);
     }
-    /// Glues nodes with equal coordinates; see gusset_net_derive.
-    void derive(double tolerance = 0.0, const Context &context = Context()) {
-        context.call(gusset_net_derive, get(), tolerance);
+    /// Glues nodes with equal coordinates; see gusset_net_detect_gluing.
+    void detect_gluing(double tolerance = 0.0, const Context &context = Context()) {
+        context.call(gusset_net_detect_gluing, get(), tolerance);
     }
     /// Glues nodes, all or none; positions stay as they are.
     void glue(Span<const LocalGluing> gluings, const Context &context = Context()) {

@@ -207,7 +207,7 @@ pub unsafe extern "C" fn gusset_frame_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_frame_curves_create(
+pub unsafe extern "C" fn gusset_frame_get_curves(
     frame: *const gusset_frame,
     across: *mut *const gusset_outline,
     along: *mut *const gusset_outline,

@@ -361,12 +361,13 @@ pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mu
 /// Lends the coordinates to be written, valid until the next call with this net.
 ///
 /// Nodes that are glued must be kept equal: see gusset_net_snap. Memory shared with a copy or a
-/// scene is copied first: O(nodes) then, else O(1).
+/// scene is copied first.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
 /// @param[out] arrays receives the arrays; struct_size is set by the caller.
-/// @return GUSSET_OK, or an error: as gusset_net_get_view, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: those of gusset_net_get_view, OUT_OF_MEMORY.
+/// @complexity O(1), or O(nodes) if memory is copied.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

@@ -147,7 +147,7 @@ pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_n
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_derive(
+pub unsafe extern "C" fn gusset_net_detect_gluing(
     context: *const gusset_context,
     net: *mut gusset_net,
     tolerance: f64,
