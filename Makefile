@@ -30,7 +30,7 @@ deb_packages   := debhelper dpkg-dev lintian
 pictures_packages := $(host_packages)
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build openmfx test check exhaustive host check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test check check-fuzz exhaustive host check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -38,6 +38,7 @@ help:
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
+	@echo 'make check-fuzz                   whether the fuzzers compile; it is in make test too'
 	@echo 'make exhaustive                   long searches for wrong answers of surfaces, by brute force; minutes'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ anew'
@@ -68,6 +69,10 @@ check:
 	$(CARGO) test --locked
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps --features openmfx
 
+# Under a stable compiler, without linking; to run them: CONTRIBUTING.md.
+check-fuzz:
+	$(CARGO) check --manifest-path fuzz/Cargo.toml --no-default-features
+
 # What is ignored in `make test` because it takes minutes.
 exhaustive:
 	$(CARGO) test --profile search --locked --test surface -- --ignored --nocapture exhaustive_
@@ -76,7 +81,7 @@ exhaustive:
 openmfx:
 	$(CARGO) rustc --locked --lib --crate-type cdylib --features openmfx --target-dir target/openmfx
 
-test: check stage openmfx
+test: check check-fuzz stage openmfx
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2

@@ -1,0 +1,24 @@
+//! Holes of any mesh, filled with every weight: an error, or a valid mesh that begins with the old faces.
+#![no_main]
+
+use gusset::Job;
+use gusset::fill::{Fairing, Options, Refinement, Weight, fill_holes};
+use gusset_fuzz::Soup;
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|input: (Soup, bool, bool, bool)| {
+    let (soup, plain, faired, keep_longest) = input;
+    soup.visit(|mesh| {
+        let options = Options {
+            weight: Weight::default(),
+            refinement: if plain { Refinement::None } else { Refinement::default() },
+            fairing: if faired { Fairing::ThinPlate } else { Fairing::None },
+            keep_longest,
+            ..Options::default()
+        };
+        if let Ok(filled) = fill_holes(mesh, None, &options, &Job::default()) {
+            assert!(filled.mesh.face_count() >= mesh.faces().len());
+            filled.mesh.view(&Job::default()).expect("a valid mesh");
+        }
+    });
+});

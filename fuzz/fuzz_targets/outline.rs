@@ -1,0 +1,27 @@
+//! Curves through any points, of every mode and method: finite ones, or an error.
+#![no_main]
+
+use gusset::Job;
+use gusset::outline::{Ends, Joint, Lock, Mode, Options, Outlines, Points, fit};
+use gusset_fuzz::{Point, places};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|input: (Vec<Point>, bool, [u8; 4])| {
+    let (points, closed, [mode, lock, joint, ends]) = input;
+    let points: Vec<[f64; 3]> = places(&points).iter().map(|point| point.to_array()).collect();
+    if points.len() > 64 {
+        return;
+    }
+    use Mode::{BlendC1, BlendC2, Composite, CubicC2, Single};
+    let options = Options {
+        mode: [BlendC1, BlendC2, Composite, CubicC2, Single][usize::from(mode % 5)],
+        lock: [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide][usize::from(lock % 3)],
+        joint: [Joint::Half, Joint::Knot, Joint::G2][usize::from(joint % 3)],
+        ends: [Ends::Free, Ends::Perpendicular][usize::from(ends % 2)],
+        ..Options::default()
+    };
+    let outlines = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
+    if let Ok(found) = fit(&outlines, &options, &Job::default()) {
+        assert!(found.points().iter().all(|point| point.is_finite()));
+    }
+});
