@@ -83,35 +83,20 @@ impl SegmentBuffer {
 
     /// Replaces the control points by those of the derivative, n (B_(i+1) - B_i); a constant leaves none.
     pub(crate) fn derive(&mut self) {
-        self.len = self.len.saturating_sub(1);
-        for i in 0..self.len {
-            self.controls[i] = (self.controls[i + 1] - self.controls[i]) * self.len as f64;
-        }
+        self.len = bernstein::derive(&mut self.controls[..self.len]);
     }
 
-    /// Raises the degree to `degree` step by step: B'_i = i / (n + 1) B_(i-1) + (1 - i / (n + 1)) B_i.
+    /// Raises the degree to `degree`, if that is higher.
     pub(crate) fn elevate(&mut self, degree: usize) {
-        while self.len <= degree {
-            let n = self.len - 1;
-            self.controls[n + 1] = self.controls[n];
-            for i in (1..=n).rev() {
-                let x = i as f64 / (n + 1) as f64;
-                self.controls[i] = self.controls[i - 1] * x + self.controls[i] * (1.0 - x);
-            }
-            self.len += 1;
-        }
+        let from = self.len - 1;
+        self.len = self.len.max(degree + 1);
+        bernstein::elevate(self, from);
     }
 
     /// Keeps the part after `t`, and returns the part before it: de Casteljau's scheme.
     pub(crate) fn split_off_front(&mut self, t: f64) -> Self {
         let mut front = *self;
-        let (n, s) = (self.len - 1, 1.0 - t);
-        for (k, first) in front.iter_mut().enumerate() {
-            *first = self.controls[0];
-            for i in 0..n - k {
-                self.controls[i] = self.controls[i] * s + self.controls[i + 1] * t;
-            }
-        }
+        bernstein::split(self, t, &mut front);
         front
     }
 

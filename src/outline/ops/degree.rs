@@ -4,7 +4,7 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::bernstein::binomials;
+use crate::geom::bernstein::binomial_row;
 use crate::outline::curve::segment::SegmentBuffer;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{Curve, CurveView, MAX_DEGREE};
@@ -125,11 +125,7 @@ fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
     let n = controls.len() - 1;
     let mut fitted = SegmentBuffer::new(&controls[..=m]);
     fitted[m] = controls[n];
-    let row = |degree: usize| {
-        let mut row = [0.0; 2 * MAX_DEGREE + 1];
-        binomials(degree).zip(&mut row).for_each(|(b, to)| *to = b);
-        row
-    };
+    let row = binomial_row::<{ 2 * MAX_DEGREE + 1 }>;
     let (own, given, own_own, own_given) = (row(m), row(n), row(2 * m), row(m + n));
     let product = |i: usize, j: usize| own[i] * own[j] / own_own[i + j] / (2 * m + 1) as f64;
     let inner = m.saturating_sub(1);

@@ -145,17 +145,12 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
             Some(_) => BoxTest::Unique(()),
             None => {
                 let short = [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH);
-                let larger = || {
-                    usize::from(
-                        Aabb::of(p.controls.iter()).size().max_element()
-                            < Aabb::of(q.controls.iter()).size().max_element(),
-                    )
-                };
+                let [x, y] = [p, q].map(Part::size);
                 match short {
                     [true, true] => BoxTest::Unresolved,
                     [false, true] => BoxTest::Undecided(0),
                     [true, false] => BoxTest::Undecided(1),
-                    [false, false] => BoxTest::Undecided(larger()),
+                    [false, false] => BoxTest::Undecided(usize::from(x < y)),
                 }
             }
         })

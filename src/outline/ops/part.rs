@@ -1,5 +1,6 @@
 //! The means of subdivision: parts of segments, tests of their hulls, and the merging of solutions that neighbours report twice.
 
+use crate::geom::Aabb;
 use crate::outline::curve::segment::SegmentBuffer;
 use glam::DVec3;
 
@@ -19,6 +20,11 @@ impl Part {
     /// The parameter in the middle.
     pub(super) fn middle(&self) -> f64 {
         0.5 * (self.from + self.to)
+    }
+
+    /// The longest side of the box of the control points.
+    pub(super) fn size(&self) -> f64 {
+        Aabb::of(self.controls.iter()).size().max_element()
     }
 
     pub(super) fn halves(mut self) -> [Part; 2] {

@@ -139,8 +139,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
         if once && let Some(at) = newton(a, b, p, q) {
             return Ok(BoxTest::Unique(at));
         }
-        let sizes =
-            [Aabb::of(p.controls.iter()).size().max_element(), Aabb::of(q.controls.iter()).size().max_element()];
+        let sizes = [p, q].map(Part::size);
         if sizes[0].max(sizes[1]) > MIN_PART_SIZE {
             return Ok(BoxTest::Undecided(usize::from(sizes[0] < sizes[1])));
         }

@@ -6,6 +6,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::bernstein;
 use crate::geom::linear::dense::Dense;
 use crate::outline::curve::segment;
 use crate::outline::identify::guide::guide;
@@ -131,7 +132,7 @@ impl Collocation {
         });
         self.matrix.resize(inner)?;
         for i in 1..=inner {
-            bernstein(&mut self.basis, self.t[i]);
+            bernstein::basis(&mut self.basis, self.t[i]);
             self.matrix.row(i - 1).copy_from_slice(&self.basis[first..first + inner]);
         }
         if !self.matrix.factor() {
@@ -174,19 +175,5 @@ impl Collocation {
             sum += square;
         }
         (farthest.sqrt(), sum)
-    }
-}
-
-/// The Bernstein polynomials J_(N,j)(t) for all j.
-pub(super) fn bernstein(basis: &mut [f64], t: f64) {
-    let degree = basis.len() - 1;
-    basis[0] = 1.0;
-    // Degree by degree: J_(k,j) = (1 - t) J_(k-1,j) + t J_(k-1,j-1).
-    for k in 1..=degree {
-        basis[k] = t * basis[k - 1];
-        for j in (1..k).rev() {
-            basis[j] = (1.0 - t) * basis[j] + t * basis[j - 1];
-        }
-        basis[0] *= 1.0 - t;
     }
 }

@@ -10,8 +10,9 @@
 //!
 //! Source: Nadopta for the sweeps; that the crossing does not depend on lambda_i, and Newton's method, are ours.
 
-use super::collocation::{Collocation, MAX_MISS, bernstein};
+use super::collocation::{Collocation, MAX_MISS};
 use crate::error::Result;
+use crate::geom::bernstein;
 use crate::outline::curve::segment;
 use crate::outline::identify::options::Solver;
 use crate::outline::identify::report::{FitStatus, PointStatus, Report};
@@ -94,7 +95,7 @@ impl Collocation {
                         self.t[i] = t;
                     }
                 }
-                bernstein(&mut self.basis, self.t[i]);
+                bernstein::basis(&mut self.basis, self.t[i]);
                 let slope = self.basis[own];
                 let left = p - segment::point(&self.controls, self.t[i]);
                 let direction = if normal.is_some() { self.guides[i] } else { left.normalize_or_zero() };
@@ -191,7 +192,7 @@ impl Collocation {
             let slope = segment::point(&self.slopes[..degree], self.t[i]);
             let across = normal.cross(slope);
             let left = self.points[i] - segment::point(&self.controls, self.t[i]);
-            bernstein(&mut self.basis, self.t[i]);
+            bernstein::basis(&mut self.basis, self.t[i]);
             let row = self.matrix.row(i - 1);
             for j in 1..=inner {
                 row[j - 1] = self.basis[first + j - 1] * across.dot(self.guides[j]);
@@ -279,7 +280,7 @@ mod tests {
     fn basis_functions() {
         let mut basis = [0.0; 21];
         for t in [0.0, 0.1, 0.5, 0.97, 1.0] {
-            bernstein(&mut basis, t);
+            bernstein::basis(&mut basis, t);
             assert!((basis.iter().sum::<f64>() - 1.0).abs() < 1e-14);
             let wanted = 1140.0 * t * t * t * (1.0f64 - t).powi(17);
             assert!((basis[3] - wanted).abs() < 1e-15, "{t}");
