@@ -18,6 +18,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
 use glam::DVec3;
 
 /// What is proved of a box.
@@ -141,16 +142,15 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
     };
     let mut order = alloc::collect(0..boxes.len() as u32)?;
     order.sort_unstable_by(|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
-    let mut parent = alloc::collect(0..boxes.len() as u32)?;
+    let mut sets = DisjointSets::new(boxes.len())?;
     let mut active: Vec<u32> = alloc::with_capacity(boxes.len())?;
     for &k in &order {
         // Ends are rounded, so those that just touch are kept.
         let low = ends(k)[0] - f64::EPSILON * ends(k)[0].abs();
         active.retain(|&other| ends(other)[1] >= low);
         for &other in &active {
-            let roots = [root(&mut parent, k), root(&mut parent, other)];
-            if roots[0] != roots[1] && boxes[k as usize].touches(&boxes[other as usize]) {
-                parent[roots[0].max(roots[1]) as usize] = roots[0].min(roots[1]);
+            if boxes[k as usize].touches(&boxes[other as usize]) {
+                sets.union(k, other);
             }
         }
         active.push(k);
@@ -159,7 +159,7 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
     let cluster_of = &mut order;
     for (k, part) in boxes.iter().enumerate() {
         let (low, high) = (part.middle - part.half, part.middle + part.half);
-        let root = root(&mut parent, k as u32) as usize;
+        let root = sets.find(k as u32) as usize;
         if root == k {
             cluster_of[k] = clusters.len() as u32;
             alloc::push(clusters, UnresolvedCluster { best: *part, low, high })?;
@@ -172,15 +172,6 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
         }
     }
     Ok(())
-}
-
-/// The root of a tree of the forest, paths being halved on the way.
-fn root(parent: &mut [u32], mut k: u32) -> u32 {
-    while parent[k as usize] != k {
-        parent[k as usize] = parent[parent[k as usize] as usize];
-        k = parent[k as usize];
-    }
-    k
 }
 
 #[cfg(test)]

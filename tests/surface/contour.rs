@@ -197,7 +197,7 @@ fn angles_of_contours() {
         let mut errors = Vec::new();
         for h in [32, 64, 128] {
             let surface = torus_of([h, 2 * h]);
-            let paths = surface.isophotes(axis, &angles, false, PointSpacing::CrossingsOnly, &job).unwrap();
+            let paths = surface.isophotes(axis, &angles, false, PointSpacing::CellEdges, &job).unwrap();
             assert!(paths.len() == 4 && paths.closed.iter().all(|&closed| closed), "{h}: {}", paths.len());
             let mut worst = 0.0_f64;
             for k in 0..paths.len() {
@@ -219,7 +219,7 @@ fn angles_of_contours() {
         let surface = torus_of([h, 2 * h]);
         let nodes = (0..=h).flat_map(|i| (0..=2 * h).map(move |j| (i % h, j % (2 * h))));
         let values: Vec<f64> = nodes.map(|(i, j)| surface.sheet(0).normal(i, j, 0.0, 0.0).dot(axis)).collect();
-        let paths = surface.contours(&values, &[1.1_f64.cos()], PointSpacing::CrossingsOnly, &job).unwrap();
+        let paths = surface.contours(&values, &[1.1_f64.cos()], PointSpacing::CellEdges, &job).unwrap();
         let angle = |point: &DVec3| (point.truncate().normalize().extend(0.0) - *point).angle_between(axis);
         errors.push(paths.points.iter().map(|point| (angle(point) - 1.1).abs()).fold(0.0, f64::max));
     }
@@ -346,7 +346,7 @@ fn stacks_threads_and_chains() {
     // The paper's chains: nearer to the torus than the chords are.
     let surface = torus_of([30, 60]);
     let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &[0.1] };
-    let chords = surface.section(&planes, PointSpacing::CrossingsOnly, &Job::default()).unwrap();
+    let chords = surface.section(&planes, PointSpacing::CellEdges, &Job::default()).unwrap();
     let cubics = surface.section(&planes, PointSpacing::Leus(1), &Job::default()).unwrap();
     assert_eq!(cubics.points.len(), 2 * chords.points.len());
     let middles = (0..chords.points_of(0).len() - 1).map(|k| 0.5 * (chords.points[k] + chords.points[k + 1]));

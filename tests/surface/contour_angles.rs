@@ -18,9 +18,9 @@ fn check(surface: &Surface<'_>, axis: DVec3, name: &str) -> usize {
     for unsigned in [false, true] {
         let most = if unsigned { FRAC_PI_2 } else { PI };
         let angles: Vec<f64> = (0..150).map(|k| most * (f64::from(k) + 0.5) / 150.0).chain([most]).collect();
-        let together = surface.isophotes(axis, &angles, unsigned, PointSpacing::CrossingsOnly, &job).unwrap();
+        let together = surface.isophotes(axis, &angles, unsigned, PointSpacing::CellEdges, &job).unwrap();
         for (level, &angle) in (0..).zip(&angles).step_by(6) {
-            let alone = surface.isophotes(axis, &[angle], unsigned, PointSpacing::CrossingsOnly, &job).unwrap();
+            let alone = surface.isophotes(axis, &[angle], unsigned, PointSpacing::CellEdges, &job).unwrap();
             let found = of_level(&together, level);
             assert_eq!(found, of_level(&alone, 0), "{name}, {angle} {unsigned}");
             count += found.len();

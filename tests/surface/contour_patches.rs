@@ -32,11 +32,11 @@ fn patches_and_several_sheets() {
     let mut random = Random(21);
     for k in 0..6 {
         let planes = Planes { point: random.point(0.5), normal: random.point(1.0), offsets: &[-0.2, 0.0, 0.1] };
-        let truth = whole.section(&planes, PointSpacing::CrossingsOnly, &job).unwrap();
+        let truth = whole.section(&planes, PointSpacing::CellEdges, &job).unwrap();
         let mut lengths: Vec<f64> = (0..truth.len()).map(|k| length(&truth, k)).collect();
         lengths.sort_by(f64::total_cmp);
         for other in [&cubic, &pieces, &high] {
-            let paths = other.section(&planes, PointSpacing::CrossingsOnly, &job).unwrap();
+            let paths = other.section(&planes, PointSpacing::CellEdges, &job).unwrap();
             check(other, &paths, "patches");
             assert!(paths.closed.iter().all(|&closed| closed), "{k}");
             assert!(paths.unresolved.is_empty(), "{k}: {:?}", paths.unresolved);
@@ -47,10 +47,8 @@ fn patches_and_several_sheets() {
         }
     }
     // Silhouettes: the normals of patches agree but for rounding, and no more is known of them.
-    let truth =
-        whole.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, PointSpacing::CrossingsOnly, &job).unwrap();
-    let paths =
-        cubic.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, PointSpacing::CrossingsOnly, &job).unwrap();
+    let truth = whole.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, PointSpacing::CellEdges, &job).unwrap();
+    let paths = cubic.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, PointSpacing::CellEdges, &job).unwrap();
     let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
     assert!((all(&truth) - all(&paths)).abs() < 1e-7, "{} {}", all(&truth), all(&paths));
     assert_eq!((paths.len(), paths.closed.iter().all(|&closed| closed)), (truth.len(), true));
@@ -72,13 +70,13 @@ fn normals_that_jump() {
         for k in 0..12 {
             let axis = random.point(1.0);
             let angles = [0.4 + 0.8 * random.next(), FRAC_PI_2, 2.0];
-            let paths = surface.isophotes(axis, &angles, false, PointSpacing::CrossingsOnly, &job).unwrap();
+            let paths = surface.isophotes(axis, &angles, false, PointSpacing::CellEdges, &job).unwrap();
             // Where a crease itself is the curve for more than a cell, curves end, and their ends are reported.
             let open = paths.closed.iter().filter(|&&closed| !closed).count();
             // Both ends may be in one cell, which is listed once.
             assert!(paths.unresolved.len() >= open, "{} {k}: {open} {:?}", shape.name, paths.unresolved);
             (total, ended) = (total + paths.len(), ended + open);
-            let truth = other.isophotes(axis, &angles, false, PointSpacing::CrossingsOnly, &job).unwrap();
+            let truth = other.isophotes(axis, &angles, false, PointSpacing::CellEdges, &job).unwrap();
             let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
             // What is missing is along creases that are listed.
             let (found, expected) = (all(&paths), all(&truth));
@@ -87,7 +85,7 @@ fn normals_that_jump() {
             whole += usize::from(near);
         }
         // Seen along the axis, the silhouettes of the torus are creases.
-        let paths = surface.isophotes(DVec3::Z, &[FRAC_PI_2], false, PointSpacing::CrossingsOnly, &job).unwrap();
+        let paths = surface.isophotes(DVec3::Z, &[FRAC_PI_2], false, PointSpacing::CellEdges, &job).unwrap();
         assert!(paths.len() >= 2 || paths.unresolved.len() > 10, "{}: {paths:?}", shape.name);
     }
     assert!(total > 60 && ended * 2 < total && whole > 12, "{ended} of {total}, {whole}");

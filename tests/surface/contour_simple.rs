@@ -17,7 +17,7 @@ fn same(surface: &Surface<'_>, nodes: &Nodes<'_>, point: DVec3, normal: DVec3, n
         .map(|(i, j)| (nodes.get(i, j) - point).dot(normal))
         .collect();
     let contours = |between| surface.contours(&values, &offsets, between, &job).unwrap();
-    [PointSpacing::CrossingsOnly, PointSpacing::Auto, PointSpacing::Chord(1e-5)].into_iter().all(|between| {
+    [PointSpacing::CellEdges, PointSpacing::Auto, PointSpacing::Chord(1e-5)].into_iter().all(|between| {
         let (a, b) = (cut(between), contours(between));
         if !a.unresolved.is_empty() || !b.unresolved.is_empty() {
             return false;

@@ -63,7 +63,7 @@ fn options(given: *const gusset_contour_options) -> Result<(PointSpacing, bool),
     let spacing = match options.spacing {
         GUSSET_POINT_SPACING_AUTO => PointSpacing::Auto,
         GUSSET_POINT_SPACING_CHORD => PointSpacing::Chord(options.chord),
-        GUSSET_POINT_SPACING_CELL_EDGES => PointSpacing::CrossingsOnly,
+        GUSSET_POINT_SPACING_CELL_EDGES => PointSpacing::CellEdges,
         GUSSET_POINT_SPACING_LEUS => PointSpacing::Leus(options.points),
         other => return Err(Failure::unknown("spacing", other.into())),
     };

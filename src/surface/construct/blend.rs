@@ -1,21 +1,23 @@
-//! Cardinal functions: for each line of a net the function that is 1 there and 0 at all other lines, by which curves are blended.
+//! Cardinal functions: for each line of a net the function that is 1 there and 0 at all other
+//! lines, by which curves are blended.
 //!
-//! Cubics by pieces, C1, whose slopes at a line are those of the polynomial through the five lines nearest to it, as in the grid's six-tap scheme,
-//! but for lines that are not evenly apart.
+//! Cubics by pieces, C1, whose slopes at a line are those of the polynomial through the five lines
+//! nearest to it, as in the grid's six-tap scheme, but for lines that are not evenly apart.
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::bernstein::{blossom, elevate};
 use crate::surface::axis::TAPS;
 
 /// Intervals that differ more than this among five lines: slopes are taken from three.
-const UNEVEN: f64 = 8.0;
+const MAX_LENGTH_RATIO: f64 = 8.0;
 
 /// The cardinal functions of some lines.
 pub(super) struct Blend {
     pieces: Vec<Piece>,
 }
 
-/// What they are between two lines: Bézier points of those that are not 0.
+/// The functions between two lines: Bézier points of those that are not 0.
 pub(super) struct Piece {
     /// The lines that they belong to; lines of weight 0 may repeat others.
     pub(super) lines: [usize; TAPS],
@@ -23,7 +25,8 @@ pub(super) struct Piece {
 }
 
 impl Blend {
-    /// `lengths`: of the intervals between lines, positive; of closed directions the last one leads back to the first line.
+    /// `lengths`: of the intervals between lines, positive; of closed directions the last one leads
+    /// back to the first line.
     pub(super) fn new(lengths: &[f64], closed: bool) -> Result<Self> {
         let row = Row { lengths, closed };
         let pieces = alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))?;
@@ -37,39 +40,18 @@ impl Blend {
 }
 
 impl Piece {
-    /// Over a part of the interval, as Bernstein coefficients of degree N - 1: for each the weights of the lines.
+    /// Over a part of the interval, as Bernstein coefficients of degree N - 1: for each the weights
+    /// of the lines.
     pub(super) fn weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
         let mut weights = [[0.0; TAPS]; N];
         for (k, points) in self.points.iter().enumerate() {
             let ends = [[from, from, from], [from, from, to], [from, to, to], [to, to, to]];
             let mut c = [0.0; N];
             c[..4].copy_from_slice(&ends.map(|at| blossom(points, at)));
-            raise(&mut c, 3);
+            elevate(&mut c, 3);
             weights.iter_mut().zip(c).for_each(|(weights, c)| weights[k] = c);
         }
         weights
-    }
-}
-
-/// The blossom of a cubic: exact where an argument is 0 or 1.
-fn blossom(points: &[f64; 4], at: [f64; 3]) -> f64 {
-    let mut work = *points;
-    for (step, t) in at.into_iter().enumerate() {
-        for k in 0..3 - step {
-            work[k] = (1.0 - t) * work[k] + t * work[k + 1];
-        }
-    }
-    work[0]
-}
-
-/// Raises a polynomial of `degree` to degree N - 1.
-fn raise<const N: usize>(c: &mut [f64; N], degree: usize) {
-    for n in degree + 1..N {
-        c[n] = c[n - 1];
-        for k in (1..n).rev() {
-            let share = k as f64 / n as f64;
-            c[k] = (1.0 - share) * c[k] + share * c[k - 1];
-        }
     }
 }
 
@@ -94,16 +76,16 @@ impl Row<'_> {
         if self.closed { middle } else { middle.clamp(0, (self.lines() - count) as isize) }
     }
 
-    /// The slope at a line: the lines that it depends on begin at the first number, and their weights.
+    /// The slope at a line: the lines that it depends on begin at the first number, and their
+    /// weights.
     fn slope(&self, line: usize) -> (isize, [f64; 5]) {
         let most = self.lines().min(if self.closed && self.lines() < 5 { 3 } else { 5 });
         let mut count = most;
         if most > 3 {
             let first = self.first(line, most);
             let intervals = (first..first + most as isize - 1).map(|k| self.length(k));
-            let (least, greatest) =
-                intervals.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-            if greatest > UNEVEN * least {
+            let (min, max) = intervals.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+            if max > MAX_LENGTH_RATIO * min {
                 count = 3;
             }
         }

@@ -1,7 +1,7 @@
 //! Surfaces of the frames that the outlines module makes.
 
 use super::net::Gordon;
-use super::strand::{At, Strand, degree};
+use super::net_curve::{CurvePlace, NetCurve, degree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -10,7 +10,7 @@ use crate::outline::{Fit, Place};
 use crate::surface::{Grid, Nodes, Scheme, Sheet};
 use glam::DVec3;
 
-/// What of a frame the surface is made from.
+/// The parts of a frame that the surface is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum FrameSurface {
     /// Its nodes: a grid.
@@ -21,11 +21,14 @@ pub enum FrameSurface {
 }
 
 impl Sheet<'static> {
-    /// The surface of a frame: u runs along the body, from section to section, and v round it. `closed`: whether the sections are followed by the
-    /// first one, as in a ring, and whether each of them is closed.
+    /// The surface of a frame: u runs along the body, from section to section, and v round it.
+    /// `closed`: whether the sections are followed by the first one, as in a ring, and whether each
+    /// of them is closed.
     ///
-    /// # Errors [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and [`Error::CurveNotClosed`]; [`Error::NotFinite`],
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// # Errors
+    /// [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and
+    /// [`Error::CurveNotClosed`]; [`Error::NotFinite`], [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
         let NodeGrid { rows, columns, nodes, .. } = &frame.grid;
         Sheet::from_frame_parts([*rows, *columns], nodes, [&frame.across, &frame.along], closed, kind, job)
@@ -79,22 +82,22 @@ fn gordon<const N: usize>(
     if rows < least[0] || columns < least[1] {
         return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
     }
-    let strands = |fit: &Fit| -> Result<Vec<Strand<N>>> {
-        let mut strands = alloc::with_capacity(fit.len())?;
+    let net_curves = |fit: &Fit| -> Result<Vec<NetCurve<N>>> {
+        let mut net_curves = alloc::with_capacity(fit.len())?;
         for k in 0..fit.len() {
-            strands.push(Strand::new(&fit.curve(k))?);
+            net_curves.push(NetCurve::new(&fit.curve(k))?);
         }
-        Ok(strands)
+        Ok(net_curves)
     };
-    let (row_strands, column_strands) = (strands(across)?, strands(along)?);
-    let at = |strand: &Strand<N>, place: Place| {
-        let (segment, count) = (place.segment as usize, strand.segments.len());
+    let (row_strands, column_strands) = (net_curves(across)?, net_curves(along)?);
+    let at = |net_curve: &NetCurve<N>, place: Place| {
+        let (segment, count) = (place.segment as usize, net_curve.segments.len());
         // Joints are called the start of the next segment.
         match place.t {
-            _ if strand.is_point() => At { segment: 0, t: 0.0 },
-            1.0 if strand.closed => At { segment: (segment + 1) % count, t: 0.0 },
-            1.0 if segment + 1 < count => At { segment: segment + 1, t: 0.0 },
-            t => At { segment, t },
+            _ if net_curve.is_point() => CurvePlace { segment: 0, t: 0.0 },
+            1.0 if net_curve.closed => CurvePlace { segment: (segment + 1) % count, t: 0.0 },
+            1.0 if segment + 1 < count => CurvePlace { segment: segment + 1, t: 0.0 },
+            t => CurvePlace { segment, t },
         }
     };
     let places = alloc::collect((0..rows * columns).map(|n| {

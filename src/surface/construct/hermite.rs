@@ -11,10 +11,12 @@ use glam::DVec3;
 /// The mixed derivatives S_uv at nodes, which tangents leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Twists<'a> {
-    /// The mean of the differences of S_u along rows and of S_v along columns, each from five nodes: fourth order.
+    /// The mean of the differences of S_u along rows and of S_v along columns, each from five
+    /// nodes: fourth order.
     #[default]
     Differences,
-    /// Adini's: those of the bilinearly blended Coons patch through the tangents round the node; second order, local to the nodes next to it.
+    /// Adini's: those of the bilinearly blended Coons patch through the tangents round the node;
+    /// second order, local to the nodes next to it.
     Adini,
     /// None, as Ferguson has it: flat spots at nodes, third order in the position.
     Zero,
@@ -22,7 +24,8 @@ pub enum Twists<'a> {
     Given(&'a [DVec3]),
 }
 
-/// Nodes and the tangents of the coordinate curves there. The parameters are those of nodes: S_u is how far the surface goes from row to row.
+/// Nodes and the tangents of the coordinate curves there. The parameters are those of nodes: S_u is
+/// how far the surface goes from row to row.
 #[derive(Debug, Clone, Copy)]
 pub struct Tangents<'a> {
     /// The nodes.
@@ -33,17 +36,22 @@ pub struct Tangents<'a> {
     pub v: &'a [DVec3],
     /// S_uv at each node.
     pub twists: Twists<'a>,
-    /// Whether it is closed in u and v, where the last line of nodes is the first one again; the tangents of the last line are not read.
+    /// Whether it is closed in u and v, where the last line of nodes is the first one again; the
+    /// tangents of the last line are not read.
     pub closed: [bool; 2],
 }
 
 impl Sheet<'static> {
-    /// The bicubic Hermite surface through nodes with tangents: C1, of fourth order if the tangents are of third order at least.
+    /// The bicubic Hermite surface through nodes with tangents: C1, of fourth order if the tangents
+    /// are of third order at least.
     ///
     /// O(nodes); 384 bytes a cell.
     ///
-    /// # Errors [`Error::NotFinite`] with the node, also for its tangents and twist; [`Error::ArrayTooShort`]; [`Error::NetTooSmall`] for a
-    /// closed direction of fewer than three nodes and the repeated one; [`Error::SidesApart`]; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// # Errors
+    /// [`Error::NotFinite`] with the node, also for its tangents and twist;
+    /// [`Error::ArrayTooShort`]; [`Error::NetTooSmall`] for a closed direction of fewer than three
+    /// nodes and the repeated one; [`Error::SidesApart`]; [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn from_tangents(given: &Tangents<'_>, job: &Job<'_>) -> Result<Self> {
         let hermite = Hermite::new(given)?;
         let [rows, columns] = [hermite.rows - 1, hermite.columns - 1];
@@ -57,7 +65,7 @@ impl Sheet<'static> {
     }
 }
 
-/// What was given, checked.
+/// Nodes and tangents, checked.
 struct Hermite<'a> {
     given: &'a Tangents<'a>,
     rows: usize,
@@ -89,7 +97,8 @@ impl<'a> Hermite<'a> {
         Ok(Hermite { given, rows, columns, axes })
     }
 
-    /// The number of the node that stands for (i, j): of closed directions the last line is the first one.
+    /// The number of the node that stands for (i, j): of closed directions the last line is the
+    /// first one.
     fn node(&self, i: usize, j: usize) -> usize {
         let [closed_u, closed_v] = self.given.closed;
         let i = if closed_u && i == self.rows - 1 { 0 } else { i };
@@ -113,7 +122,8 @@ impl<'a> Hermite<'a> {
         }))
     }
 
-    /// Differences over the nearest lines: of S_u along the row and of S_v along the column, less the mixed one of the nodes.
+    /// Differences over the nearest lines: of S_u along the row and of S_v along the column, less
+    /// the mixed one of the nodes.
     fn adini(&self, i: usize, j: usize) -> DVec3 {
         let (rows, columns) = (self.near(0, i), self.near(1, j));
         let [height, width] = [rows, columns].map(|[_, _, span]| span as f64);

@@ -2,19 +2,20 @@
 //!
 //! * [`Tangents`]: nodes with given tangents; bicubic Hermite patches.
 //! * [`Spline`]: tensor-product B-splines, cut into their Bézier patches.
-//! * [`CurveNet`]: curves across and along that meet, or curves across alone; Gordon's surface, which contains them.
+//! * [`CurveNet`]: curves across and along that meet, or curves across alone; Gordon's surface,
+//!   which contains them.
 //! * [`FrameSurface`]: a frame of outlines, its nodes or its curves.
 //!
-//! All of them give Bézier patches that share their sides to the bit. Rational patches are not made: their quotients have no control nets
-//! that the bounds of searches could be taken from.
+//! All of them give Bézier patches that share their sides to the bit. Rational patches are not
+//! made: their quotients have no control nets that the bounds of searches could be taken from.
 
 mod blend;
 mod frame;
 mod hermite;
-mod meet;
+mod nearest_points;
 mod net;
+mod net_curve;
 mod spline;
-mod strand;
 
 pub use frame::FrameSurface;
 pub use hermite::{Tangents, Twists};

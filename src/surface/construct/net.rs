@@ -1,15 +1,16 @@
 //! The surface through a net of curves.
 //!
-//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). With rows R_k(v), columns C_l(u), nodes P_kl where they meet, and
-//! cardinal functions L_k, M_l,
+//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). With rows
+//! R_k(v), columns C_l(u), nodes P_kl where they meet, and cardinal functions L_k, M_l,
 //!   S(u, v) = sum L_k(u) R_k(v) + sum M_l(v) (C_l(u) - sum L_k(u) P_kl)
-//! contains all curves. Products of polynomials of u and of v have the products of their Bernstein coefficients, so that S is a Bézier patch over each
-//! cell, of degree 3 or that of the curves. With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is the skin of
-//! the rows.
+//! contains all curves. Products of polynomials of u and of v have the products of their Bernstein
+//! coefficients, so that S is a Bézier patch over each cell, of degree 3 or that of the curves.
+//! With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is
+//! the skin of the rows.
 
 use super::blend::Blend;
-use super::meet::{Boxes, nearest};
-use super::strand::{At, Piece, Strand, degree};
+use super::nearest_points::{Boxes, nearest};
+use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -19,44 +20,53 @@ use crate::surface::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 
 /// Breaks of different pieces that are nearer than this, of 1, are one.
-const SAME: f64 = 1e-6;
+const SAME_BREAK: f64 = 1e-6;
 
 /// Patches between two progress reports.
-const STEP: usize = 1 << 13;
+const PATCHES_PER_STEP: usize = 1 << 13;
 const FINDING: &str = "finding nodes";
 const MAKING: &str = "making patches";
 
-/// Curves across, the rows, and curves along, the columns: every row meets every column, in the order that they are given in; either way round.
-/// Rows alone, or columns alone, make a skin. A curve may be one point, a pole.
+/// Curves across, the rows, and curves along, the columns: every row meets every column, in the
+/// order that they are given in; either way round. Rows alone, or columns alone, make a skin. A
+/// curve may be one point, a pole.
 ///
-/// What of a row lies beyond the first and the last column is left out. Polylines are curves of segments of degree 1: they are kept as they are,
-/// and where they turn the surface has a crease; for a smooth surface draw curves through their points first ([`fit`](crate::outline::fit())).
+/// Ends of rows beyond the first and the last column are left out. Polylines are curves of segments
+/// of degree 1: they are kept as they are, and where they turn the surface has a crease; for a
+/// smooth surface draw curves through their points first ([`fit`](crate::outline::fit())).
 #[derive(Debug, Clone, Copy)]
 pub struct CurveNet<'a> {
     /// Curves in v, which follow each other in u: at least 2, or none.
     pub rows: &'a [CurveView<'a>],
     /// Curves in u, which follow each other in v: at least 2, or none.
     pub columns: &'a [CurveView<'a>],
-    /// Closed in u: the columns are closed curves, and the last row is followed by the first; and in v: the rows are. Then at least 3 rows, or 3
-    /// columns, if there are any.
+    /// Closed in u: the columns are closed curves, and the last row is followed by the first; and
+    /// in v: the rows are. Then at least 3 rows, or 3 columns, if there are any.
     pub closed: [bool; 2],
-    /// How far apart curves may be where they meet; both are then moved to the middle. `None`: 1e-6 of the diagonal of their box.
+    /// How far apart curves may be where they meet; both are then moved to the middle. `None`: 1e-6
+    /// of the diagonal of their box.
     pub tolerance: Option<f64>,
 }
 
 impl Sheet<'static> {
-    /// Gordon's surface of a net of curves: it contains all of them, if they meet, or else to half the tolerance.
+    /// Gordon's surface of a net of curves: it contains all of them, if they meet, or else to half
+    /// the tolerance.
     ///
-    /// Parameters: node (k, l) is a corner of cells. Between two nodes curves may have several segments: if all rows have equally many there, they
-    /// are matched in order, else all rows are cut where any one has a joint; so cells may be more than meshes of the net. The knots of the cardinal
-    /// functions are taken from the curves: where they are C1 in common knots, and where a single one has no joint between nodes, S is C1, else only
-    /// nearly; [`Sheet::crease`] tells.
+    /// Parameters: node (k, l) is a corner of cells. Between two nodes curves may have several
+    /// segments: if all rows have equally many there, they are matched in order, else all rows are
+    /// cut where any one has a joint; so cells may be more than meshes of the net. The knots of the
+    /// cardinal functions are taken from the curves: where they are C1 in common knots, and where a
+    /// single one has no joint between nodes, S is C1, else only nearly; [`Sheet::crease`] tells.
     ///
-    /// O(rows x columns x log segments) for nodes, and 12 products a control point; 384 bytes a cell up to degree 3, else 1536.
+    /// O(rows x columns x log segments) for nodes, and 12 products a control point; 384 bytes a
+    /// cell up to degree 3, else 1536.
     ///
-    /// # Errors [`Error::NetTooSmall`] for one row or column, or fewer than 3 of closed directions; [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`]
-    /// for a degree above 7 or a tolerance that is no positive number; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row, the column and
-    /// their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// # Errors
+    /// [`Error::NetTooSmall`] for one row or column, or fewer than 3 of closed directions;
+    /// [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`] for a degree above 7 or a tolerance that
+    /// is no positive number; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row, the
+    /// column and their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         net.check()?;
         let mut highest = 1;
@@ -98,7 +108,8 @@ impl CurveNet<'_> {
 /// The curves, cut at the nodes.
 pub(super) struct Gordon<const N: usize> {
     closed: [bool; 2],
-    /// Row k has piece j from column j to the next, or one piece if there are no columns; and the same of columns.
+    /// Row k has piece j from column j to the next, or one piece if there are no columns; and the
+    /// same of columns.
     rows: Vec<Vec<Piece<N>>>,
     columns: Vec<Vec<Piece<N>>>,
     /// Row by row.
@@ -111,35 +122,35 @@ impl<const N: usize> Gordon<N> {
     /// The nodes are found where curves are nearest.
     fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
-        let strands = |curves: &[CurveView<'_>], before: usize| -> Result<Vec<Strand<N>>> {
-            let mut strands = alloc::with_capacity(curves.len())?;
+        let net_curves = |curves: &[CurveView<'_>], before: usize| -> Result<Vec<NetCurve<N>>> {
+            let mut net_curves = alloc::with_capacity(curves.len())?;
             for (k, curve) in curves.iter().enumerate() {
                 job.step(0.1 * (before + k) as f64 / total, FINDING)?;
-                strands.push(Strand::new(curve)?);
+                net_curves.push(NetCurve::new(curve)?);
             }
-            Ok(strands)
+            Ok(net_curves)
         };
-        let (rows, columns) = (strands(net.rows, 0)?, strands(net.columns, net.rows.len())?);
-        let boxes = |strands: &[Strand<N>], before: usize| -> Result<Vec<Boxes>> {
-            let mut boxes = alloc::with_capacity(strands.len())?;
-            for (k, strand) in strands.iter().enumerate() {
+        let (rows, columns) = (net_curves(net.rows, 0)?, net_curves(net.columns, net.rows.len())?);
+        let boxes = |net_curves: &[NetCurve<N>], before: usize| -> Result<Vec<Boxes>> {
+            let mut boxes = alloc::with_capacity(net_curves.len())?;
+            for (k, net_curve) in net_curves.iter().enumerate() {
                 job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
-                boxes.push(Boxes::of(strand)?);
+                boxes.push(Boxes::of(net_curve)?);
             }
             Ok(boxes)
         };
         let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
-        let (size, reach) = net.extent();
+        let (size, max_coordinate) = net.extent();
         let tolerance = net.tolerance.unwrap_or(1e-6 * size);
-        let noise = 4.0 * f64::EPSILON * reach;
-        // What is less than this is neither searched for nor cut off.
-        let slack = (0.25 * tolerance).min(1e-9 * size) + noise;
+        let rounding_error = 4.0 * f64::EPSILON * max_coordinate;
+        // Lengths below this are neither searched for nor cut off.
+        let slack = (0.25 * tolerance).min(1e-9 * size) + rounding_error;
         let mut places = alloc::with_capacity(rows.len() * columns.len())?;
         for (k, row) in rows.iter().enumerate() {
             for (l, column) in columns.iter().enumerate() {
                 job.step(0.2 + 0.6 * (k * columns.len() + l) as f64 / (rows.len() * columns.len()) as f64, FINDING)?;
                 let met = nearest([row, column], [&row_boxes[k], &column_boxes[l]], slack)?;
-                if met.distance > tolerance.max(noise) {
+                if met.distance > tolerance.max(rounding_error) {
                     return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
                 }
                 places.push([snapped(row, met.places[0], slack), snapped(column, met.places[1], slack)]);
@@ -150,15 +161,15 @@ impl<const N: usize> Gordon<N> {
 
     /// `places`: row by row where each meets each column, on the row and on the column.
     pub(super) fn new(
-        mut rows: Vec<Strand<N>>,
-        mut columns: Vec<Strand<N>>,
+        mut rows: Vec<NetCurve<N>>,
+        mut columns: Vec<NetCurve<N>>,
         closed: [bool; 2],
-        places: &[[At; 2]],
+        places: &[[CurvePlace; 2]],
         job: &Job<'_>,
     ) -> Result<Self> {
         let [height, width] = [rows.len(), columns.len()];
         let hear = |done: usize| job.step(done as f64 / (height + width) as f64, FINDING);
-        let points = [&rows, &columns].map(|strands| strands.iter().map(Strand::is_point).collect::<Vec<_>>());
+        let points = [&rows, &columns].map(|net_curves| net_curves.iter().map(NetCurve::is_point).collect::<Vec<_>>());
         let mut nodes = alloc::with_capacity(height * width)?;
         for (n, &[on_row, on_column]) in places.iter().enumerate() {
             let (k, l) = (n / width, n % width);
@@ -208,7 +219,7 @@ impl<const N: usize> Gordon<N> {
             let piece = blend_v.piece(strip);
             (piece.lines, piece.weights::<N>(part))
         }))?;
-        let mut patches = room(u.count(), v.count())?;
+        let mut patches = patches_with_capacity(u.count(), v.count())?;
         for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
             let piece = blend_u.piece(strip);
             let across = piece.weights::<N>(part);
@@ -219,7 +230,7 @@ impl<const N: usize> Gordon<N> {
                 std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
-                hear_patches(&job.part(0.4, 1.0), &patches)?;
+                report_progress(&job.part(0.4, 1.0), &patches)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
                     combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
@@ -242,7 +253,7 @@ impl<const N: usize> Gordon<N> {
             sum / (2 * row.len()) as f64
         };
         let blend = Blend::new(&positive(alloc::collect((0..last).map(apart))?), closed)?;
-        let mut patches = room(last, v.count())?;
+        let mut patches = patches_with_capacity(last, v.count())?;
         for k in 0..last {
             let piece = blend.piece(k);
             let across = piece.weights::<N>([0.0, 1.0]);
@@ -252,7 +263,7 @@ impl<const N: usize> Gordon<N> {
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
             for j in 0..v.count() {
-                hear_patches(&job.part(0.4, 1.0), &patches)?;
+                report_progress(&job.part(0.4, 1.0), &patches)?;
                 patches.push(patch(j));
             }
         }
@@ -261,44 +272,45 @@ impl<const N: usize> Gordon<N> {
 }
 
 /// A place, or the joint of segments that it is very near to.
-fn snapped<const N: usize>(strand: &Strand<N>, at: At, near: f64) -> At {
-    let here = strand.point(at);
-    let close = |t: f64| strand.point(At { t, ..at }).distance(here) <= near;
-    let count = strand.segments.len();
+fn snapped<const N: usize>(net_curve: &NetCurve<N>, at: CurvePlace, near: f64) -> CurvePlace {
+    let here = net_curve.point(at);
+    let close = |t: f64| net_curve.point(CurvePlace { t, ..at }).distance(here) <= near;
+    let count = net_curve.segments.len();
     if at.t < 0.5 && close(0.0) {
-        At { t: 0.0, ..at }
+        CurvePlace { t: 0.0, ..at }
     } else if at.t >= 0.5 && close(1.0) {
         // The start of the next segment, where there is one.
-        let next = if strand.closed { (at.segment + 1) % count } else { at.segment + 1 };
-        if next < count { At { segment: next, t: 0.0 } } else { At { t: 1.0, ..at } }
+        let next = if net_curve.closed { (at.segment + 1) % count } else { at.segment + 1 };
+        if next < count { CurvePlace { segment: next, t: 0.0 } } else { CurvePlace { t: 1.0, ..at } }
     } else {
         at
     }
 }
 
-/// The pieces of a curve between its places, with their ends at the nodes; the curve is turned round if it runs against the order.
+/// The pieces of a curve between its places, with their ends at the nodes; the curve is turned
+/// round if it runs against the order.
 fn pieces<const N: usize>(
-    strand: &mut Strand<N>,
-    mut at: Vec<At>,
+    net_curve: &mut NetCurve<N>,
+    mut at: Vec<CurvePlace>,
     closed: bool,
     ends: impl Fn(usize) -> DVec3,
     out_of_order: impl Fn(usize) -> Error,
 ) -> Result<Vec<Piece<N>>> {
-    let point = strand.is_point();
-    if closed && !strand.closed && !point {
+    let point = net_curve.is_point();
+    if closed && !net_curve.closed && !point {
         return Err(Error::CurveNotClosed);
     }
-    strand.closed = closed;
+    net_curve.closed = closed;
     if at.is_empty() {
         let mut all = alloc::with_capacity(1)?;
-        all.push(strand.whole()?);
+        all.push(net_curve.whole()?);
         return Ok(all);
     }
     if !point {
-        let falls = |at: &[At]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
+        let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
         if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && turned(&at)) {
-            at.iter_mut().for_each(|at| *at = strand.reversed(*at));
-            strand.reverse();
+            at.iter_mut().for_each(|at| *at = net_curve.reversed(*at));
+            net_curve.reverse();
         }
         // Round a closed curve the places may begin anywhere.
         let count = if closed { at.len() } else { at.len() - 1 };
@@ -313,7 +325,7 @@ fn pieces<const N: usize>(
             }
         }
     }
-    let mut pieces = strand.cut(&at)?;
+    let mut pieces = net_curve.cut(&at)?;
     for (k, piece) in pieces.iter_mut().enumerate() {
         piece.bend(ends(k), ends(k + 1));
     }
@@ -321,14 +333,14 @@ fn pieces<const N: usize>(
 }
 
 /// Of three places round a closed curve: true if they follow each other backwards.
-fn turned(at: &[At]) -> bool {
+fn turned(at: &[CurvePlace]) -> bool {
     // Forwards there is one fall in all, backwards there are two.
     (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
 }
 
 /// The intervals between the lines of one direction, and where they are cut.
 struct Strips {
-    /// What each takes of the parameter.
+    /// The share of the parameter that each takes.
     lengths: Vec<f64>,
     /// Where each is cut, as fractions; the last one is 1.
     breaks: Vec<Vec<f64>>,
@@ -389,7 +401,8 @@ impl Strips {
     }
 }
 
-/// The breaks of a strip from those of the curves' pieces, and for each piece its own as the strip has them.
+/// The breaks of a strip from those of the curves' pieces, and for each piece its own as the strip
+/// has them.
 fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
     let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
     let Some(first) = curves().next() else {
@@ -414,7 +427,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     breaks = Vec::new();
     for (end, curve) in all {
         let last = breaks.last().copied().unwrap_or(0.0);
-        if breaks.is_empty() || end - last > SAME || ends[curve].last() == Some(&last) {
+        if breaks.is_empty() || end - last > SAME_BREAK || ends[curve].last() == Some(&last) {
             alloc::push(&mut breaks, end)?;
         }
         let end = breaks[breaks.len() - 1];
@@ -434,7 +447,7 @@ fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
 }
 
 /// Room for patches, if there are not too many.
-fn room<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
+fn patches_with_capacity<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
     let count = (rows as u64).saturating_mul(columns as u64);
     let limit = MAX_NODES / (N * N) as u64;
     if count > limit {
@@ -444,8 +457,8 @@ fn room<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
 }
 
 /// Reports how many patches there are, of those there is room for, from time to time.
-fn hear_patches<const N: usize>(job: &Job<'_>, patches: &Vec<Patch<N>>) -> Result<()> {
-    match patches.len() % STEP {
+fn report_progress<const N: usize>(job: &Job<'_>, patches: &Vec<Patch<N>>) -> Result<()> {
+    match patches.len() % PATCHES_PER_STEP {
         0 => job.step(patches.len() as f64 / patches.capacity() as f64, MAKING),
         _ => Ok(()),
     }
@@ -454,9 +467,9 @@ fn hear_patches<const N: usize>(job: &Job<'_>, patches: &Vec<Patch<N>>) -> Resul
 /// u and v exchanged.
 fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
     let [rows, columns] = patches.cells();
-    let mut turned = room(columns, rows)?;
+    let mut turned = patches_with_capacity(columns, rows)?;
     for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
-        hear_patches(job, &turned)?;
+        report_progress(job, &turned)?;
         turned.push(patches.get(i, j).transposed());
     }
     Ok(Patches::of(turned, columns, rows))

@@ -1,7 +1,8 @@
 //! Tensor-product B-splines.
 //!
-//! Over each span of knots the spline is a Bézier patch, whose control points are values of the blossom: the symmetric multiaffine function
-//! that gives the spline when all its arguments are equal. Point k of the span [a, b] takes p - k arguments a and k arguments b.
+//! Over each span of knots the spline is a Bézier patch, whose control points are values of the
+//! blossom: the symmetric multiaffine function that gives the spline when all its arguments are
+//! equal. Point k of the span [a, b] takes p - k arguments a and k arguments b.
 
 use crate::alloc;
 use crate::error::{Element, Error, Result};
@@ -14,15 +15,17 @@ use glam::DVec3;
 pub struct SplineAxis<'a> {
     /// The degree, 1 to 7.
     pub degree: usize,
-    /// Open: as many as control points and degree and 1, clamped or not; the spline is defined from knot `degree` to the `degree`-th from the
-    /// end. Closed: one more than control points, one period of them; span k, between knots k and k + 1, is made by the control points k - degree
+    /// Open: as many as control points and degree and 1, clamped or not; the spline is defined from
+    /// knot `degree` to the `degree`-th from the end. Closed: one more than control points, one
+    /// period of them; span k, between knots k and k + 1, is made by the control points k - degree
     /// to k, counted round. Not decreasing; inner knots may be repeated `degree` times.
     pub knots: &'a [f64],
     /// The control points, which are not repeated, follow each other round.
     pub closed: bool,
 }
 
-/// A spline. Cells are its spans, in both directions, that are not empty: knots become whole numbers, in order.
+/// A spline. Cells are its spans, in both directions, that are not empty: knots become whole
+/// numbers, in order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spline<'a> {
     /// Row by row: rows follow each other in u.
@@ -42,14 +45,17 @@ struct Span {
 }
 
 impl Sheet<'static> {
-    /// The Bézier patches of a spline: exact but for rounding, of the greater of the two degrees or 3.
+    /// The Bézier patches of a spline: exact but for rounding, of the greater of the two degrees or
+    /// 3.
     ///
     /// O(spans x degree^3); 384 bytes a cell up to degree 3, else 1536.
     ///
-    /// # Errors [`Error::OptionOutOfRange`] for a degree of 0 or above 7; [`Error::NetTooSmall`] for fewer control points than degree + 1;
-    /// [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot that is not finite, that is less than the one before, or that is repeated
-    /// too often; [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the control point, [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7; [`Error::NetTooSmall`] for fewer
+    /// control points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first
+    /// knot that is not finite, that is less than the one before, or that is repeated too often;
+    /// [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the control point,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_spline(spline: &Spline<'_>, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
@@ -125,7 +131,8 @@ impl SplineAxis<'_> {
         let mut before = 0;
         for k in knots.filter(|&k| self.knots[k] < self.knots[k + 1]) {
             let mut span = self.span(k, count);
-            // Pieces share their ends to the bit: what lies before this piece's first point is the last one's last.
+            // Pieces share their ends to the bit: what lies before this piece's first point is the
+            // last one's last.
             if let Some(last) = spans.last() {
                 span.weights[0] = self.shared(&last.weights[self.degree], k - before);
             }
@@ -166,7 +173,8 @@ impl SplineAxis<'_> {
                 return bad(k);
             }
         }
-        // The spline must have a range, of finite length, and no knot within it that is repeated more than the degree allows.
+        // The spline must have a range, of finite length, and no knot within it that is repeated
+        // more than the degree allows.
         let (from, to) = if self.closed { (0, count) } else { (self.degree, count) };
         let length = self.knots[to] - self.knots[from];
         if !(length > 0.0 && length.is_finite() && (self.knots[self.knots.len() - 1] - self.knots[0]).is_finite()) {
@@ -184,11 +192,13 @@ impl SplineAxis<'_> {
         Ok(())
     }
 
-    /// The piece over the span from knot k to the next: the blossom at p - i arguments a and i arguments b, as weights.
+    /// The piece over the span from knot k to the next: the blossom at p - i arguments a and i
+    /// arguments b, as weights.
     fn span(&self, k: usize, count: usize) -> Span {
         let p = self.degree;
         let knot = |i: usize| self.knot(k as isize + 1 + i as isize - p as isize, count);
-        // The knots round the span that its control points depend on: p before it, itself included, and p after.
+        // The knots round the span that its control points depend on: p before it, itself included,
+        // and p after.
         let around: [f64; 2 * MAX_DEGREE] = std::array::from_fn(|i| if i < 2 * p { knot(i) } else { 0.0 });
         let (a, b) = (around[p - 1], around[p]);
         let mut weights = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];

@@ -1,13 +1,20 @@
-//! The zero set of a field over one cell, as arcs between marks: the places where it crosses sides.
+//! The zero set of a field over one cell, as arcs between marks, the places where it crosses sides,
+//! by [`subdivide`] into quarters.
 //!
-//! Signs are those of `side`: 0 counts as positive. Round the border of a cell, or of a part of one, the sign changes an even number
-//! of times, in turn from plus to minus, where an arc enters (with plus on its left), and from minus to plus, where one leaves. A part is done
-//! when one of these holds, else it is cut into four, whose common sides get marks of their own:
+//! Signs are those of `side`: 0 counts as positive. Round the border of a cell, or of a part of
+//! one, the sign changes an even number of times, in turn from plus to minus, where an arc enters
+//! (with plus on its left), and from minus to plus, where one leaves. A part is done when one of
+//! these holds, else it is cut into four, whose common sides get marks of their own:
 //! * *none*: the border has no marks, and all coefficients have one sign;
-//! * *graph*: the field is monotone in u, or in v. Then the zero set is a graph over the other parameter, along which arcs follow each other:
-//!   no closed loop can hide, and the k-th entry belongs to the k-th exit;
-//! * *unresolved*: the field cannot be told from 0, or the part is too small. The marks are linked by the sign in the middle, and the part is
-//!   reported.
+//! * *graph*: the field is monotone in u, or in v. Then the zero set is a graph over the other
+//!   parameter, along which arcs follow each other: no closed loop can hide, and the k-th entry
+//!   belongs to the k-th exit;
+//! * *unresolved*: the field cannot be told from 0, or the part is too small. The marks are linked
+//!   by the sign in the middle, and the part is reported.
+//!
+//! Invariant: a part's marks are those of its parent and of the lines between parts, so that arcs
+//! of neighbouring parts join to the bit. Monotonicity as a criterion of termination: Alberti,
+//! Mourrain and Wintz (2008). Cost: O(M^3) a split, [`MAX_PARTS`] parts at most.
 
 use super::side::{crossings, positive};
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
@@ -20,7 +27,8 @@ const MAX_SUBDIVISION_DEPTH: u32 = 26;
 /// Parts examined for one cell.
 const MAX_PARTS: usize = 1024;
 
-/// The sides of a cell or part: v low, u high, v high, u low, which is once round it, counter-clockwise.
+/// The sides of a cell or part: v low, u high, v high, u low, which is once round it,
+/// counter-clockwise.
 pub(super) const SIDES: usize = 4;
 /// By side: the corners (2 u + v) that it starts and ends with; the parameter rises between them.
 pub(super) const CORNERS: [[usize; 2]; SIDES] = [[0, 2], [2, 3], [1, 3], [0, 1]];
@@ -85,8 +93,8 @@ impl Keys {
     }
 }
 
-/// Finds the arcs of a cell whose marks and signs at corners are given. Values up to `rounding_error` may be 0. Returns where something is left
-/// unresolved.
+/// Finds the arcs of a cell whose marks and signs at corners are given. Values up to
+/// `rounding_error` may be 0. Returns where something is left unresolved.
 #[inline]
 pub(super) fn arcs<const M: usize>(
     field: &Field<M>,
@@ -96,7 +104,7 @@ pub(super) fn arcs<const M: usize>(
     keys: &mut Keys,
     mut add: impl FnMut(Link),
 ) -> Option<DVec2> {
-    // What nearly all cells are.
+    // The usual case.
     if marks.is_empty() && one_sign(field) {
         return None;
     }
@@ -167,8 +175,8 @@ pub(super) fn one_sign<const M: usize>(field: &Field<M>) -> bool {
     low >= 0.0 || high < 0.0
 }
 
-/// The parameter, u (0) or v (1), over which the zero set is a graph, the field being monotone in the other one; the one in which it
-/// rises more steeply, if both will do.
+/// The parameter, u (0) or v (1), over which the zero set is a graph, the field being monotone in
+/// the other one; the one in which it rises more steeply, if both will do.
 #[inline]
 fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize> {
     // Slopes are differences of coefficients, times the degree.
@@ -200,7 +208,8 @@ fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
     }
 }
 
-/// Round a part that is unresolved: where the middle is positive, arcs cut off what is negative, else what is positive.
+/// Round a part that is unresolved: where the middle is positive, arcs cut off what is negative,
+/// else what is positive.
 fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     let mut round: Vec<Mark> = Vec::with_capacity(marks.len());
     for side in 0..SIDES {
@@ -219,7 +228,8 @@ fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
 }
 
 impl<const M: usize> Part<M> {
-    /// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and high v.
+    /// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and
+    /// high v.
     fn quarters(self, keys: &mut Keys) -> [Part<M>; 4] {
         let half = 0.5 * self.size;
         let middle = self.from + half;

@@ -1,4 +1,7 @@
-//! Arcs, linked by the marks that they share, as strands: open ones and closed ones, in order.
+//! Paths of a sheet: its arcs, linked by the marks that they share, open and closed, in order.
+//!
+//! Invariant: an arc ends with the key that the next one begins with, since cells that share a side
+//! share its marks. Cost: O(arcs) a level, and O(arcs log arcs) where fields jump.
 
 use super::lattice::Lattice;
 use super::search::{Arc, FoundArcs};
@@ -63,7 +66,8 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Links the arcs of a sheet. `apart`: whether the cells at a side have marks of their own, which are linked first.
+/// Links the arcs of a sheet. `apart`: whether the cells at a side have marks of their own, which
+/// are linked first.
 pub(super) fn chain(found: &mut FoundArcs, lattice: &Lattice, apart: bool, threads: usize) -> Result<ContourPaths> {
     by_level(&mut found.arcs)?;
     if apart {
@@ -84,7 +88,8 @@ pub(super) fn chain(found: &mut FoundArcs, lattice: &Lattice, apart: bool, threa
     Ok(made)
 }
 
-/// Sorts arcs by level: cells come as the search finds them, with their levels one after the other. Arcs of a level keep their order.
+/// Sorts arcs by level: cells come as the search finds them, with their levels one after the other.
+/// Arcs of a level keep their order.
 fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
     if arcs.is_sorted_by_key(|arc| arc.level) {
         return Ok(());
@@ -95,7 +100,7 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
     Ok(())
 }
 
-/// The strands of one level, by lowest cell.
+/// The paths of one level, by lowest cell.
 fn paths(arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
     let mut made = ContourPaths::default();
     let mut order = Vec::new();
@@ -106,7 +111,7 @@ fn paths(arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
     Ok(made)
 }
 
-/// The strands of one level; `order` receives the lowest cell of each, and the key of its mark.
+/// The paths of one level; `order` receives the lowest cell of each, and the key of its mark.
 fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Vec<([u32; 2], u64)>) -> Result<()> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
@@ -176,9 +181,10 @@ struct End {
     exit: bool,
 }
 
-/// Links what leaves one cell with what enters the next, or the same one again: along each side, the k-th that leaves with the k-th that
-/// enters. Where the fields have no sign in common, the side itself belongs to the zero set between the two. What is left over then, because
-/// the cells at a corner disagree on the sign there, is linked round the corner that it is nearer to.
+/// Links what leaves one cell with what enters the next, or the same one again: along each side,
+/// the k-th that leaves with the k-th that enters. Where the fields have no sign in common, the
+/// side itself belongs to the zero set between the two. What is left over then, because the cells
+/// at a corner disagree on the sign there, is linked round the corner that it is nearer to.
 fn stitch(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
@@ -200,7 +206,8 @@ fn stitch(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
     Ok(())
 }
 
-/// Links exits with entries of the same level and group, in order; returns the ends that are left over.
+/// Links exits with entries of the same level and group, in order; returns the ends that are left
+/// over.
 fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
     ends.sort_unstable_by(|a, b| {
         let by = |end: &End| (end.level, end.group);

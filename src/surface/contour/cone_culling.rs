@@ -1,4 +1,8 @@
-//! The blocks whose normals may make given angles with a direction: one descent through the cones of normals.
+//! The blocks whose normals may make given angles with a direction: one descent through the cones
+//! of normals.
+//!
+//! Invariant: the cone of a block contains the normals of all its cells, so that no cell with the
+//! angle is dropped. Cost: O(blocks visited).
 
 use super::source::between;
 use crate::alloc;
@@ -7,8 +11,8 @@ use crate::surface::index::Cones;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// By how much an angle may be off where a curve is still found within rounding, in radians: the zero set of an angle is that of a function
-/// that has the slope sin 2 alpha across it.
+/// By how much an angle may be off where a curve is still found within rounding, in radians: the
+/// zero set of an angle is that of a function that has the slope sin 2 alpha across it.
 const ANGLE_SLACK: f64 = 1e-9;
 /// Slopes below that are no slopes.
 const MIN_SLOPE: f64 = 1e-8;
@@ -34,8 +38,8 @@ pub(super) fn may_have(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> 
     near([low, high]) || (unsigned && near([PI - high, PI - low]))
 }
 
-/// The blocks, row after row, whose normals' least and greatest angle with a direction are `wanted`; those of a larger range are if those of a
-/// smaller one are.
+/// The blocks, row after row, whose normals' least and greatest angle with a direction are
+/// `wanted`; those of a larger range are if those of a smaller one are.
 pub(super) fn blocks(cones: &Cones, direction: DVec3, wanted: impl Fn([f64; 2]) -> bool) -> Result<Vec<[u32; 2]>> {
     let mut found = Vec::new();
     let mut waiting: Vec<[usize; 3]> = Vec::new();
@@ -132,7 +136,8 @@ mod tests {
         all
     }
 
-    /// What cones drop has no part in an answer: it is the same bits as with cones that tell nothing.
+    /// Blocks that cones drop have no part in an answer: its bits are the same with cones that
+    /// exclude nothing.
     #[test]
     fn answers_are_the_same_without_cones() {
         let (job, mut random) = (Job::default(), Random(5));

@@ -1,10 +1,12 @@
 //! Cells that a level crosses once, as their corners show: what nearly all cells of a fine net are.
 //!
-//! The coefficients of the field are within some play P of those of the bilinear field through the corners. So a difference of neighbouring
-//! coefficients along u is within 2 P of a third of what is between the steps from corner to corner: where these have one sign and are
-//! greater than 6 P, the field is monotone in u. The zero set is then a graph, as in `cell`, and the sides show where it enters and leaves:
-//! one that is monotone too is crossed once at most, as the signs of its ends say, and one whose ends are farther than P from 0 and of one sign
-//! is not crossed. Neither the field nor the patch is needed.
+//! The coefficients of the field are within a slack P of those of the bilinear field through the
+//! corners. So a difference of neighbouring coefficients along u is within 2 P of a third of what
+//! is between the steps from corner to corner: where these have one sign and are greater than 6 P,
+//! the field is monotone in u. The zero set is then a graph, as in `cell`, and the sides show where
+//! it enters and leaves: one that is monotone too is crossed once at most, as the signs of its ends
+//! say, and one whose ends are farther than P from 0 and of one sign is not crossed. Neither the
+//! field nor the patch is needed.
 
 use super::cell::{CORNERS, SIDES};
 use super::side::positive;
@@ -26,8 +28,8 @@ pub(super) enum CornerCrossing {
     },
 }
 
-/// What the values at the corners 2 u + v show, if that is enough. Coefficients are within `slack` of the bilinear ones; values up to `rounding_error`
-/// may be 0.
+/// Classifies a cell by the values at its corners 2 u + v, if they suffice. Coefficients are within
+/// `slack` of the bilinear ones; values up to `rounding_error` may be 0.
 #[inline]
 pub(super) fn crossing_by_corners(corners: [f64; 4], slack: f64, rounding_error: f64) -> Option<CornerCrossing> {
     let [c00, c01, c10, c11] = corners;
@@ -70,11 +72,12 @@ pub(super) fn chord_root(corners: [f64; 4], side: usize) -> f64 {
     (start / (start - end)).clamp(0.0, 1.0)
 }
 
-/// How many times its play a side that is crossed must rise by, for [`roots`].
+/// How many times its slack a side that is crossed must rise by, for [`roots`].
 ///
-/// With a rise of d >= 24 P its slope is from 3/4 d to 5/4 d, and its second derivative no greater than 24 P <= d. The chord's root is no
-/// farther than P / (3/4 d) <= 1/18 from the polynomial's, and a step of Newton's method leaves of an error e no more than 2/3 e^2: 3e-3, 3e-6,
-/// 5e-12, 2e-23.
+/// With a rise of d >= 24 P its slope is from 3/4 d to 5/4 d, and its second derivative no greater
+/// than 24 P <= d. The chord's root is no farther than P / (3/4 d) <= 1/18 from the polynomial's,
+/// and a step of Newton's method leaves of an error e no more than 2/3 e^2: 3e-3, 3e-6, 5e-12,
+/// 2e-23.
 const STEEP: f64 = 24.0;
 /// Steps of Newton's method.
 const NEWTON: usize = 4;
@@ -82,7 +85,8 @@ const NEWTON: usize = 4;
 /// Sides whose roots are found together.
 pub(super) const LANES: usize = 8;
 
-/// The roots of polynomials of degree 3 along sides that [`crossing_by_corners`] has found to be crossed.
+/// The roots of polynomials of degree 3 along sides that [`crossing_by_corners`] has found to be
+/// crossed.
 pub(super) fn roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
     simd::run(Roots { sides, found });
 }

@@ -1,4 +1,5 @@
-//! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
+//! Sides between cells along which normals jump past an angle: they belong to the isophote
+//! themselves, and no cell shows it.
 
 use super::cone_culling;
 use super::lattice::Lattice;
@@ -25,7 +26,8 @@ const SIDES: [Side; 2] = [
     Side { after: [false, true], own: [[0.0, 1.0], [1.0, 1.0]], others: [[0.0, 0.0], [1.0, 0.0]] },
 ];
 
-/// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and greater in the other.
+/// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and
+/// greater in the other.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C>,
     cones: &Cones,

@@ -32,7 +32,8 @@ impl Grid<'_> {
         let [across, along] = self.axes();
         let ((rows, [by_u, slopes_u]), (columns, [by_v, slopes_v])) = (weights(across, i, u), weights(along, j, v));
         let node = self.nodes().quads();
-        // On a line of the surface, as most places are, the other lines that the point depends on have no weight.
+        // On a line of the surface, as most places are, the other lines that the point depends on
+        // have no weight.
         if v == 0.0 || v == 1.0 {
             let [point, along_v, along_u] =
                 sums([&by_v, &slopes_v], [&by_u, &slopes_u], |column, row| node(rows[row], columns[column]));
@@ -42,8 +43,8 @@ impl Grid<'_> {
     }
 }
 
-/// The sum of nodes with the products of two weights each, and the sums with the one or the other weight replaced by that of the derivative.
-/// Lines of weight 0 are passed over.
+/// The sum of nodes with the products of two weights each, and the sums with the one or the other
+/// weight replaced by that of the derivative. Lines of weight 0 are passed over.
 #[inline(always)]
 fn sums(
     [outer, outer_slopes]: [&[f64; TAPS]; 2],

@@ -1,8 +1,10 @@
-//! Curves of points whose normals make given angles with a direction: silhouettes at 90 degrees, in general isophotes.
+//! Curves of points whose normals make given angles with a direction: silhouettes at 90 degrees, in
+//! general isophotes.
 //!
-//! With H the component of N = S_u x S_v along the direction and P the square of what is across it, the angle is alpha where H has the sign
-//! of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90 degrees where H = 0; at 0 and 180 where both components across are 0, which is so
-//! at single points. None of it suffers from cancellation, whatever the angle.
+//! With H the component of N = S_u x S_v along the direction and P the square of what is across it,
+//! the angle is alpha where H has the sign of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90
+//! degrees where H = 0; at 0 and 180 where both components across are 0, which is so at single
+//! points. None of it suffers from cancellation, whatever the angle.
 
 use super::checks::{direction, rising};
 use super::cone_culling;
@@ -94,7 +96,7 @@ struct Isophotes<'a, C, const N: usize, const H: usize> {
     unsigned: bool,
 }
 
-/// What the angles of a cell have in common.
+/// The squares that the angles of a cell share.
 struct Squares<const M: usize> {
     along: Field<M>,
     across: Field<M>,
@@ -158,9 +160,10 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
     }
 
-    /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos alpha. The sign is one along an arc, since H
-    /// and P vanish together only where the normal is none, as at poles, where it says nothing. Next to such a place within a cell, what
-    /// is linked without being resolved may have both.
+    /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos
+    /// alpha. The sign is one along an arc, since H and P vanish together only where the normal is
+    /// none, as at poles, where it says nothing. Next to such a place within a cell, what is linked
+    /// without being resolved may have both.
     fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         if self.unsigned {
             return Some(true);
@@ -182,7 +185,7 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     }
 }
 
-/// Which of the angles asked for are what.
+/// The angles of a query, by kind.
 #[derive(Default)]
 struct AngleClasses {
     silhouettes: Vec<u32>,
@@ -196,24 +199,29 @@ struct AngleClasses {
 }
 
 impl Surface<'_> {
-    /// Where the surface's normal makes given angles with a direction: curves in the order of the angles (`levels` of the paths) and of their
-    /// lowest cells. At 90 degrees they are the silhouettes of the surface seen along the direction. At 0 and 180 degrees there are points in
-    /// place of curves: paths of one point each. To the left of curves, seen from where the normals point to, angles are smaller.
+    /// Where the surface's normal makes given angles with a direction: curves in the order of the
+    /// angles (`levels` of the paths) and of their lowest cells. At 90 degrees they are the
+    /// silhouettes of the surface seen along the direction. At 0 and 180 degrees there are points
+    /// in place of curves: paths of one point each. To the left of curves, seen from where the
+    /// normals point to, angles are smaller.
     ///
-    /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the same, and angles end at pi / 2.
+    /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the
+    /// same, and angles end at pi / 2.
     ///
-    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes are of order four, and so are the
-    /// [`Surface::contours`] of their cosines.
+    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes
+    /// are of order four, and so are the [`Surface::contours`] of their cosines.
     ///
-    /// Every curve is found, as [`Surface::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
-    /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for; where
-    /// that goes on for more than a cell they end, and the ends and the sides are listed as unresolved. At poles, where the normal is none,
-    /// a curve ends or passes; a pole that may have the angle itself is listed as unresolved. The first such question builds the cones of
-    /// normals, O(cells); after that about O(cells that are crossed).
+    /// Every curve is found, as [`Surface::section`] finds them, if the surface is regular. On
+    /// sheets of patches and of the four-point scheme, whose normals jump between cells, curves run
+    /// along the side between cells where the angle jumps past the one asked for; where that goes
+    /// on for more than a cell they end, and the ends and the sides are listed as unresolved. At
+    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle
+    /// itself is listed as unresolved. The first such question builds the cones of normals,
+    /// O(cells); after that about O(cells that are crossed).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do not rise or are out of range;
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do
+    /// not rise or are out of range; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn isophotes(
         &self,
         axis: DVec3,
@@ -289,7 +297,8 @@ impl Surface<'_> {
         add_leus_points(found, spacing)
     }
 
-    /// Reports the places of curves where the normal is regular and makes another angle: once for points of a cell that follow each other.
+    /// Reports the places of curves where the normal is regular and makes another angle: once for
+    /// points of a cell that follow each other.
     fn report_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
         let mut last: Option<Place> = None;
         for k in 0..paths.len() {
@@ -343,7 +352,7 @@ impl AngleClasses {
     }
 }
 
-/// What is looked for on a sheet.
+/// The search of one sheet.
 struct IsophoteSearch<'a, C> {
     sheet: usize,
     cells: &'a C,

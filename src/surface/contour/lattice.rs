@@ -58,8 +58,8 @@ impl Lattice {
         at[0] * width + at[1]
     }
 
-    /// The cell that decides about the start of side numbers: of two cells at a side, and of four at a corner, the one after; at an open
-    /// edge, the one before.
+    /// The cell that decides about the start of side numbers: of two cells at a side, and of four
+    /// at a corner, the one after; at an open edge, the one before.
     pub(super) fn owner(&self, [i, j]: [usize; 2], [after_u, after_v]: [bool; 2]) -> ([usize; 2], [bool; 2]) {
         let along = |k: usize, after: bool, d: usize| match (after, k + 1 == self.counts[d]) {
             (false, _) => (k, false),

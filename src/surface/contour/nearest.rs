@@ -1,8 +1,14 @@
-//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that is nearest to a given one.
+//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that
+//! is nearest to a given one.
 //!
-//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a region by curvature times diameter; here the
-//! bounds are cones of normals, then those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
-//! `isophote`), which tell on which side of theta all angles of a part are.
+//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a
+//! region by curvature times diameter; here the bounds are cones of normals, then those of the
+//! components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2
+//! - cos^2 theta P (see `isophote`), which tell on which side of theta all angles of a part are.
+//!
+//! Invariant: the deviation of every part that is dropped is at least the best one less
+//! [`TOLERANCE`], or is in the bound that is returned. Cost: about O(cells whose bound is below the
+//! answer), [`MAX_PARTS`] parts for each at most.
 
 use super::checks::direction;
 use super::cone_culling;
@@ -32,7 +38,7 @@ const MAX_PARTS: usize = 4096;
 /// Blocks that are one thread's work, and such works between two reports of progress.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
-/// Blocks of each level that are looked at for a first bound.
+/// Blocks of each level that are searched for a first bound.
 const BLOCKS_FOR_FIRST_BOUND: usize = 16;
 
 /// Where a normal's angle is nearest to a given one.
@@ -74,7 +80,8 @@ struct Candidate {
 }
 
 impl TargetAngle {
-    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be 0, but for `rounding_error`.
+    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be
+    /// 0, but for `rounding_error`.
     fn deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
         if x.abs() <= rounding_error && y.abs() <= rounding_error && z.abs() <= rounding_error {
             return f64::INFINITY;
@@ -114,7 +121,7 @@ impl TargetAngle {
     }
 }
 
-/// True if all components are within the noise.
+/// True if all components are within the rounding error.
 fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
     ranges.iter().all(|&[low, high]| low >= -rounding_error && high <= rounding_error)
 }
@@ -124,7 +131,7 @@ struct Part<const H: usize> {
     normal: [Field<H>; 3],
     from: DVec2,
     size: f64,
-    /// What components of normals may be off by.
+    /// The rounding error of components of normals.
     rounding_error: f64,
     deviation: f64,
 }
@@ -153,7 +160,7 @@ struct NearestAngleSearch<'a, C> {
     goal: TargetAngle,
 }
 
-/// What is asked for on all sheets.
+/// The query, for all sheets.
 struct AngleQuery {
     goal: TargetAngle,
     frame: [DVec3; 3],
@@ -174,7 +181,8 @@ impl AngleQuery {
 }
 
 impl<C> NearestAngleSearch<'_, C> {
-    /// Which blocks may hold something no worse than the best, and than what the most promising of them show.
+    /// The blocks that may hold an angle no worse than the best, and than those found in the most
+    /// promising of them.
     fn blocks<const N: usize>(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>>
     where
         C: Cells<N>,
@@ -333,13 +341,15 @@ impl<const H: usize, const M: usize> Subdivision<Part<H>, 4> for CellSearch<'_, 
 }
 
 impl Surface<'_> {
-    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to pi; to pi / 2 if `unsigned`, a normal and
-    /// its opposite then being the same. Proved to 1e-9, unless the bound says otherwise. `None` if there is no normal at all. The first such
-    /// question builds the cones of normals, O(cells); after that about O(cells that come near to the angle).
+    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to
+    /// pi; to pi / 2 if `unsigned`, a normal and its opposite then being the same. Proved to 1e-9,
+    /// unless the bound says otherwise. `None` if there is no normal at all. The first such
+    /// question builds the cones of normals, O(cells); after that about O(cells that come near to
+    /// the angle).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of range; [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of
+    /// range; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn nearest_angle(
         &self,
         axis: DVec3,

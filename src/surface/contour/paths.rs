@@ -1,4 +1,6 @@
-//! Strands of all sheets as paths: joined across sheets, with points and normals.
+//! Paths of sheets joined: joined across sheets, with points and normals.
+//!
+//! Cost: O(n log n) for n paths of sheets, and O(1) a point.
 
 use super::chain::{ContourPath, ContourPaths, chain};
 use super::lattice::Lattice;
@@ -15,7 +17,7 @@ const CHUNK: usize = 1024;
 /// Such works between two reports of progress.
 const CHUNKS: usize = 64;
 
-/// The strands of sheets, and what could not be resolved.
+/// The paths of sheets, and unresolved places.
 #[derive(Default)]
 pub(super) struct ContourSet {
     pub(super) threads: usize,
@@ -33,7 +35,7 @@ impl ContourSet {
     }
 }
 
-/// The strands of all sheets.
+/// The paths of all sheets.
 struct SheetContours {
     contours: Vec<ContourPath>,
     places: Vec<Place>,
@@ -66,7 +68,8 @@ impl SheetContours {
         Ok(SheetContours { contours, places, points, normals })
     }
 
-    /// Which strands follow each other: open ones whose ends are within `tolerance`, the nearest first come.
+    /// The path that follows each: open ones whose ends are within `tolerance`, the nearest first
+    /// come.
     fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
@@ -102,8 +105,8 @@ impl SheetContours {
         Ok(after)
     }
 
-    /// Adds one path, of strands that follow each other. Points nearer than `tolerance` to the one before are left out; what is no
-    /// larger than a point is unresolved.
+    /// Adds one path, of sheets' paths that follow each other. Points nearer than `tolerance` to
+    /// the one before are left out; what is no larger than a point is unresolved.
     fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
         let steps = || contours.iter().flat_map(|&k| self.contours[k].steps[0]..self.contours[k].steps[1]);
@@ -164,7 +167,7 @@ impl SheetContours {
     }
 }
 
-/// The paths of the strands of all sheets, by level and then by first strand.
+/// The paths of all sheets joined, by level and then by first path.
 pub(super) fn paths(
     surface: &Surface<'_>,
     sheets: &[(usize, ContourPaths)],
@@ -177,7 +180,7 @@ pub(super) fn paths(
     let mut entered = alloc::filled(false, after.len())?;
     after.iter().flatten().for_each(|&k| entered[k] = true);
     let mut used = alloc::filled(false, after.len())?;
-    // Open sequences from their beginnings, then closed ones; by their lowest strands.
+    // Open sequences from their beginnings, then closed ones; by their lowest parts.
     let mut sequences: Vec<(usize, usize)> = Vec::new();
     for k in (0..after.len()).filter(|&k| !entered[k]).chain(0..after.len()) {
         let (mut lowest, mut at) = (k, Some(k));
@@ -216,7 +219,8 @@ pub(super) fn paths(
     Ok(paths)
 }
 
-/// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves, there may be many.
+/// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves,
+/// there may be many.
 fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
@@ -227,8 +231,9 @@ fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     Ok(())
 }
 
-/// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points nearer than the tolerance to others of
-/// their level are the same: those on sides come from both cells.
+/// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points
+/// nearer than the tolerance to others of their level are the same: those on sides come from both
+/// cells.
 pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
     if points.is_empty() {
         return Ok(());

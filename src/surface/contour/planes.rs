@@ -1,4 +1,5 @@
-//! The blocks that a stack of parallel planes crosses: one descent for all planes, with the range of the planes' function over boxes.
+//! The blocks that a stack of parallel planes crosses: one descent for all planes, with the range
+//! of the planes' function over boxes.
 
 use super::source::between;
 use crate::alloc;
@@ -17,7 +18,8 @@ pub struct Planes<'a> {
     pub offsets: &'a [f64],
 }
 
-/// The blocks, row and column, that planes at `offsets` from `point` may cross; `counts`: of blocks in u and in v.
+/// The blocks, row and column, that planes at `offsets` from `point` may cross; `counts`: of blocks
+/// in u and in v.
 pub(super) fn blocks(
     index: &Pyramid,
     counts: [usize; 2],

@@ -1,24 +1,29 @@
-//! The paper's own approximation of a section: the chord between two crossings with lines of the surface, and, of higher order, the curve
-//! through the crossings with the neighbouring lines too.
+//! The paper's own approximation of a section: the chord between two crossings with lines of the
+//! surface, and, of higher order, the curve through the crossings with the neighbouring lines too.
+//!
+//! Cost: O(1) a point.
 
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::surface::{Paths, Surface};
 use glam::DVec3;
 
-/// What is between the points where a curve crosses the lines of the surface.
+/// The points between those where a curve crosses the lines of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum PointSpacing {
-    /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+    /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the
+    /// surface's box.
     #[default]
     Auto,
     /// As many points of the surface as keep the chords within this length.
     Chord(f64),
     /// Nothing: chords, as the paper has them at first. Their order is two.
-    CrossingsOnly,
-    /// As many points of the paper's approximation of higher order: on the cubic through the crossings with the neighbouring lines of
-    /// the surface, two before and two behind, over their chords. These points are near the surface, not on it: of order four where
-    /// crossings are evenly spaced, and less reliable where they cluster. Each has the place of the crossing before it.
+    CellEdges,
+    /// As many points of the paper's approximation of higher order: on the cubic through the
+    /// crossings with the neighbouring lines of the surface, two before and two behind, over their
+    /// chords. These points are near the surface, not on it: of order four where crossings are
+    /// evenly spaced, and less reliable where they cluster. Each has the place of the crossing
+    /// before it.
     Leus(u32),
 }
 
@@ -31,7 +36,7 @@ impl Surface<'_> {
         let [low, high] = self.bounds();
         match spacing {
             PointSpacing::Auto => Ok(Some(1e-4 * low.distance(high))),
-            PointSpacing::CrossingsOnly => Ok(None),
+            PointSpacing::CellEdges => Ok(None),
             PointSpacing::Leus(count) if count <= MAX_POINTS => Ok(None),
             PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
             PointSpacing::Chord(chord) if chord > 0.0 && chord.is_finite() => Ok(Some(chord.max(self.tolerance()))),
@@ -40,7 +45,8 @@ impl Surface<'_> {
     }
 }
 
-/// Adds the points of [`PointSpacing::Leus`] to paths that consist of crossings; other paths stay as they are.
+/// Adds the points of [`PointSpacing::Leus`] to paths that consist of crossings; other paths stay
+/// as they are.
 pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Paths> {
     let count = match spacing {
         PointSpacing::Leus(count) if count > 0 => count as usize,
@@ -79,7 +85,8 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
     Ok(made)
 }
 
-/// The cubic through points i - 1 to i + 2, or as many as there are, over their chords: at part t of the way from point i to the next.
+/// The cubic through points i - 1 to i + 2, or as many as there are, over their chords: at part t
+/// of the way from point i to the next.
 fn cubic(points: &[DVec3], closed: bool, i: usize, t: f64) -> DVec3 {
     let n = points.len();
     let (first, count) = if closed {

@@ -1,4 +1,6 @@
 //! Normals of a sheet, seen along a direction: what is known of a cell's without much work.
+//!
+//! Cost: O(N^2) a cell by its corners or its hodographs; roots as [`roots`].
 
 use super::lattice::Lattice;
 use super::normals::Hodographs;
@@ -27,7 +29,8 @@ pub(super) struct ProjectedNormals<'a, C> {
 pub(super) struct Corners {
     at: [[DVec3; BLOCK + 1]; BLOCK + 1],
     start: [usize; 2],
-    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at most.
+    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at
+    /// most.
     slack: f64,
 }
 
@@ -46,12 +49,13 @@ impl Corners {
 }
 
 impl<C> ProjectedNormals<'_, C> {
-    /// What tells most cells apart without making their patches.
+    /// The corners of a block, which exclude most cells without making their patches.
     ///
-    /// With c the control points of the difference of surface and bilinear patch, S_u differs from a side of the quadrilateral, or from what
-    /// is between two, by n |c_a+1 - c_a| <= 2 n max |c|, n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4
-    /// (L A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its weights, which is nowhere more than 1.42
-    /// L: by 2 deviations at most.
+    /// With c the control points of the difference of surface and bilinear patch, S_u differs from
+    /// a side of the quadrilateral, or from what is between two, by n |c_a+1 - c_a| <= 2 n max |c|,
+    /// n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4 (L A
+    /// + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its
+    /// weights, which is nowhere more than 1.42 L: by 2 deviations at most.
     pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
     where
         C: Cells<N>,
@@ -91,7 +95,8 @@ impl<C> ProjectedNormals<'_, C> {
         Hodographs::new(&self.cells.patch(i, j), &self.frame)
     }
 
-    /// Where in a cell both components across are 0 and the one along may have the given sign: simple roots, and what is unresolved.
+    /// Where in a cell both components across are 0 and the one along may have the given sign:
+    /// simple roots, and what is unresolved.
     pub(super) fn roots<const N: usize, const H: usize>(
         &self,
         corners: &Corners,

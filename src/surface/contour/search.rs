@@ -1,4 +1,8 @@
 //! The arcs of a sheet: block by block, cell by cell, level by level.
+//!
+//! Invariant: a cell is passed over only if its corners, grown by the deviation of the surface from
+//! the bilinear one, exclude the level. Cost: O(1) a cell looked at, O(M^3) a cell that is crossed
+//! and not simple; memory in proportion to the arcs.
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
 use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
@@ -37,7 +41,7 @@ pub(super) struct Arc {
     pub(super) jumps: bool,
 }
 
-/// What was found on a sheet.
+/// The arcs of a sheet.
 #[derive(Debug, Default)]
 pub(super) struct FoundArcs {
     pub(super) arcs: Vec<Arc>,
@@ -57,7 +61,7 @@ impl FoundArcs {
     }
 }
 
-/// What a search of a sheet needs to know.
+/// The search of one sheet.
 pub(super) struct Search<'a, C, S> {
     pub(super) cells: &'a C,
     pub(super) source: &'a S,
@@ -71,7 +75,8 @@ pub(super) struct Search<'a, C, S> {
 struct Workspace {
     marks: Vec<Mark>,
     links: Vec<Link>,
-    /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of the polynomials along sides.
+    /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of
+    /// the polynomials along sides.
     open: Vec<(u32, u8, u8)>,
     sides: Vec<[f64; 4]>,
     roots: Vec<f64>,
@@ -177,7 +182,8 @@ impl<C, S> Search<'_, C, S> {
                 let rounding_error = self.source.rounding_error(&base);
                 let field = snapped(self.source.field(&base, level), rounding_error);
                 let [low, high] = field.range();
-                // With rounding: where sides are alike only, a neighbour's may have marks that this cell's own have not.
+                // With rounding: where sides are alike only, a neighbour's may have marks that this
+                // cell's own have not.
                 if low > rounding_error || high < -rounding_error {
                     continue;
                 }
@@ -200,7 +206,8 @@ impl<C, S> Search<'_, C, S> {
         Ok(())
     }
 
-    /// The arcs of a cell, if it is simple for all levels, and these need no points between; else false, and nothing is done.
+    /// The arcs of a cell, if it is simple for all levels, and these need no points between; else
+    /// false, and nothing is done.
     #[inline]
     fn crossing_by_corners<const N: usize, const M: usize>(
         &self,
@@ -243,7 +250,8 @@ impl<C, S> Search<'_, C, S> {
         Ok(true)
     }
 
-    /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field being as steep as `slope` at least.
+    /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field
+    /// being as steep as `slope` at least.
     #[inline]
     fn is_straight<const N: usize, const M: usize>(
         &self,
@@ -292,7 +300,8 @@ impl<C, S> Search<'_, C, S> {
         alloc::push(&mut found.arcs, Arc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false })
     }
 
-    /// The polynomials along a cell's sides and the signs at its corners, as the cells have them that own them.
+    /// The polynomials along a cell's sides and the signs at its corners, as the cells have them
+    /// that own them.
     fn common_border<const M: usize>(
         &self,
         block: &S::Block,
@@ -412,8 +421,8 @@ impl<C, S> Search<'_, C, S> {
     }
 }
 
-/// What cannot be told from 0 is 0: so what lies in a plane within rounding lies in it, and is no heap of tiny curves. The same
-/// coefficients stay the same.
+/// Sets values within rounding of 0 to 0: a piece that lies in a plane to rounding then lies in it,
+/// and gives no tiny curves. Equal coefficients stay equal.
 #[inline]
 fn snapped<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
     Field { c: field.c.map(|row| row.map(|x| snap(x, rounding_error))) }

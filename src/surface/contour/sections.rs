@@ -1,6 +1,8 @@
-//! Sections by parallel planes, and contours of scalar fields that are given at the corners of cells.
+//! Sections by parallel planes, and contours of scalar fields that are given at the corners of
+//! cells.
 //!
-//! Both are zero sets of a scalar that is interpolated as the surface is: of a plane, of its distance. See [`super::search`].
+//! Both are zero sets of a scalar that is interpolated as the surface is: of a plane, of its
+//! distance. See [`super::search`].
 
 use super::checks::{direction, finite, rising};
 use super::lattice::Lattice;
@@ -16,17 +18,19 @@ use crate::surface::cells::BLOCK;
 use crate::surface::{Paths, Sheet, Surface, each_sheet};
 
 impl Surface<'_> {
-    /// Where parallel planes cut the surface: curves in the order of the planes (`levels` of the paths) and of their lowest cells. They run
-    /// along the cross product of the planes' normal and the surface's.
+    /// Where parallel planes cut the surface: curves in the order of the planes (`levels` of the
+    /// paths) and of their lowest cells. They run along the cross product of the planes' normal and
+    /// the surface's.
     ///
-    /// Every curve is found, also one within a cell; on a closed surface all are closed. A plane that passes through a corner is taken as
-    /// infinitely little below it. Where the plane touches the surface or contains a piece of it, so that curves cannot be told within
-    /// rounding, the cells are listed as unresolved; a curve no larger than the tolerance too. Open ends of sheets that meet within
-    /// the tolerance are joined.
+    /// Every curve is found, also one within a cell; on a closed surface all are closed. A plane
+    /// that passes through a corner is taken as infinitely little below it. Where the plane touches
+    /// the surface or contains a piece of it, so that curves cannot be told within rounding, the
+    /// cells are listed as unresolved; a curve no larger than the tolerance too. Open ends of
+    /// sheets that meet within the tolerance are joined.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for planes that are not finite, have no normal, or do not rise; and as [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for planes that are not finite, have no normal, or do not rise;
+    /// and as [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn section(&self, planes: &Planes<'_>, spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
         let normal = direction(planes.normal, "normal")?;
         finite(planes.point, "point")?;
@@ -47,7 +51,8 @@ impl Surface<'_> {
                     let axes = grid.axes();
                     let value = |i: usize, j: usize| (grid.nodes().get(i, j) - planes.point).dot(normal);
                     let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
-                    // The normal is a unit vector: what the surface deviates by, its product with the normal does at most.
+                    // The normal is a unit vector: what the surface deviates by, its product with
+                    // the normal does at most.
                     let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + rounding_error;
                     let source = Nodal { axes, value, levels: planes.offsets, rounding_error, excess, deviation };
                     Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
@@ -66,16 +71,19 @@ impl Surface<'_> {
         add_leus_points(paths(self, &contours.sheets, contours.unresolved, &job.part(0.9, 1.0))?, spacing)
     }
 
-    /// The contours of a scalar field that is given at the corners of the cells: where it takes the values of `levels`, which rise. Between
-    /// corners it is interpolated as a sheet through nodes is; for patches, with the scheme of six taps. Greater values are to the left of
-    /// the curves, seen from where the normals point to.
+    /// The contours of a scalar field that is given at the corners of the cells: where it takes the
+    /// values of `levels`, which rise. Between corners it is interpolated as a sheet through nodes
+    /// is; for patches, with the scheme of six taps. Greater values are to the left of the curves,
+    /// seen from where the normals point to.
     ///
-    /// `values`: of all sheets, one after the other, each row after row: one more row and column than there are cells; the last line of a
-    /// closed direction repeats the first and is not read. For the rest, as [`Surface::section`].
+    /// `values`: of all sheets, one after the other, each row after row: one more row and column
+    /// than there are cells; the last line of a closed direction repeats the first and is not read.
+    /// For the rest, as [`Surface::section`].
     ///
     /// # Errors
-    /// [`Error::ArrayTooShort`], or [`Error::TooLarge`] if there are too many; [`Error::NotFinite`] with the number of the value;
-    /// [`Error::OptionOutOfRange`] for levels that are not finite or do not rise; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::ArrayTooShort`], or [`Error::TooLarge`] if there are too many; [`Error::NotFinite`]
+    /// with the number of the value; [`Error::OptionOutOfRange`] for levels that are not finite or
+    /// do not rise; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn contours(&self, values: &[f64], levels: &[f64], spacing: PointSpacing, job: &Job<'_>) -> Result<Paths> {
         rising(levels, "levels")?;
         let chord = self.chord(spacing)?;

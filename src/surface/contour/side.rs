@@ -1,14 +1,15 @@
 //! Where a polynomial in Bernstein form changes its sign between 0 and 1.
 //!
-//! Values of 0 count as positive, as if an infinitely small number were added to the polynomial: then no coefficient is 0, and Descartes'
-//! rule in Bernstein form (Farouki and Rajan 1987) is exact: no change of sign among the coefficients, no root; one change, one simple
-//! root; otherwise the interval is halved. What is found fits the signs at the ends in any case, rounding or not: whoever relies on
-//! parity may.
+//! Values of 0 count as positive, as if an infinitely small number were added to the polynomial:
+//! then no coefficient is 0, and Descartes' rule in Bernstein form (Farouki and Rajan 1987) is
+//! exact: no change of sign among the coefficients, no root; one change, one simple root; otherwise
+//! the interval is halved. What is found fits the signs at the ends in any case, rounding or not:
+//! whoever relies on parity may.
 
-use crate::surface::subdivision::polynomial;
+use crate::geom::bernstein::{bisect, sign_changes, value_and_slope_by_differences as value_and_slope};
 
-/// Halvings of the interval: what is nearer to each other is one root, or none.
-const DEPTH: u32 = 44;
+/// Intervals of this length are not halved: roots nearer to each other are one, or none.
+const MIN_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
 
 /// A change of sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,59 +25,47 @@ pub(super) fn positive(value: f64) -> bool {
     value >= 0.0
 }
 
-/// The changes of sign by rising t. `ends`: whether the ends count as positive; where the polynomial has another sign there, it changes
-/// at the end itself.
+/// The changes of sign by rising t. `ends`: whether the ends count as positive; where the
+/// polynomial has another sign there, it changes at the end itself.
 #[inline]
 pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(Crossing)) {
     let [start, end] = [positive(c[0]), positive(c[M - 1])];
     if start != ends[0] {
         found(Crossing { t: 0.0, rising: start });
     }
-    isolate(c, 0.0, 1.0, DEPTH, &mut found);
+    isolate(c, &mut found);
     if end != ends[1] {
         found(Crossing { t: 1.0, rising: ends[1] });
     }
 }
 
-/// The changes of sign of a part, which reaches from `from` to `to`.
-fn isolate<const M: usize>(c: &[f64; M], from: f64, to: f64, depth: u32, found: &mut impl FnMut(Crossing)) {
-    let changes = (1..M).filter(|&k| positive(c[k]) != positive(c[k - 1])).count();
-    if changes == 0 {
-        return;
-    }
-    if changes == 1 {
-        let t = bracketed(c, [0.0, 1.0]);
-        return found(Crossing { t: from + (to - from) * t, rising: positive(c[M - 1]) });
-    }
-    if depth == 0 {
-        if positive(c[0]) != positive(c[M - 1]) {
-            found(Crossing { t: 0.5 * (from + to), rising: positive(c[M - 1]) });
+/// The changes of sign inside.
+#[inline]
+fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(Crossing)) {
+    bisect(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
+        let rising = positive(c[M - 1]);
+        match sign_changes(c.iter().map(|&x| positive(x))) {
+            0 => return false,
+            1 => found(Crossing { t: from + (to - from) * bracketed(c, [0.0, 1.0]), rising }),
+            _ if to - from > MIN_INTERVAL => return true,
+            _ if positive(c[0]) != rising => found(Crossing { t: 0.5 * (from + to), rising }),
+            _ => {}
         }
-        return;
-    }
-    let (mut low, mut high) = (*c, *c);
-    for (k, coefficient) in low.iter_mut().enumerate().skip(1) {
-        for a in 0..M - k {
-            high[a] = 0.5 * (high[a] + high[a + 1]);
-        }
-        *coefficient = high[0];
-    }
-    let middle = 0.5 * (from + to);
-    isolate(&low, from, middle, depth - 1, found);
-    isolate(&high, middle, to, depth - 1, found);
+        false
+    });
 }
 
 /// How near to the ends the first guess of a root may be, in parts of the interval.
-const EDGE: f64 = 1.0 / 1024.0;
+const MIN_SHARE: f64 = 1.0 / 1024.0;
 
-/// A root between `from` and `to`, where the polynomial has different signs and changes its sign once: Newton's method, kept between by
-/// halving.
+/// A root between `from` and `to`, where the polynomial has different signs and changes its sign
+/// once: Newton's method, kept between by halving.
 ///
-/// A value of 0 at an end counts as positive. If the polynomial is positive next to it, the sign changes elsewhere: neither a secant nor a
-/// tangent may end there.
+/// A value of 0 at an end counts as positive. If the polynomial is positive next to it, the sign
+/// changes elsewhere: neither a secant nor a tangent may end there.
 #[inline]
 pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> f64 {
-    let ([start, first], [end, last]) = (polynomial(c, low), polynomial(c, high));
+    let ([start, first], [end, last]) = (value_and_slope(c, low), value_and_slope(c, high));
     let rising = positive(end);
     if positive(start) == rising {
         // Nothing to bracket but rounding: whoever calls judges the value.
@@ -90,9 +79,9 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
         return high;
     }
     let (mut from, mut to) = (low, high);
-    let mut t = from + (to - from) * (start / (start - end)).clamp(EDGE, 1.0 - EDGE);
+    let mut t = from + (to - from) * (start / (start - end)).clamp(MIN_SHARE, 1.0 - MIN_SHARE);
     for _ in 0..100 {
-        let [value, slope] = polynomial(c, t);
+        let [value, slope] = value_and_slope(c, t);
         if positive(value) == rising {
             to = t;
         } else {
@@ -140,9 +129,9 @@ mod tests {
         assert_eq!(found([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
         // 0 at an end of what is positive there, and changes its sign elsewhere.
         let [inner] = found([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
-        assert!(inner.rising && inner.t < 0.9 && polynomial(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
+        assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
         let [inner] = found([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
-        assert!(!inner.rising && inner.t > 0.1 && polynomial(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
+        assert!(!inner.rising && inner.t > 0.1 && value_and_slope(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
         // A double root, touched from above and from below.
         assert!(found([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
         assert!(found([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());

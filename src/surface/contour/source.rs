@@ -19,9 +19,9 @@ pub(super) enum Continuity {
 
 /// A field over each cell, for a number of levels.
 pub(super) trait Source<const M: usize>: Sync {
-    /// What the cells of a block have in common.
+    /// The data that the cells of a block share.
     type Block;
-    /// What the levels of a cell have in common.
+    /// The data that the levels of a cell share.
     type Base;
     /// Cache for the work on blocks, one after the other.
     type Cache: Default;
@@ -34,19 +34,20 @@ pub(super) trait Source<const M: usize>: Sync {
         true
     }
 
-    /// What the corners alone tell of a cell, if that is much.
+    /// The test of a cell by its corners alone, where they bound the field closely.
     #[inline]
     fn corner_test(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<CornerTest> {
         None
     }
 
-    /// Of sources that have glances: the coefficients of the field along a side, to the bit those that the cell's field has.
+    /// Of sources that have glances: the coefficients of the field along a side, to the bit those
+    /// that the cell's field has.
     #[inline]
     fn along(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
     }
 
-    /// What a level subtracts.
+    /// The value that a level subtracts.
     #[inline]
     fn level(&self, _level: usize) -> f64 {
         0.0
@@ -64,12 +65,14 @@ pub(super) trait Source<const M: usize>: Sync {
     /// The field whose zero set is one level's.
     fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
 
-    /// False if an arc of the zero set of a cell's field, three places of which are given, is not of the level; `None` if it is in part only.
+    /// False if an arc of the zero set of a cell's field, three places of which are given, is not
+    /// of the level; `None` if it is in part only.
     fn keeps(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         Some(true)
     }
 
-    /// How far the surface over a cell of the block, and the field too, may be from the bilinear ones through the cell's corners.
+    /// How far the surface over a cell of the block, and the field too, may be from the bilinear
+    /// ones through the cell's corners.
     fn deviation(&self, _block: &Self::Block) -> f64 {
         f64::INFINITY
     }
@@ -93,7 +96,7 @@ pub(super) struct CornerTest {
     pub(super) rounding_error: f64,
 }
 
-/// The levels, which rise, from `low` to `high`, with some play.
+/// The levels, which rise, from `low` to `high`, with some slack.
 #[inline]
 pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
     if let &[level] = levels {
@@ -149,7 +152,7 @@ impl Window {
                 *at = value(i, j);
             }
         }
-        // What is not there repeats what is.
+        // Missing values repeat the last ones.
         for values in &mut window.values[..counts[0]] {
             let last = values[counts[1] - 1];
             values[counts[1]..].fill(last);
@@ -165,7 +168,8 @@ impl Window {
         all.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)])
     }
 
-    /// The field over a cell. Along the rows first, then across: the coefficients of a common side have the same bits in both cells.
+    /// The field over a cell. Along the rows first, then across: the coefficients of a common side
+    /// have the same bits in both cells.
     #[inline]
     fn field(&self, [i, j]: [usize; 2]) -> Field<4> {
         let (r, c) = (i - self.start[0], j - self.start[1]);
@@ -199,7 +203,8 @@ pub(super) struct Nodes {
     deviation: f64,
 }
 
-/// A window, made when a cell of a block needs more than its corners, and the first cell of that block.
+/// A window, made when a cell of a block needs more than its corners, and the first cell of that
+/// block.
 #[derive(Default)]
 pub(super) struct CachedWindow(Option<([usize; 2], Window)>);
 
@@ -238,9 +243,11 @@ pub(super) struct Nodal<'a, F, D> {
     pub(super) value: F,
     pub(super) levels: &'a [f64],
     pub(super) rounding_error: f64,
-    /// How far values of cells may be outside those of their nodes, in parts of the half range: |w| sums to at most 1 + `excess`.
+    /// How far values of cells may be outside those of their nodes, in parts of the half range: |w|
+    /// sums to at most 1 + `excess`.
     pub(super) excess: f64,
-    /// By the first cell of a block: how far the field over its cells may be from the ranges of their corners.
+    /// By the first cell of a block: how far the field over its cells may be from the ranges of
+    /// their corners.
     pub(super) deviation: D,
 }
 
@@ -276,7 +283,8 @@ where
         !between(self.levels, block.near(cell), self.rounding_error).is_empty()
     }
 
-    /// A control point of the surface may be 2 deviations from that of the bilinear patch: see `projected_normals`.
+    /// A control point of the surface may be 2 deviations from that of the bilinear patch: see
+    /// `projected_normals`.
     #[inline]
     fn corner_test(&self, block: &Nodes, cell: [usize; 2]) -> Option<CornerTest> {
         block.deviation.is_finite().then(|| CornerTest {

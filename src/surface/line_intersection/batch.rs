@@ -28,10 +28,12 @@ impl Lines {
 }
 
 impl Surface<'_> {
-    /// Where many lines meet the surface, on the job's threads: for each the same hits as [`Surface::line`] gives.
+    /// Where many lines meet the surface, on the job's threads: for each the same hits as
+    /// [`Surface::line`] gives.
     ///
     /// # Errors
-    /// [`Error::BadLine`] with the first line that is not finite or has no direction, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::BadLine`] with the first line that is not finite or has no direction,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
         let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
         all.ends.push(0);

@@ -1,7 +1,8 @@
-//! Where a curve meets the surface.
+//! Common points of a curve and the surface.
 //!
-//! Parts of the curve go down the index together with blocks of cells: of the two the larger is divided, and what is apart is dropped. What
-//! a part of the curve and a cell have in common, `solve` finds with proof.
+//! Parts of the curve go down the index together with blocks of cells: of the two the larger is
+//! divided, and pairs that are apart are dropped. What a part of the curve and a cell have in
+//! common, `solve` finds with proof.
 
 use super::curve_search::{CurveFind, CurveSolver, Part, Search};
 use super::hits::MAX_POINT_LENGTH;
@@ -9,6 +10,7 @@ use super::line::{HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::elevate;
 use crate::job::Job;
 use crate::outline::{CurveView, Place as CurvePlace};
 use crate::par;
@@ -21,7 +23,8 @@ use std::cmp::Ordering;
 pub struct CurveHit {
     /// Where on the curve.
     pub at: CurvePlace,
-    /// From where to where the curve cannot be told from the surface, within the tolerance: twice the same where it passes through.
+    /// From where to where the curve cannot be told from the surface, within the tolerance: twice
+    /// the same where it passes through.
     pub span: [CurvePlace; 2],
     /// Where on the surface.
     pub place: Place,
@@ -31,7 +34,8 @@ pub struct CurveHit {
     pub normal: DVec3,
     /// True if the curve touches the surface there, or nearly, or runs in it.
     pub tangent: bool,
-    /// How often the hit counts: 1 where the curve passes through, 2 where it touches, 0 where it runs in the surface.
+    /// How often the hit counts: 1 where the curve passes through, 2 where it touches, 0 where it
+    /// runs in the surface.
     pub multiplicity: u32,
 }
 
@@ -45,13 +49,15 @@ const SAME_PARAMETER: f64 = 1e-6;
 impl Surface<'_> {
     /// Where a curve meets the surface, in the order of the curve.
     ///
-    /// A point at a joint of segments, on a side between cells or sheets, or at a pole is found once. None is missed: where touching or
-    /// coincidence cannot be resolved, a hit is given for each such spot and marked tangent. About O(log cells) for each cell that the curve
-    /// comes near to; bounded for each cell and segment that run in each other. The segments are shared out to the job's threads.
+    /// A point at a joint of segments, on a side between cells or sheets, or at a pole is found
+    /// once. None is missed: where touching or coincidence cannot be resolved, a hit is given for
+    /// each such place and marked tangent. About O(log cells) for each cell that the curve comes
+    /// near to; bounded for each cell and segment that run in each other. The segments are shared
+    /// out to the job's threads.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150, [`Error::EmptyCurve`], [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150,
+    /// [`Error::EmptyCurve`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn curve(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveHit>> {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
@@ -66,7 +72,7 @@ impl Surface<'_> {
         let finds = self.finds(curve, selection, job)?;
         let mut hits = self.hits(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
-            // What belongs to the spot may go on.
+            // The unresolved part may go on in later segments.
             hits = self.hits(curve, self.finds(curve, HitSelection::All, job)?)?;
         }
         if selection != HitSelection::All {
@@ -207,7 +213,8 @@ fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
 }
 
-/// Makes one of the spots that overlap along the curve: where it runs on, of the first; else of the nearest.
+/// Merges unresolved finds that overlap along the curve: the first where it runs on, else the
+/// nearest.
 fn merge_overlapping(finds: &mut Vec<CurveFind>, reach: f64) {
     let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
     finds.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
@@ -234,7 +241,7 @@ fn merge_overlapping(finds: &mut Vec<CurveFind>, reach: f64) {
     finds.truncate(kept);
 }
 
-/// True if a spot begins where another is, or ends.
+/// True if an unresolved find begins where another is, or ends.
 fn runs_on(spot: &CurveFind, next: &CurveFind, reach: f64) -> bool {
     let near = next.span[0] - spot.span[1] <= 1e-3 && spot.ends[1].distance(next.ends[0]) <= 2.0 * reach;
     next.span[0] <= spot.span[1] || near
@@ -249,16 +256,11 @@ fn is_same(a: &CurveFind, b: &CurveFind, reach: f64) -> bool {
 pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
     let mut points = [DVec3::ZERO; M];
     points[..controls.len()].copy_from_slice(controls);
-    for n in controls.len()..M {
-        points[n] = points[n - 1];
-        for k in (1..n).rev() {
-            points[k] = points[k].lerp(points[k - 1], k as f64 / n as f64);
-        }
-    }
+    elevate(&mut points, controls.len() - 1);
     points
 }
 
-/// What one thread finds.
+/// The finds of one thread.
 #[derive(Default)]
 struct Finder {
     lines: Workspace,

@@ -4,10 +4,11 @@ use super::search::MAX_RELATIVE_ROUNDING;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::aabb::Aabb;
+use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::Place;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::Pyramid;
-use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings, halved};
+use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings};
 use glam::{DVec2, DVec3};
 
 /// A hit as one cell has it.
@@ -29,7 +30,7 @@ pub(super) struct CurveFind {
     pub(super) touches: bool,
 }
 
-/// What the cells of a segment need again and again.
+/// Memory for the cells of a segment, used again and again.
 pub(super) struct CurveSolver<const M: usize, const N: usize> {
     workspace: CurveWorkspace<M, N>,
     found: Crossings,
@@ -73,7 +74,8 @@ struct Entry<const M: usize> {
     column: usize,
 }
 
-/// Parts below this size are not halved: even of curves 1e20 times as long as the surface, they are short.
+/// Parts below this size are not halved: even of curves 1e20 times as long as the surface, they are
+/// short.
 const MIN_PART_SIZE: f64 = 1e-30;
 
 /// The search of a sheet for a segment.
@@ -111,7 +113,7 @@ impl<C> Search<'_, C> {
             let Entry { part, diagonal, level, row, column } = entry;
             let bounds = part.bounds().inflated(rounding_error);
             if bounds.low.distance(bounds.high) > 2.0 * diagonal && part.size > MIN_PART_SIZE {
-                for (half, points) in halved(&part.points).into_iter().enumerate() {
+                for (half, points) in halves(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
                     let part = Part { points, size, from: part.from + half as f64 * size };
                     let near = if level == levels.len() {
@@ -210,7 +212,7 @@ impl<C> Search<'_, C> {
             (at.x, span, DVec2::new(at.y, at.z), true)
         });
         for (t, span, at, tangent) in simple.chain(unresolved) {
-            let ends = span.map(|t| part.point(t) + origin);
+            let ends = span.map(|t| evaluate(&part.points, t) + origin);
             let find = CurveFind {
                 at: along(t),
                 span: span.map(along),
@@ -218,7 +220,7 @@ impl<C> Search<'_, C> {
                 length: ends[0].distance(ends[1]),
                 place: Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y },
                 point: patch.point(at.x, at.y),
-                gap: part.point(t).distance(local.point(at.x, at.y)),
+                gap: evaluate(&part.points, t).distance(local.point(at.x, at.y)),
                 tangent,
                 runs_inside: false,
                 touches: false,
@@ -226,15 +228,5 @@ impl<C> Search<'_, C> {
             alloc::push(finds, find)?;
         }
         Ok(())
-    }
-}
-
-impl<const M: usize> Part<M> {
-    fn point(&self, t: f64) -> DVec3 {
-        let mut solver = self.points;
-        for count in (1..M).rev() {
-            (0..count).for_each(|k| solver[k] = solver[k].lerp(solver[k + 1], t));
-        }
-        solver[0]
     }
 }

@@ -1,4 +1,5 @@
-//! What becomes of hits when those of all cells are known: each is one, and says what kind it is.
+//! Hits of all cells merged: each counts once, and is classified as a passage, a touch or a run
+//! inside the surface.
 
 use super::line::{Hit, Line};
 use super::search::rounding_error;
@@ -6,8 +7,8 @@ use crate::surface::{Place, Surface};
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// A spot that is no longer than so many times the least distance is no touch, which takes the root of it: there the parameters are not
-/// regular, as at a pole.
+/// An unresolved hit that is no longer than so many times the least distance is no touch, which
+/// takes the root of it: there the parameters are not regular, as at a pole.
 pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 
 impl Surface<'_> {
@@ -17,15 +18,17 @@ impl Surface<'_> {
         self.tolerance().max(1e-12 * low.distance(high))
     }
 
-    /// A line that touches a surface is within the tolerance e of it for sqrt(8 R e), with R the radius of curvature: where it is for
-    /// longer than several times that for the size of the whole surface, it runs in it.
+    /// A line that touches a surface is within the tolerance e of it for sqrt(8 R e), with R the
+    /// radius of curvature: where it is for longer than several times that for the size of the
+    /// whole surface, it runs in it.
     pub(super) fn longest_touch(&self) -> f64 {
         let [low, high] = self.bounds();
         8.0 * (self.apart() * low.distance(high)).sqrt()
     }
 
-    /// True if a direction is not along the surface next to a place, away from the sides of its cell: what could not be resolved there is
-    /// no touch but a place where the parameters are not regular, a pole.
+    /// True if a direction is not along the surface next to a place, away from the sides of its
+    /// cell: what could not be resolved there is no touch but a place where the parameters are not
+    /// regular, a pole.
     pub(super) fn passes(&self, place: Place, direction: DVec3) -> bool {
         if !self.is_regular(place) {
             return self.normal(place).dot(direction).abs() > 1e-4;
@@ -35,7 +38,8 @@ impl Surface<'_> {
         self.normal(near).dot(direction).abs() > 1e-2
     }
 
-    /// Makes one hit of those that neighbouring cells have found, tells touching from passing and from running in the surface, and sorts.
+    /// Makes one hit of those that neighbouring cells have found, tells touching from passing and
+    /// from running in the surface, and sorts.
     pub(super) fn merge_hits(&self, line: &Line, hits: &mut Vec<Hit>) {
         for hit in hits.iter_mut().filter(|hit| hit.normal == DVec3::ZERO) {
             hit.normal = self.normal(hit.place);
@@ -45,12 +49,12 @@ impl Surface<'_> {
         }
         hits.sort_unstable_by(in_order);
         let slack = LineRounding::new(self, line);
-        // What else is the same as a hit that is kept.
+        // Duplicates, each with the hit that stands for it.
         let mut others: Vec<(usize, Hit)> = Vec::new();
         let mut kept: usize = 0;
         for k in 0..hits.len() {
             let hit = hits[k];
-            // What is the same is next to each other along the line.
+            // Duplicates follow each other along the line.
             let same = hits[..kept]
                 .iter()
                 .rposition(|other| (hit.t - other.t) * slack.length > slack.farthest())
@@ -99,7 +103,7 @@ impl Surface<'_> {
         a.point.distance(b.point) <= reach && near(a.place) && near(b.place)
     }
 
-    /// Makes one of the spots that overlap along the line. What is simple comes first then.
+    /// Merges unresolved hits that overlap along the line. Simple ones come first then.
     fn merge_overlapping(&self, line: &Line, hits: &mut Vec<Hit>) {
         let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
         hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
@@ -156,7 +160,7 @@ fn is_near_side(place: Place, slack: f64) -> bool {
     near(place.u) || near(place.v)
 }
 
-/// What rounding may do to hits of a line.
+/// Bounds of the effect of rounding on hits of a line.
 struct LineRounding {
     along: DVec3,
     /// Of the line's direction.
@@ -165,7 +169,8 @@ struct LineRounding {
     rounding_error: f64,
     size: f64,
     apart: f64,
-    /// Lines that are not as steep as that may be off by the noise and meet the surface or not.
+    /// Lines that are not as steep as that may be off by the rounding error and meet the surface or
+    /// not.
     floor: f64,
 }
 
@@ -191,7 +196,8 @@ impl LineRounding {
         a.normal.dot(self.along) * b.normal.dot(self.along) < 0.0
     }
 
-    /// How far apart one point may be found, where the line meets the surface at an angle of this sine.
+    /// How far apart one point may be found, where the line meets the surface at an angle of this
+    /// sine.
     fn rounding(&self, sine: f64) -> f64 {
         self.rounding_error / sine.max(self.floor)
     }

@@ -70,7 +70,8 @@ impl Line {
 pub struct Hit {
     /// Where on the line.
     pub t: f64,
-    /// From where to where the line cannot be told from the surface, within the tolerance: [t, t] where it passes through.
+    /// From where to where the line cannot be told from the surface, within the tolerance: [t, t]
+    /// where it passes through.
     pub span: [f64; 2],
     /// Where on the surface.
     pub place: Place,
@@ -78,10 +79,11 @@ pub struct Hit {
     pub point: DVec3,
     /// The unit normal there, or its limit at a pole; 0 if there is none.
     pub normal: DVec3,
-    /// True if the line touches the surface there, or nearly, or runs in it: it may be one point, two close to each other, none, or all
-    /// of the span.
+    /// True if the line touches the surface there, or nearly, or runs in it: it may be one point,
+    /// two close to each other, none, or all of the span.
     pub tangent: bool,
-    /// How often the hit counts: 1 where the line passes through, 2 where it touches, 0 where it runs in the surface.
+    /// How often the hit counts: 1 where the line passes through, 2 where it touches, 0 where it
+    /// runs in the surface.
     pub multiplicity: u32,
 }
 

@@ -1,14 +1,16 @@
 //! Task c) of the paper: common points of a line, or of a curve, and a surface.
 //!
-//! * `line`: lines and their hits. `search`: descent of the index for a line; over a cell its points are the common
-//!   roots of two fields, the distances from two planes through it, of which none is missed
-//!   ([`roots`](crate::surface::subdivision::roots)). `hits`: one hit of those that several cells find. `batch`: many lines.
-//! * `curve`, `curve_search`: the same for curves. Lines that touch the surface or run in it are taken as curves too, whose
-//!   parameter tells from where to where they do.
+//! * `line`: lines and their hits. `search`: descent of the index for a line; over a cell its
+//!   points are the common roots of two fields, the distances from two planes through it, of which
+//!   none is missed ([`roots`](crate::surface::subdivision::roots)). `hits`: one hit of those that
+//!   several cells find. `batch`: many lines.
+//! * `curve`, `curve_search`: the same for curves. Lines that touch the surface or run in it are
+//!   taken as curves too, whose parameter tells from where to where they do.
 //! * `winding`: whether a line passes through the surface where tangents jump.
 //!
-//! Invariant: a box or cell is passed over only where bounds, grown by rounding, exclude it, so no hit is missed.
-//! Cost: about O(log cells) and O(1) a hit; bounded for each cell that a line runs in.
+//! Invariant: a box or cell is passed over only where bounds, grown by rounding, exclude it, so no
+//! hit is missed. Cost: about O(log cells) and O(1) a hit; bounded for each cell that a line runs
+//! in.
 
 mod batch;
 mod curve;
@@ -33,9 +35,10 @@ use search::{Workspace, search};
 impl Surface<'_> {
     /// Where a line meets the surface, by rising t.
     ///
-    /// A point on a side between cells, on a side that sheets share, or at a pole is found once. None is missed: where touching or
-    /// coincidence cannot be resolved, a hit is given for each such spot and marked tangent. About O(log cells) and O(1) a hit; bounded for
-    /// each cell that a line runs in.
+    /// A point on a side between cells, on a side that sheets share, or at a pole is found once.
+    /// None is missed: where touching or coincidence cannot be resolved, a hit is given for each
+    /// such place and marked tangent. About O(log cells) and O(1) a hit; bounded for each cell that
+    /// a line runs in.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction.
@@ -58,7 +61,7 @@ impl Surface<'_> {
         }
         self.merge_hits(line, &mut workspace.hits);
         if selection == HitSelection::First && workspace.hits.first().is_some_and(|hit| hit.tangent) {
-            // What belongs to the spot may begin beyond it.
+            // The unresolved part may begin beyond it.
             self.find_hits(line, HitSelection::All, workspace)?;
         }
         if selection != HitSelection::All {
@@ -69,11 +72,13 @@ impl Surface<'_> {
 }
 
 impl Line {
-    /// Where a curve in space comes as near to the line as `within`: as [`CurveView::approaches`] for the curve, with places on the line as the
-    /// second ones: segment 0, and the line's parameter as t.
+    /// Where a curve in space comes as near to the line as `within`: as [`CurveView::approaches`]
+    /// for the curve, with places on the line as the second ones: segment 0, and the line's
+    /// parameter as t.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, and those of curves.
+    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, and those of
+    /// curves.
     pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check()?;
         if !(within >= 0.0 && within.is_finite()) {

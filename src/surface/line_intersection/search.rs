@@ -10,7 +10,7 @@ use crate::surface::subdivision::{Crossings, CurveWorkspace, Roots, crossings, s
 use crate::surface::{Patch, Place};
 use glam::{DVec2, DVec3};
 
-/// What searches need again and again, for patches of degree N - 1.
+/// Memory for searches of patches of degree N - 1, used again and again.
 pub(super) struct Solver<const N: usize> {
     roots: Roots<N>,
     workspace: CurveWorkspace<2, N>,
@@ -48,11 +48,12 @@ impl Solve<8> for Workspace {
     }
 }
 
-/// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a hit: a line from so far away is taken from its
-/// foot on, as that is rounded.
+/// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a
+/// hit: a line from so far away is taken from its foot on, as that is rounded.
 pub(super) const MAX_RELATIVE_ROUNDING: f64 = 1e-6;
 
-/// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's origin.
+/// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's
+/// origin.
 struct Ray {
     line: Line,
     /// The foot, relative to the index's origin, and in space.
@@ -106,7 +107,7 @@ pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]
     (8.0 * f64::EPSILON * reach).min(MAX_RELATIVE_ROUNDING * low.distance(high))
 }
 
-/// A block to be looked at: where the line enters it, and where it is.
+/// A block that waits: where the line enters it, and where it is.
 #[derive(Debug, Clone, Copy, Default)]
 struct Entry {
     enters: f64,
@@ -115,10 +116,12 @@ struct Entry {
     column: u32,
 }
 
-/// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most 30 levels.
+/// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most
+/// 30 levels.
 const MAX_STACK: usize = 3 * 30 + 4;
 
-/// Adds the hits of one sheet. Of all, every cell's; else those up to the first, and what may be one with it.
+/// Adds the hits of one sheet. Of all, every cell's; else those up to the first, and what may be
+/// one with it.
 pub(super) fn search<const N: usize>(
     cells: &impl Cells<N>,
     index: &Pyramid,
@@ -191,7 +194,7 @@ pub(super) fn search<const N: usize>(
     Ok(())
 }
 
-/// What the search of a block needs.
+/// The search of a block.
 struct Leaf<'a, C, const N: usize> {
     cells: &'a C,
     index: &'a Pyramid,
@@ -288,14 +291,14 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         }
         let t = t.clamp(ray.line.from, ray.line.to);
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
-        // What is said to be a root but is not on the line was not resolved, as in cells a million times as long as wide.
+        // A root that is off the line is unresolved, as in cells a million times as long as wide.
         let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
         let is_off = miss > self.tolerance.max(4.0 * ray.rounding_error);
         let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
         let tangent = span.is_some();
         let hit = Hit {
             t,
-            // What is nearest to the line may be beyond, by the tolerance.
+            // The nearest place may lie beyond, by the tolerance.
             span: span
                 .map_or([t; 2], |[low, high]| [low.min(t), high.max(t)].map(|t| t.clamp(ray.line.from, ray.line.to))),
             place,
@@ -309,7 +312,8 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     }
 }
 
-/// False if the origin is farther than `by` from the hull of four points, as one of the lines through two of them shows.
+/// False if the origin is farther than `by` from the hull of four points, as one of the lines
+/// through two of them shows.
 #[inline(always)]
 fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
     let [a, b, c, d] = *quad;
@@ -317,7 +321,8 @@ fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
     if low.x > by || low.y > by || high.x < -by || high.y < -by {
         return false;
     }
-    // Seen across a side, from a to b: the origin is this far to its left, and the other corners so far.
+    // Seen across a side, from a to b: the origin is this far to its left, and the other corners so
+    // far.
     let separated = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| {
         let side = b - a;
         let (origin, c, d) = (-side.perp_dot(a), side.perp_dot(c - a), side.perp_dot(d - a));

@@ -1,7 +1,9 @@
-//! Whether a line passes through the surface at a side, a corner or a pole, where tangents may jump.
+//! Whether a line passes through the surface at a side, a corner or a pole, where tangents may
+//! jump.
 //!
-//! Seen along the line, the tangents into the cells round a point turn about it. Where the line passes through, once; where what it enters
-//! by one cell it leaves by another, not at all. In general it is through if the turns are odd: each is a sheet between its two sides.
+//! Seen along the line, the tangents into the cells round a point turn about it. Where the line
+//! passes through, once; where what it enters by one cell it leaves by another, not at all. In
+//! general it is through if the turns are odd: each is a sheet between its two sides.
 
 use crate::surface::{Place, Surface};
 use glam::{DVec2, DVec3};
@@ -29,8 +31,9 @@ impl Surface<'_> {
         (is_end(there.u) || is_end(there.v)).then_some(there)
     }
 
-    /// True if a line only touches the surface at places on sides of cells that are one point: it stays on one side of what is round it.
-    /// False also at a border, where cells are not all round.
+    /// True if a line only touches the surface at places on sides of cells that are one point: it
+    /// stays on one side of what is round it. False also at a border, where cells are not all
+    /// round.
     pub(super) fn only_touches(&self, places: &[Place], direction: DVec3) -> bool {
         let mut cells: Vec<Place> = Vec::new();
         for place in places {
@@ -49,11 +52,12 @@ impl Surface<'_> {
         }
         let (turns, turned) = (forth + back, forth.min(-back) > 0.0);
         let whole = turns.round();
-        // What turns but little, and never back, is a border.
+        // A fan that turns little, and never back, is at a border.
         (turns - whole).abs() <= TURN_TOLERANCE && whole % 2.0 == 0.0 && (turned || whole != 0.0)
     }
 
-    /// True if a direction only touches the surface at a place next to a side, as far as rounding of numbers up to `largest` tells.
+    /// True if a direction only touches the surface at a place next to a side, as far as rounding
+    /// of numbers up to `largest` tells.
     pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
         let ([low, high], sine) = (self.bounds(), self.normal(place).dot(direction).abs());
         let (rounding_error, size) = (64.0 * f64::EPSILON * largest.max(low.distance(high)), low.distance(high));
@@ -69,7 +73,8 @@ impl Surface<'_> {
         (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).side_is_point(direction, i, j, at == 1.0)
     }
 
-    /// The cells of the sheet that have a place on a side, each with where it is there. At a pole, all that have it as their side.
+    /// The cells of the sheet that have a place on a side, each with where it is there. At a pole,
+    /// all that have it as their side.
     fn cells_round(&self, place: Place) -> Vec<Place> {
         let sheet = self.sheet(place.sheet as usize);
         let (counts, closed) = (sheet.cells(), sheet.is_closed());

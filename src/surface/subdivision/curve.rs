@@ -1,18 +1,24 @@
-//! All common points of a Bézier curve and a patch: all (t, u, v) with C(t) = S(u, v), by [`subdivide`] of pairs of a part
-//! of the curve and a part of the patch, across the longest of the three directions.
+//! All common points of a Bézier curve and a patch: all (t, u, v) with C(t) = S(u, v), by
+//! [`subdivide`] of pairs of a part of the curve and a part of the patch, across the longest of the
+//! three directions.
 //!
-//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see [`crate::geom::subdivision`]:
-//! * *empty*: the control points of the two are apart, along an axis, along the patch's normal, or along one of three directions that
-//!   make the middle Jacobian of C - S the identity. As C - S is a sum of a function of t and one of (u, v), its bounds are those
-//!   of its two parts;
-//! * *unique*: after the same change of directions the Jacobian has a dominant diagonal all over the pair, so that C - S takes no value
-//!   twice; then Newton's method finds the common point, if it stays;
-//! * *unresolved*: along the normal, both are within the tolerance. There the curve touches the surface, or runs in it, or
-//!   passes where the surface is not regular.
+//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
+//! [`crate::geom::subdivision`]:
+//! * *empty*: the control points of the two are apart, along an axis, along the patch's normal, or
+//!   along one of three directions that make the middle Jacobian of C - S the identity. As C - S is
+//!   a sum of a function of t and one of (u, v), its bounds are those of its two parts;
+//! * *unique*: after the same change of directions the Jacobian has a dominant diagonal all over
+//!   the pair, so that C - S takes no value twice; then Newton's method finds the common point, if
+//!   it stays;
+//! * *unresolved*: along the normal, both are within the tolerance. There the curve touches the
+//!   surface, or runs in it, or passes where the surface is not regular.
 //!
 //! Cost: O(M^2 + N^2) a test and O(N^3) a split, [`MAX_PAIRS`] pairs at most.
 
 use crate::error::Result;
+use crate::geom::Aabb;
+use crate::geom::aabb::range;
+use crate::geom::bernstein::{evaluate, evaluate_with_slope, halves};
 use crate::geom::subdivision::{
     BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
 };
@@ -24,9 +30,11 @@ use std::convert::Infallible;
 const MAX_SUBDIVISION_DEPTH: u32 = 96;
 /// Pairs examined: a curve in a surface would take them without end.
 const MAX_PAIRS: usize = 2048;
-/// Pairs with more of the curve than this are halved even if they are flat: to tell where a common part begins and ends.
+/// Pairs with more of the curve than this are halved even if they are flat: to tell where a common
+/// part begins and ends.
 const MAX_UNRESOLVED_LENGTH: f64 = 1.0 / 16.0;
-/// How far outside a pair a common point may be found, as a fraction of it, besides rounding: those on borders are found from both sides.
+/// How far outside a pair a common point may be found, as a fraction of it, besides rounding: those
+/// on borders are found from both sides.
 const MARGIN: f64 = 1e-12;
 
 /// A point that a curve and a patch have in common, where the one passes through the other.
@@ -40,12 +48,13 @@ pub(crate) struct Crossing {
     slack: f64,
 }
 
-/// What was found.
+/// Common points of a curve and a patch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Crossings {
     /// Each once.
     pub(crate) simple: Vec<Crossing>,
-    /// Clusters of (t, u, v) that could not be resolved; the middle of the best box is where curve and patch are nearest.
+    /// Clusters of (t, u, v) that could not be resolved; the middle of the best box is where curve
+    /// and patch are nearest.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
 }
 
@@ -82,8 +91,9 @@ struct Search<'a, const M: usize, const N: usize> {
     boxes: &'a mut Vec<UnresolvedBox>,
 }
 
-/// Adds all points that a curve of degree M - 1 and a patch have in common. Control points may be off by `rounding_error`; things
-/// within `tolerance` of each other need no resolving. At most [`MAX_PAIRS`] pairs are examined and split, and as many again left as they are.
+/// Adds all points that a curve of degree M - 1 and a patch have in common. Control points may be
+/// off by `rounding_error`; things within `tolerance` of each other need no resolving. At most
+/// [`MAX_PAIRS`] pairs are examined and split, and as many again left as they are.
 pub(crate) fn crossings<const M: usize, const N: usize>(
     curve: &[DVec3; M],
     patch: &Patch<N>,
@@ -134,7 +144,7 @@ impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for Search<'_, M
     }
 
     fn give_up(&mut self, pair: Pair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
-        let residual = (point(&pair.curve, 0.5) - pair.patch.place(0.5, 0.5)).length_squared();
+        let residual = (evaluate(&pair.curve, 0.5) - pair.patch.place(0.5, 0.5)).length_squared();
         let half = 0.5 * pair.size;
         self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
         Ok(())
@@ -145,18 +155,6 @@ impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for Search<'_, M
     }
 }
 
-/// The least and the greatest of some numbers.
-#[inline(always)]
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
-}
-
-/// The box of some points.
-#[inline(always)]
-fn hull(points: &[DVec3]) -> [DVec3; 2] {
-    points.iter().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], &p| [low.min(p), high.max(p)])
-}
-
 /// The greatest absolute values of the components.
 fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
     vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
@@ -164,12 +162,12 @@ fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
 
 impl<const M: usize, const N: usize> Pair<M, N> {
     fn classify(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<Crossing, ()> {
-        let (along, across) = (hull(&self.curve), hull(self.patch.points.as_flattened()));
-        let gap = (along[0] - across[1]).max(across[0] - along[1]);
+        let (along, across) = (Aabb::of(&self.curve), Aabb::of(self.patch.points.as_flattened()));
+        let gap = along.separation(&across);
         if gap.max_element() > rounding_error {
             return BoxTest::Empty;
         }
-        let (tangent, [u, v]) = (velocity(&self.curve, 0.5), self.patch.slopes(0.5, 0.5));
+        let (tangent, [u, v]) = (slope(&self.curve, 0.5), self.patch.slopes(0.5, 0.5));
         let jacobian = DMat3::from_cols(tangent, -u, -v);
         let normal = u.cross(v);
         let is_flat = match normal.try_normalize() {
@@ -181,7 +179,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
                 let [one, other] = [heights(&self.curve), heights(self.patch.points.as_flattened())];
                 one[1].max(other[1]) - one[0].min(other[0]) <= tolerance
             }
-            None => (along[1].max(across[1]) - along[0].min(across[0])).length() <= tolerance,
+            None => along.union(across).diagonal() <= tolerance,
         };
         let is_resolved = is_flat && self.size.x <= MAX_UNRESOLVED_LENGTH;
         let undecided = if is_resolved { BoxTest::Unresolved } else { BoxTest::Undecided(()) };
@@ -203,15 +201,16 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         low > to + rounding_error || from > high + rounding_error
     }
 
-    /// Whether there is none or one, seen in directions in which C - S is nearly (t, u, v), less its root.
+    /// Whether there is none or one, seen in directions in which C - S is nearly (t, u, v), less
+    /// its root.
     fn resolve(&self, whole: &Self, inverse: DMat3, rounding_error: f64) -> Option<BoxTest<Crossing, ()>> {
         let curve = self.curve.map(|point| inverse * point);
         let patch = Patch { points: self.patch.points.map(|row| row.map(|point| inverse * point)) };
         // How far rounding may move the root.
         let rows = inverse.transpose();
         let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
-        let (along, across) = (hull(&curve), hull(patch.points.as_flattened()));
-        if ((along[0] - across[1]).max(across[0] - along[1]) - slack).max_element() > 0.0 {
+        let (along, across) = (Aabb::of(&curve), Aabb::of(patch.points.as_flattened()));
+        if (along.separation(&across) - slack).max_element() > 0.0 {
             return Some(BoxTest::Empty);
         }
         // All values of the derivatives are within those of their control points.
@@ -228,8 +227,8 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         }
         let mut at = DVec3::splat(0.5);
         for _ in 0..32 {
-            let ([u, v], miss) = (patch.slopes(at.y, at.z), point(&curve, at.x) - patch.place(at.y, at.z));
-            let step = DMat3::from_cols(velocity(&curve, at.x), -u, -v).inverse() * miss;
+            let ([u, v], miss) = (patch.slopes(at.y, at.z), evaluate(&curve, at.x) - patch.place(at.y, at.z));
+            let step = DMat3::from_cols(slope(&curve, at.x), -u, -v).inverse() * miss;
             at -= step;
             if !(at - 0.5).abs().cmple(DVec3::ONE).all() {
                 return None;
@@ -245,7 +244,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         // As the whole has it: the parts' control points are rounded.
         let mut place = self.from + self.size * at;
         for _ in 0..2 {
-            let miss = point(&whole.curve, place.x) - whole.patch.place(place.y, place.z);
+            let miss = evaluate(&whole.curve, place.x) - whole.patch.place(place.y, place.z);
             place -= self.size * (inverse * miss);
         }
         let place = place.clamp(DVec3::ZERO, DVec3::ONE);
@@ -263,7 +262,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         let scale = ((N - 1) as f64 / (M - 1) as f64).powi(2);
         let (mut low, mut high) = (self.clone(), self);
         let axis = if t >= scale * u.max(v) {
-            [low.curve, high.curve] = halved(&high.curve);
+            [low.curve, high.curve] = halves(&high.curve);
             0
         } else if u >= v {
             [low.patch, high.patch] = high.patch.halves();
@@ -278,17 +277,17 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         [low, high]
     }
 
-    /// Moves the best place of a cluster to where the curve and the patch are nearest within it: Levenberg's and Marquardt's
-    /// steps, each kept within the cluster.
+    /// Moves the best place of a cluster to where the curve and the patch are nearest within it:
+    /// Levenberg's and Marquardt's steps, each kept within the cluster.
     fn refine_unresolved(&self, cluster: &mut UnresolvedCluster) {
         let (low, high) = (cluster.low.max(DVec3::ZERO), cluster.high.min(DVec3::ONE));
-        let miss = |at: DVec3| point(&self.curve, at.x) - self.patch.place(at.y, at.z);
+        let miss = |at: DVec3| evaluate(&self.curve, at.x) - self.patch.place(at.y, at.z);
         let mut at = cluster.best.middle.clamp(low, high);
         let mut gap = miss(at);
         let mut damping = 1e-6;
         for _ in 0..40 {
             let [u, v] = self.patch.slopes(at.y, at.z);
-            let jacobian = DMat3::from_cols(velocity(&self.curve, at.x), -u, -v);
+            let jacobian = DMat3::from_cols(slope(&self.curve, at.x), -u, -v);
             let (square, gradient) = (jacobian.transpose() * jacobian, jacobian.transpose() * gap);
             let diagonal = DVec3::new(square.x_axis.x, square.y_axis.y, square.z_axis.z) * damping;
             let step = (square + DMat3::from_diagonal(diagonal)).inverse() * gradient;
@@ -313,50 +312,21 @@ impl<const N: usize> Patch<N> {
     /// S(u, v).
     #[inline]
     fn place(&self, u: f64, v: f64) -> DVec3 {
-        point(&self.points.map(|row| point(&row, v)), u)
+        evaluate(&self.points.map(|row| evaluate(&row, v)), u)
     }
 
     /// S_u and S_v.
     #[inline]
     fn slopes(&self, u: f64, v: f64) -> [DVec3; 2] {
-        let rows = self.points.map(|row| (point(&row, v), velocity(&row, v)));
-        [velocity(&rows.map(|row| row.0), u), point(&rows.map(|row| row.1), u)]
+        let rows = self.points.map(|row| (evaluate(&row, v), slope(&row, v)));
+        [slope(&rows.map(|row| row.0), u), evaluate(&rows.map(|row| row.1), u)]
     }
 }
 
-/// De Casteljau's steps down to `last` points.
+/// C'(t).
 #[inline]
-fn reduced<const M: usize>(points: &[DVec3; M], t: f64, last: usize) -> [DVec3; M] {
-    let mut work = *points;
-    for count in (last..M).rev() {
-        for k in 0..count {
-            work[k] = work[k].lerp(work[k + 1], t);
-        }
-    }
-    work
-}
-
-#[inline]
-fn point<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
-    reduced(points, t, 1)[0]
-}
-
-#[inline]
-fn velocity<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
-    let work = reduced(points, t, 2);
-    (work[1] - work[0]) * (M - 1) as f64
-}
-
-/// The halves of a curve.
-pub(crate) fn halved<const M: usize>(points: &[DVec3; M]) -> [[DVec3; M]; 2] {
-    let (mut low, mut high) = (*points, *points);
-    for (k, first) in low.iter_mut().enumerate().skip(1) {
-        for a in 0..M - k {
-            high[a] = 0.5 * (high[a] + high[a + 1]);
-        }
-        *first = high[0];
-    }
-    [low, high]
+fn slope<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
+    evaluate_with_slope(points, t)[1]
 }
 
 #[cfg(test)]

@@ -1,6 +1,9 @@
 //! A scalar over a patch, in Bernstein form: what plane functions, angles and the like are.
 
-/// Coefficients `c[a][b]` of degree N - 1 in u and in v, over 0 <= u, v <= 1. Its values are between the least and the greatest of them.
+use crate::geom::bernstein::{halves, value_and_slope_by_differences};
+
+/// Coefficients `c[a][b]` of degree N - 1 in u and in v, over 0 <= u, v <= 1. Its values are
+/// between the least and the greatest of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Field<const N: usize> {
     pub(crate) c: [[f64; N]; N],
@@ -12,19 +15,6 @@ pub(crate) struct Slope {
     pub(crate) value: f64,
     pub(crate) u: f64,
     pub(crate) v: f64,
-}
-
-/// Value and slope of a polynomial in Bernstein form.
-#[inline(always)]
-pub(crate) fn polynomial<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
-    let mut work = *c;
-    for count in (2..N).rev() {
-        for k in 0..count {
-            work[k] += t * (work[k + 1] - work[k]);
-        }
-    }
-    let rise = work[1] - work[0];
-    [work[0] + t * rise, (N - 1) as f64 * rise]
 }
 
 impl<const N: usize> Field<N> {
@@ -54,10 +44,10 @@ impl<const N: usize> Field<N> {
     pub(crate) fn at(&self, u: f64, v: f64) -> Slope {
         let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
         for (a, row) in self.c.iter().enumerate() {
-            [values[a], slopes[a]] = polynomial(row, v);
+            [values[a], slopes[a]] = value_and_slope_by_differences(row, v);
         }
-        let [value, along_u] = polynomial(&values, u);
-        Slope { value, u: along_u, v: polynomial(&slopes, u)[0] }
+        let [value, along_u] = value_and_slope_by_differences(&values, u);
+        Slope { value, u: along_u, v: value_and_slope_by_differences(&slopes, u)[0] }
     }
 
     /// The least and the greatest coefficient of the derivative by u, and of that by v.
@@ -91,16 +81,7 @@ impl<const N: usize> Field<N> {
 
     /// The halves at u = 1/2.
     pub(crate) fn halves(&self) -> [Field<N>; 2] {
-        let (mut low, mut high) = (*self, *self);
-        for k in 1..N {
-            for a in 0..N - k {
-                for b in 0..N {
-                    high.c[a][b] = 0.5 * (high.c[a][b] + high.c[a + 1][b]);
-                }
-            }
-            low.c[k] = high.c[0];
-        }
-        [low, high]
+        halves(&self.c).map(|c| Field { c })
     }
 
     /// u and v exchanged.

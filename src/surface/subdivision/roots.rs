@@ -1,11 +1,13 @@
 //! All common roots of two fields over a patch, by [`subdivide`] into quarters.
 //!
-//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see [`crate::geom::subdivision`]:
-//! * *empty*: a field, or a combination of the two that makes the middle Jacobian the identity, has coefficients of one
-//!   sign;
-//! * *unique*: the Jacobian of the combined fields has a dominant diagonal all over the part, so that they take no pair of
-//!   values twice; then Newton's method finds the root, if it stays;
-//! * *unresolved*: all values of a field are within the tolerance. That is where the two curves touch, or coincide.
+//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see
+//! [`crate::geom::subdivision`]:
+//! * *empty*: a field, or a combination of the two that makes the middle Jacobian the identity, has
+//!   coefficients of one sign;
+//! * *unique*: the Jacobian of the combined fields has a dominant diagonal all over the part, so
+//!   that they take no pair of values twice; then Newton's method finds the root, if it stays;
+//! * *unresolved*: all values of a field are within the tolerance. That is where the two curves
+//!   touch, or coincide.
 //!
 //! Cost: O(N^3) a part, [`MAX_PARTS`] parts at most.
 
@@ -22,10 +24,11 @@ const MAX_SUBDIVISION_DEPTH: u32 = 22;
 const MAX_PARTS: usize = 4096;
 /// The same where another method follows if they do not suffice.
 const MAX_PARTS_IF_SIMPLE: usize = 256;
-/// How far outside a part a root may be found, as a fraction of it, besides rounding: roots on borders are found from both sides.
+/// How far outside a part a root may be found, as a fraction of it, besides rounding: roots on
+/// borders are found from both sides.
 const MARGIN: f64 = 1e-12;
 
-/// What was found on patches, and memory for the work.
+/// Common roots of fields on patches, and memory for the search.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Roots<const N: usize> {
     /// Parameters of simple roots, each once.
@@ -55,8 +58,8 @@ struct Search<'a> {
     simple_only: bool,
 }
 
-/// Adds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values are all within
-/// `tolerance` need no resolving.
+/// Adds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values
+/// are all within `tolerance` need no resolving.
 pub(crate) fn roots<const N: usize>(
     fields: [Field<N>; 2],
     rounding_error: f64,
@@ -67,7 +70,8 @@ pub(crate) fn roots<const N: usize>(
     cluster(&found.boxes, &mut found.unresolved)
 }
 
-/// Adds the common roots of two fields if all can be resolved with little work; else returns false, and what was found is of no use.
+/// Adds the common roots of two fields if all can be resolved with little work; else returns false,
+/// and what was found is of no use.
 pub(crate) fn simple_roots<const N: usize>(
     fields: [Field<N>; 2],
     rounding_error: f64,
@@ -153,7 +157,8 @@ fn has_none<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
     low > rounding_error || high < -rounding_error
 }
 
-/// Tests a pair of fields; a root is by the part's parameters, with how far outside the part it may be for rounding.
+/// Tests a pair of fields; a root is by the part's parameters, with how far outside the part it may
+/// be for rounding.
 fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxTest<[DVec2; 2], ()> {
     let middle = fields.map(|field| field.at(0.5, 0.5));
     let determinant = middle[0].u * middle[1].v - middle[0].v * middle[1].u;
@@ -177,7 +182,8 @@ fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxT
     if first_u[0] <= max_abs(first_v) || second_v[0] <= max_abs(second_u) {
         return BoxTest::Undecided(());
     }
-    // Newton's steps with the middle Jacobian, which is the identity now, converge; with the true one, quickly.
+    // Newton's steps with the middle Jacobian, which is the identity now, converge; with the true
+    // one, quickly.
     let mut place = DVec2::splat(0.5);
     for _ in 0..32 {
         let (f, g) = (first.at(place.x, place.y), second.at(place.x, place.y));
@@ -207,7 +213,8 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// The field (u - a) (v - b) - c and others, from values at the nodes of the Bernstein form of degree 1 raised to 3.
+    /// The field (u - a) (v - b) - c and others, from values at the nodes of the Bernstein form of
+    /// degree 1 raised to 3.
     fn of(f: impl Fn(f64, f64) -> f64) -> Field<4> {
         // Interpolation of bicubics: Bernstein coefficients from values at 0, 1/3, 2/3, 1.
         let invert = |y: [f64; 4]| {
@@ -249,7 +256,7 @@ mod tests {
     fn touching_curves_are_reported() {
         let touch = solve(|u, v| v - (u - 0.37) * (u - 0.37), |_, v| v);
         assert!(!touch.unresolved.is_empty());
-        // What rounding makes a root there is in the spot.
+        // Roots that rounding makes there are in the cluster.
         let is_near = |at: DVec2, cluster: &UnresolvedCluster| {
             let best = cluster.best.middle;
             best.truncate().distance(at) <= (cluster.high - best).max(best - cluster.low).length()

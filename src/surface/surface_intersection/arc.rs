@@ -1,9 +1,12 @@
 //! The one arc that a graph has within a box.
 //!
-//! The two points where the curve leaves the box are looked for along the line of the middle, or, if that does not lead to them, from a
-//! solution inside. That it does not come back is proved by the bounds of slopes: each parameter either always rises or always falls along
-//! the curve, or it stays inside. A parameter that does neither because the curve runs along a side of the box, to rounding, belongs to the
-//! box above that side.
+//! The two points where the curve leaves the box are looked for along the line of the middle, or,
+//! if that does not lead to them, from a solution inside. That it does not come back is proved by
+//! the bounds of slopes: each parameter either always rises or always falls along the curve, or it
+//! stays inside. A parameter that does neither because the curve runs along a side of the box, to
+//! rounding, belongs to the box above that side.
+//!
+//! Cost: a few steps of Newton's method an end, O(N^2 + M^2) each.
 
 use super::chart::{Chart, MARGIN, ParameterBox};
 use super::equation::{Equation, Frame};
@@ -39,7 +42,8 @@ struct LocalCurve {
 /// It cannot be told.
 struct Unclear;
 
-/// What a graph has within a box: nothing longer than the tolerance, or one arc between two ends, by rising free parameter.
+/// The part of a graph within a box: nothing longer than the tolerance, or one arc between two
+/// ends, by rising free parameter.
 pub(super) type ArcTest = BoxTest<[End; 2], ()>;
 
 /// The search for the arc of a box.
@@ -57,7 +61,8 @@ pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
 }
 
 impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
-    /// `rounding_error`: lengths up to that may be rounding; `followed`: by parameter, whether there is a cell above the whole cell.
+    /// `rounding_error`: lengths up to that may be rounding; `followed`: by parameter, whether
+    /// there is a cell above the whole cell.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &ParameterBox<N, M>,
@@ -68,12 +73,14 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
         let followed = std::array::from_fn(|k| followed[k] || high[k] < 1.0);
-        // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along a side is nearer than 16 times the noise.
+        // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along
+        // a side is nearer than 16 times the noise.
         let close = (1e-3 * tolerance).max(512.0 * rounding_error);
         ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
     }
 
-    /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the derivatives in the middle of the box.
+    /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the
+    /// derivatives in the middle of the box.
     pub(super) fn along_line(&self, middle: &Frame) -> Option<ArcTest> {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();
@@ -105,7 +112,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         }
     }
 
-    /// What it is if the curve leaves the box at these ends.
+    /// Classifies a curve that leaves the box at these ends.
     fn found(&self, middle: &Frame, first: End, last: End) -> ArcTest {
         match self.stays(middle, &first, &last) {
             Stay::Inside => BoxTest::Unique([first, last]),
@@ -165,7 +172,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         Err(Unclear)
     }
 
-    /// Where the line of the middle is inside the box, by the free parameter, from its middle on; if it is nowhere, the first is the greater.
+    /// Where the line of the middle is inside the box, by the free parameter, from its middle on;
+    /// if it is nowhere, the first is the greater.
     fn line_inside(&self) -> [f64; 2] {
         let Chart { free, base, line, .. } = *self.chart;
         let (mut from, mut to) = (self.low[free] - base[free], self.high[free] - base[free]);
@@ -184,7 +192,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         base + step * line
     }
 
-    /// From a solution, how far along the free parameter, upwards or downwards (`way`), others may be in the box.
+    /// From a solution, how far along the free parameter, upwards or downwards (`way`), others may
+    /// be in the box.
     fn permitted(&self, x: DVec4, way: f64) -> [f64; 2] {
         let (mut from, mut to) = (0.0_f64, f64::INFINITY);
         // slope * d <= room for d >= 0.
@@ -229,7 +238,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             guess[through] = side(through);
             let (x, frame) = self.equation.solve(guess, through)?;
             let rate = way * self.rates(&frame);
-            // What it has passed before it comes here.
+            // The sides passed before.
             let passed = |k: usize| {
                 if rises(k) { x[k] - side(k) } else { side(k) - x[k] }
             };
@@ -249,7 +258,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         None
     }
 
-    /// Whether a point where the curve leaves is on the right side of the one inside, and itself in the box.
+    /// Whether a point where the curve leaves is on the right side of the one inside, and itself in
+    /// the box.
     fn sound(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
         let free = self.chart.free;
         let within = |k: usize| {
@@ -288,8 +298,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         Stay::Inside
     }
 
-    /// What a curve does next to a side across parameter k: if it runs along it, to rounding, it belongs to the box above; if it touches it, to
-    /// the box that it comes from.
+    /// Classifies a curve next to a side across parameter k: if it runs along it, to rounding, it
+    /// belongs to the box above; if it touches it, to the box that it comes from.
     fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
         let values = samples.map(|x| x[k]);
         let (min, max) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
@@ -320,7 +330,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 }
 
-/// What parameters do that are not monotone.
+/// The course of parameters that are not monotone.
 enum Stay {
     /// They stay in the box.
     Inside,

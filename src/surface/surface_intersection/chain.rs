@@ -1,11 +1,15 @@
 //! From arcs to paths: what was found twice is left out, and ends that are one point are joined.
+//!
+//! Cost: O(n log n) for n arcs; ends and unresolved balls against each other up to [`MAX_TESTS`].
 
 use super::solve::{Arc, UnresolvedBall};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
 use glam::DVec3;
 
-/// Neighbours of a point that are looked at: more than that can only be the same point again and again.
+/// Neighbours of a point that are compared: more of them can only be the same point again and
+/// again.
 const MAX_NEIGHBOURS: usize = 32;
 
 /// Tests of an end and a ball; with more of them, balls stay as they are.
@@ -20,7 +24,7 @@ pub(super) struct Chain {
 
 const NONE: u32 = u32::MAX;
 
-/// What precedes and what follows each arc.
+/// The arcs before and after each arc.
 struct Links {
     before: Vec<u32>,
     after: Vec<u32>,
@@ -53,7 +57,8 @@ impl<'a> Sorted<'a> {
     }
 }
 
-/// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each unresolved ball whether a joint explains it.
+/// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each
+/// unresolved ball whether a joint explains it.
 pub(super) fn chains(arcs: &[Arc], unresolved: &[UnresolvedBall], tolerance: f64) -> Result<(Vec<Chain>, Vec<bool>)> {
     // Starts and ends, in turn.
     let points = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
@@ -84,8 +89,9 @@ pub(super) fn chains(arcs: &[Arc], unresolved: &[UnresolvedBall], tolerance: f64
     Ok((chains, explained))
 }
 
-/// Arcs that are others once more, found from both sides of a side between sheets: by pairs of starts and ends that are near each other. The
-/// sheets may be turned against each other, so that such arcs may run in opposite ways.
+/// Arcs that are others once more, found from both sides of a side between sheets: by pairs of
+/// starts and ends that are near each other. The sheets may be turned against each other, so that
+/// such arcs may run in opposite ways.
 fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
@@ -107,35 +113,29 @@ fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Ve
 fn merged_balls(unresolved: &[UnresolvedBall]) -> Result<Vec<(DVec3, f64)>> {
     let centres = alloc::collect(unresolved.iter().map(|ball| ball.centre))?;
     let widest = unresolved.iter().map(|ball| ball.radius).fold(0.0, f64::max);
-    let mut of = alloc::collect(0..unresolved.len())?;
-    let root = |of: &[usize], mut k: usize| {
-        while of[k] != k {
-            k = of[k];
-        }
-        k
-    };
+    let mut sets = DisjointSets::new(unresolved.len())?;
     for (distance, k, n) in Sorted::new(&centres)?.pairs(2.0 * widest) {
-        let (k, n) = (k as usize, n as usize);
-        if distance <= unresolved[k].radius + unresolved[n].radius {
-            let (one, other) = (root(&of, k), root(&of, n));
-            of[one.max(other)] = one.min(other);
+        if distance <= unresolved[k as usize].radius + unresolved[n as usize].radius {
+            sets.union(k, n);
         }
     }
     let mut balls = alloc::collect(unresolved.iter().map(|ball| (ball.centre, ball.radius)))?;
     for (k, ball) in unresolved.iter().enumerate() {
-        let (centre, radius) = balls[root(&of, k)];
-        balls[root(&of, k)].1 = radius.max(centre.distance(ball.centre) + ball.radius);
+        let root = sets.find(k as u32) as usize;
+        let (centre, radius) = balls[root];
+        balls[root].1 = radius.max(centre.distance(ball.centre) + ball.radius);
     }
     let mut k = 0;
     balls.retain(|_| {
         k += 1;
-        of[k - 1] == k - 1
+        sets.parent(k - 1) == k - 1
     });
     Ok(balls)
 }
 
-/// Joins loose ends across spots that could not be resolved: as straight as can be. Where two branches cross, N_A x N_B points to the crossing
-/// on the one and away from it on the other, so that a path turns from the one into the other.
+/// Joins loose ends across unresolved balls: as straight as can be. Where two branches cross, N_A x
+/// N_B points to the crossing on the one and away from it on the other, so that a path turns from
+/// the one into the other.
 fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64, links: &mut Links) {
     let loose = |link: &[u32]| -> Vec<u32> {
         (0..arcs.len() as u32).filter(|&k| link[k as usize] == NONE && !dropped[k as usize]).collect()
@@ -160,7 +160,8 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
     }
 }
 
-/// True for a spot hardly larger than the tolerance that a chain passes, as at poles: there is nothing more to it.
+/// True for a ball hardly larger than the tolerance that a chain passes, as at poles: there is
+/// nothing more to it.
 fn is_passed(ball: &UnresolvedBall, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
     let near = |arc: &Arc| arc.ends[1].distance(ball.centre) <= 8.0 * tolerance;
     ball.radius <= 4.0 * tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))

@@ -1,13 +1,20 @@
-//! What can be proved of A = B over a box of parameters.
+//! Proofs about A = B over a box of parameters.
 //!
-//! * *Nothing there*: two flat pieces are apart exactly if one of six directions shows it: the normals, and the products of a side of the one
-//!   with a side of the other. Each takes two of the four parameters out of the equation; the control nets are compared along it.
-//! * *A graph*: take the parameter along which the curve runs as the free one, and multiply the equation by the inverse of the derivatives by
-//!   the other three, x, in the middle. If the derivatives by x stay near the identity (a dominant diagonal) all over the box, then x is a
-//!   function of the free parameter on the solutions: no loop can be there. The quotients of differences of any two solutions are bounded
-//!   by the same intervals as the slopes, which tells whether the curve can come back through a side that it left by.
+//! * *Nothing there*: two flat pieces are apart exactly if one of six directions shows it: the
+//!   normals, and the products of a side of the one with a side of the other. Each takes two of the
+//!   four parameters out of the equation; the control nets are compared along it.
+//! * *A graph*: take the parameter along which the curve runs as the free one, and multiply the
+//!   equation by the inverse of the derivatives by the other three, x, in the middle. If the
+//!   derivatives by x stay near the identity (a dominant diagonal) all over the box, then x is a
+//!   function of the free parameter on the solutions: no loop can be there. The quotients of
+//!   differences of any two solutions are bounded by the same intervals as the slopes, which tells
+//!   whether the curve can come back through a side that it left by.
 //!
-//! As A - B is the difference of functions of different parameters, its bounds are the sums of bounds over control nets.
+//! As A - B is the difference of functions of different parameters, its bounds are the sums of
+//! bounds over control nets.
+//!
+//! The second is interval Newton's contraction in the form of a dominant diagonal (Krawczyk 1969;
+//! Hanniel and Elber 2007). Cost: O(N^2 + M^2) a test, O(N^3 + M^3) a split.
 
 use super::equation::{Equation, Frame, OTHERS};
 use super::net::Net;
@@ -40,11 +47,12 @@ pub(super) struct Chart {
     pub(super) slopes: [[f64; 2]; 4],
 }
 
-/// What is proved: that there is no solution, or that the solutions are a graph.
+/// Proof that a box holds no solution, or that its solutions are a graph.
 pub(super) type ChartTest = BoxTest<Chart, ()>;
 
-/// How much wider the range of a polynomial's coefficients, of total degree `degree`, may be over a box that is wider by [`MARGIN`] on each
-/// side: the weights of extrapolation sum to 1, and their absolute values to (1 + 2 m)^degree.
+/// How much wider the range of a polynomial's coefficients, of total degree `degree`, may be over a
+/// box that is wider by [`MARGIN`] on each side: the weights of extrapolation sum to 1, and their
+/// absolute values to (1 + 2 m)^degree.
 fn growth(degree: usize) -> f64 {
     (0..degree).fold(1.0, |product, _| product * (1.0 + 2.0 * MARGIN))
 }
@@ -54,7 +62,8 @@ fn grown([low, high]: [f64; 2], by: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
-/// True if A - B, of these fields along a direction, is 0 nowhere, nor as near to it as `rounding_error`.
+/// True if A - B, of these fields along a direction, is 0 nowhere, nor as near to it as
+/// `rounding_error`.
 fn are_apart<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>, rounding_error: f64) -> bool {
     let ([low, high], [others_low, others_high]) = (a.range(), b.range());
     low - others_high > rounding_error || high - others_low < -rounding_error
@@ -74,7 +83,8 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         self.low + 0.5 * self.size
     }
 
-    /// What can be said of the box. `frame`: in the middle, by the parameters of the cells; `rounding_error`: lengths up to that may be rounding.
+    /// Tests the box. `frame`: in the middle, by the parameters of the cells; `rounding_error`:
+    /// lengths up to that may be rounding.
     pub(super) fn prove(&self, frame: &Frame, rounding_error: f64) -> ChartTest {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
@@ -116,8 +126,8 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         BoxTest::Unique(chart)
     }
 
-    /// True if there is no solution, as the directions show that [`ParameterBox::prove`] does not try of graphs: products with the one of the
-    /// derivatives that the curve runs along.
+    /// True if there is no solution, as the directions show that [`ParameterBox::prove`] does not
+    /// try of graphs: products with the one of the derivatives that the curve runs along.
     pub(super) fn is_apart(&self, frame: &Frame, rounding_error: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
@@ -129,8 +139,8 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         are_apart(&self.nets.a.along(axis), &self.nets.b.along(axis), rounding_error * axis.length())
     }
 
-    /// True if both pieces lie between two planes that are `tolerance` apart, along the one's normal and along the other's: how they meet is
-    /// below the tolerance.
+    /// True if both pieces lie between two planes that are `tolerance` apart, along the one's
+    /// normal and along the other's: how they meet is below the tolerance.
     pub(super) fn is_within(&self, frame: &Frame, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
             let (a, b) = (self.nets.a.along(normal).range(), self.nets.b.along(normal).range());
@@ -139,7 +149,8 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         frame.normals().into_iter().all(|normal| normal.try_normalize().is_some_and(thin))
     }
 
-    /// How long the pieces may be in the four directions, nearly: by the longest legs of the control nets.
+    /// How long the pieces may be in the four directions, nearly: by the longest legs of the
+    /// control nets.
     pub(super) fn extents(&self) -> [f64; 4] {
         let ([s, t], [u, v]) = (legs(&self.nets.a.patch()), legs(&self.nets.b.patch()));
         [s, t, u, v]
@@ -179,7 +190,8 @@ fn legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
     longest.map(|square| square.sqrt() * (N - 1) as f64)
 }
 
-/// Bounds of the slopes of three parameters by the free one, by parts of the box; `None` if the diagonal may not be dominant.
+/// Bounds of the slopes of three parameters by the free one, by parts of the box; `None` if the
+/// diagonal may not be dominant.
 fn slopes<const N: usize, const M: usize>(
     a: &[Field<N>; 3],
     b: &[Field<M>; 3],

@@ -1,4 +1,7 @@
-//! The equation A(s, t) = B(u, v) over a pair of cells: its values and derivatives, and Newton's method.
+//! The equation A(s, t) = B(u, v) over a pair of cells: its values and derivatives, and Newton's
+//! method.
+//!
+//! Cost: O(N^2 + M^2) an evaluation.
 
 use super::net::Net;
 use glam::{DVec3, DVec4};
@@ -34,8 +37,8 @@ impl Frame {
         [a.cross(b), c.cross(d)]
     }
 
-    /// The direction in which A = B goes on, by parameters: that of N_A x N_B in space. It solves A_s s' + A_t t' = B_u u' + B_v v', as
-    /// (A_s x A_t) x N_B = A_t (A_s . N_B) - A_s (A_t . N_B).
+    /// The direction in which A = B goes on, by parameters: that of N_A x N_B in space. It solves
+    /// A_s s' + A_t t' = B_u u' + B_v v', as (A_s x A_t) x N_B = A_t (A_s . N_B) - A_s (A_t . N_B).
     pub(super) fn tangent(&self) -> DVec4 {
         let ([a, b], [s, t, u, v]) = (self.normals(), self.columns);
         DVec4::new(-t.dot(b), s.dot(b), -v.dot(a), u.dot(a))
@@ -47,7 +50,8 @@ impl Frame {
         a.cross(b)
     }
 
-    /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other three.
+    /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other
+    /// three.
     fn inverse(&self, fixed: usize) -> [DVec3; 3] {
         let [x, y, z] = OTHERS[fixed].map(|n| self.columns[n]);
         let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
@@ -71,8 +75,8 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         Frame { miss: p - q, columns: [s, t, -u, -v] }
     }
 
-    /// The solution near `start` with parameter `fixed` as it is there, and the derivatives next to it; `None` if Newton's method does not
-    /// converge.
+    /// The solution near `start` with parameter `fixed` as it is there, and the derivatives next to
+    /// it; `None` if Newton's method does not converge.
     pub(super) fn solve(&self, start: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..NEWTON_STEPS {
@@ -84,8 +88,8 @@ impl<const N: usize, const M: usize> Equation<N, M> {
                 return None;
             }
             x -= step;
-            // Convergence is quadratic: the next step would be about this one times the square of its ratio to the last. Or rounding is all
-            // that is left.
+            // Convergence is quadratic: the next step would be about this one times the square of
+            // its ratio to the last. Or rounding is all that is left.
             let ratio = length / last;
             let converged = last < f64::INFINITY && length * ratio * ratio < 1e-15;
             if converged || length < 1e-13 || (length < 1e-9 && ratio > 0.25) {
@@ -96,7 +100,8 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         None
     }
 
-    /// The same for a good guess: after Newton's first step the derivatives hardly change, so that A - B is all that a second one needs.
+    /// The same for a good guess: after Newton's first step the derivatives hardly change, so that
+    /// A - B is all that a second one needs.
     pub(super) fn refine(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let frame = self.frame(guess);
         let inverse = frame.inverse(fixed);
@@ -106,7 +111,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
             let x = guess - first;
             let miss = self.a.point(x.x, x.y) - self.b.point(x.z, x.w);
             let second = step(&inverse, miss, fixed);
-            // What is left falls by the same ratio at each step.
+            // The error falls by the same ratio at each step.
             let left = second.abs().max_element();
             if 4.0 * left * left <= 1e-15 * length || left < 1e-14 {
                 return Some((x - second, frame));

@@ -1,15 +1,17 @@
 //! Task e) of the paper: where two surfaces meet.
 //!
 //! 1. Pairs of cells that may meet are found by descending both pyramids together (`pairs`).
-//! 2. Over a pair the points with A(s, t) = B(u, v) are curves in the four parameters. A box of parameters is excluded, or proved to have a
-//!    graph (`chart`), whose arc is followed from side to side (`arc`); else it is halved (`solve`).
+//! 2. Over a pair the points with A(s, t) = B(u, v) are curves in the four parameters. A box of
+//!    parameters is excluded, or proved to have a graph (`chart`), whose arc is followed from side
+//!    to side (`arc`); else it is halved (`solve`).
 //! 3. Arcs are chained (`chain`).
 //!
-//! What is proved: every point that the declared surfaces have in common lies in a pair of cells of step 1, and in a box that has an arc
-//! through it, or is shorter than the tolerance, or is reported as unresolved. Bounds are computed in double precision, with room for
-//! rounding (`rounding_error`). One thing is judged by points and not proved: whether a curve that is nearer than a thousandth of the tolerance to a
-//! side of a box runs along it, touches it or crosses it, which decides between the boxes on both sides. Self-intersections of one surface
-//! are not looked for.
+//! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
+//! and in a box that has an arc through it, or is shorter than the tolerance, or is reported as
+//! unresolved. Bounds are computed in double precision, with room for rounding (`rounding_error`).
+//! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
+//! of the tolerance to a side of a box runs along it, touches it or crosses it, which decides
+//! between the boxes on both sides. Self-intersections of one surface are not looked for.
 
 mod arc;
 mod chain;
@@ -37,11 +39,12 @@ use std::ops::Range;
 
 /// Pairs of cells that one thread takes at a time.
 const PAIRS_PER_CHUNK: usize = 32;
-/// Boxes of parameters looked at between two looks at the job.
+/// Boxes of parameters examined between two steps of the job.
 const BOXES_PER_STEP: usize = 1 << 16;
-/// Boxes that are looked at for a pair of cells before it is put back.
+/// Boxes examined for a pair of cells before it is put back.
 const FIRST_MAX_BOXES: usize = 256;
-/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_MAX_BOXES`] again at least.
+/// Boxes examined for all the pairs that were put back: shared among them, but each gets
+/// [`FIRST_MAX_BOXES`] again at least.
 const SECOND_TOTAL_BOXES: usize = 1 << 20;
 /// The most for one of them.
 const SECOND_MAX_BOXES: usize = 1 << 16;
@@ -49,11 +52,12 @@ const SECOND_MAX_BOXES: usize = 1 << 16;
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// The greatest distance of the curve from the chords between its points; `None`: 1e-4 of the diagonal of the smaller surface's box;
-    /// infinity: points are only where it crosses sides of cells of either surface.
+    /// The greatest distance of the curve from the chords between its points; `None`: 1e-4 of the
+    /// diagonal of the smaller surface's box; infinity: points are only where it crosses sides of
+    /// cells of either surface.
     pub chord: Option<f64>,
-    /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over are reported as touching; `None`: the
-    /// smaller one of the tolerances of the two surfaces.
+    /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over
+    /// are reported as touching; `None`: the smaller one of the tolerances of the two surfaces.
     pub tolerance: Option<f64>,
 }
 
@@ -66,15 +70,19 @@ fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f6
 }
 
 impl Surface<'_> {
-    /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they run along N_A x N_B, closed ones closed.
-    /// Every branch longer than the tolerance is found. Cells of this surface where the two touch, coincide, or meet in a point only are
-    /// in `unresolved`, and curves may end there. The points are those of this surface; the other one's are the same but for rounding.
+    /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they
+    /// run along N_A x N_B, closed ones closed. Every branch longer than the tolerance is found.
+    /// Cells of this surface where the two touch, coincide, or meet in a point only are in
+    /// `unresolved`, and curves may end there. The points are those of this surface; the other
+    /// one's are the same but for rounding.
     ///
-    /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each; where surfaces coincide there are many.
-    /// Intersections of a surface with itself are out of its scope: each surface is taken as it is.
+    /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each;
+    /// where surfaces coincide there are many. Intersections of a surface with itself are out of
+    /// its scope: each surface is taken as it is.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells; [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
+    /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
         let size = |surface: &Surface<'_>| surface.bounds()[0].distance(surface.bounds()[1]);
         let chord = positive("chord", options.chord, 1e-4 * size(self).min(size(other)))?;
@@ -107,7 +115,7 @@ impl Surface<'_> {
 struct Intersection<'a> {
     surfaces: [&'a Surface<'a>; 2],
     pairs: &'a [CellPair],
-    /// What coordinates are relative to.
+    /// The origin of coordinates.
     origin: DVec3,
     tolerance: f64,
     chord: f64,
@@ -227,7 +235,8 @@ impl Intersection<'_> {
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
             let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
-            // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs them all the same.
+            // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs
+            // them all the same.
             let is_long =
                 chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
             let mut last: Option<(u32, DVec3)> = None;

@@ -1,5 +1,7 @@
-//! A patch by coordinates: so stored, what is done with rows of control points is done with rows of numbers.
+//! A patch by coordinates: so stored, what is done with rows of control points is done with rows of
+//! numbers.
 
+use crate::geom::bernstein::basis_with_slopes;
 use crate::surface::Patch;
 use crate::surface::subdivision::Field;
 use glam::DVec3;
@@ -7,26 +9,6 @@ use glam::DVec3;
 /// The fields of x, y and z.
 #[derive(Debug, Clone)]
 pub(super) struct Net<const N: usize>([Field<N>; 3]);
-
-/// The Bernstein polynomials of degree N - 1 at t, and their derivatives.
-#[inline(always)]
-fn weights<const N: usize>(t: f64) -> [[f64; N]; 2] {
-    let (mut value, mut slope) = ([0.0; N], [0.0; N]);
-    value[0] = 1.0;
-    for degree in 1..N {
-        if degree == N - 1 {
-            for k in 0..N {
-                let before = if k > 0 { value[k - 1] } else { 0.0 };
-                slope[k] = degree as f64 * (before - value[k]);
-            }
-        }
-        for k in (1..=degree).rev() {
-            value[k] = (1.0 - t) * value[k] + t * value[k - 1];
-        }
-        value[0] *= 1.0 - t;
-    }
-    [value, slope]
-}
 
 /// The sum of rows by their weights.
 #[inline(always)]
@@ -46,7 +28,8 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 impl<const N: usize> Net<N> {
     pub(super) const ZERO: Self = Net([Field { c: [[0.0; N]; N] }; 3]);
 
-    /// A patch relative to an origin, and the largest of the absolute values of its coordinates before and after.
+    /// A patch relative to an origin, and the largest of the absolute values of its coordinates
+    /// before and after.
     pub(super) fn new(patch: &Patch<N>, origin: DVec3) -> (Self, f64) {
         let (mut net, mut largest) = (Net::ZERO, DVec3::ZERO);
         let [x, y, z] = &mut net.0;
@@ -68,7 +51,7 @@ impl<const N: usize> Net<N> {
     /// The point.
     #[inline]
     pub(super) fn point(&self, u: f64, v: f64) -> DVec3 {
-        let ([of_u, _], [of_v, _]) = (weights::<N>(u), weights::<N>(v));
+        let ([of_u, _], [of_v, _]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
         let [x, y, z] = &self.0;
         DVec3::from_array([x, y, z].map(|field| dot(&blended(&field.c, &of_u), &of_v)))
     }
@@ -76,7 +59,7 @@ impl<const N: usize> Net<N> {
     /// The point and the first derivatives.
     #[inline(always)]
     pub(super) fn tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
-        let ([of_u, slope_u], [of_v, slope_v]) = (weights::<N>(u), weights::<N>(v));
+        let ([of_u, slope_u], [of_v, slope_v]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
         let mut found = [DVec3::ZERO; 3];
         for (k, field) in self.0.iter().enumerate() {
             let (values, slopes) = (blended(&field.c, &of_u), blended(&field.c, &slope_u));

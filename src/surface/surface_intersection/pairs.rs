@@ -1,4 +1,9 @@
-//! Pairs of cells that may meet: both pyramids are descended together, and pairs of blocks that are apart are dropped.
+//! Pairs of cells that may meet: both pyramids are descended together, and pairs of blocks that are
+//! apart are dropped.
+//!
+//! Axes of separation: Gottschalk, Lin and Manocha (1996, "OBBTree"). Invariant: boxes contain the
+//! surface over their cells, so that no pair that meets is dropped. Cost: O(pairs of blocks that
+//! come near to each other).
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -41,7 +46,8 @@ struct Node {
     solid: Option<Parallelepiped>,
 }
 
-/// A parallelepiped: its centre, its half edges and how long they are, the products of two of them, and the product of all.
+/// A parallelepiped: its centre, its half edges and how long they are, the products of two of them,
+/// and the product of all.
 #[derive(Clone, Copy)]
 struct Parallelepiped {
     centre: DVec3,
@@ -65,8 +71,9 @@ impl Parallelepiped {
         }
     }
 
-    /// False if one of the axes of separation shows that the solids are farther apart than `by`: those across faces and across pairs of edges.
-    /// What a solid reaches along these is made of products of the half edges of the one and the normals of the other.
+    /// False if one of the axes of separation shows that the solids are farther apart than `by`:
+    /// those across faces and across pairs of edges. Extents along these are sums of products of
+    /// the half edges of the one and the normals of the other.
     fn meets(&self, other: &Parallelepiped, by: f64) -> bool {
         let between = other.centre - self.centre;
         let products = |one: &Parallelepiped, other: &Parallelepiped| {
@@ -131,7 +138,8 @@ fn overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
     (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
 }
 
-/// A cell's quadrilateral, relative to the common origin: the points c + x a + y b + x y t, x and y from -1 to 1.
+/// A cell's quadrilateral, relative to the common origin: the points c + x a + y b + x y t, x and y
+/// from -1 to 1.
 #[derive(Clone, Copy)]
 struct Quadrilateral {
     cell: [u32; 2],
@@ -172,7 +180,8 @@ impl Quadrilateral {
         }
     }
 
-    /// False if the quadrilaterals are farther apart than `by`, as the axes of separation of two parallelograms show, their twists added.
+    /// False if the quadrilaterals are farther apart than `by`, as the axes of separation of two
+    /// parallelograms show, their twists added.
     fn meets(&self, other: &Quadrilateral, by: f64) -> bool {
         if !overlap(&self.bounds, &other.bounds, by) {
             return false;
@@ -262,12 +271,12 @@ impl Block {
 }
 
 impl Surface<'_> {
-    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that may meet), by sheets and cells: all that
-    /// are, and few others.
+    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that
+    /// may meet), by sheets and cells: all that are, and few others.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite; [`Error::TooLarge`] above [`MAX_PAIRS`];
-    /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite;
+    /// [`Error::TooLarge`] above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
         if !(within >= 0.0 && within.is_finite()) {
             return Err(Error::OptionOutOfRange { option: "within", value: within });
@@ -283,7 +292,8 @@ impl Surface<'_> {
     }
 }
 
-/// Adds the pairs of cells of two sheets that may be as near as `within`, in order: all that are, and few others.
+/// Adds the pairs of cells of two sheets that may be as near as `within`, in order: all that are,
+/// and few others.
 fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair>, job: &Job<'_>) -> Result<()> {
     let origin = a.index.origin();
     let shift = b.index.origin() - origin;
@@ -310,7 +320,7 @@ fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair
 struct Descent<'a> {
     a: &'a Indexed<'a>,
     b: &'a Indexed<'a>,
-    /// What coordinates are relative to, and what takes those of B's boxes there.
+    /// The origin of coordinates, and the shift of B's boxes to it.
     origin: DVec3,
     shift: DVec3,
     by: f64,

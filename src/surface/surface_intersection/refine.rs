@@ -1,8 +1,12 @@
 //! Points between the ends of an arc, until its chords are within a tolerance of it.
 //!
-//! Where the curve is between two of its points follows nearly from its tangents there, as the cubic through both: in space, how far it is from
-//! their chord, and so into how many pieces it is to be cut; by parameters, where the points in between are, so that a step or two of
-//! Newton's method suffice.
+//! Where the curve is between two of its points follows nearly from its tangents there, as the
+//! cubic through both: in space, how far it is from their chord, and so into how many pieces it is
+//! to be cut; by parameters, where the points in between are, so that a step or two of Newton's
+//! method suffice.
+//!
+//! Invariant: every point added solves the equation. Cost: one or two steps of Newton's method a
+//! point.
 
 use super::arc::End;
 use super::equation::Equation;
@@ -12,12 +16,14 @@ use glam::{DVec3, DVec4};
 
 /// Cuts of cuts at most.
 const MAX_CUT_DEPTH: u32 = 6;
-/// Rows of control points of a cubic patch: arcs over such ones have no waves that the ends of pieces hide.
+/// Rows of control points of a cubic patch: arcs over such ones have no waves that the ends of
+/// pieces hide.
 const CUBIC: usize = 4;
 /// Pieces of one cut at most.
 const MAX_PIECES: f64 = 64.0;
 
-/// A point of the arc: where it is, and how it goes on, by parameters for the free one's unit, and in space.
+/// A point of the arc: where it is, and how it goes on, by parameters for the free one's unit, and
+/// in space.
 #[derive(Clone, Copy)]
 struct Knot {
     x: DVec4,
@@ -53,10 +59,11 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         if self.is_bent(&knots) { self.cut(knots, 2.0, MAX_CUT_DEPTH, points) } else { Ok(()) }
     }
 
-    /// What the ends do not show, the middle may: true if it is too far from the chord, or the halves are.
+    /// Tests the middle for bends that the ends do not show: true if it is too far from the chord,
+    /// or the halves are.
     ///
-    /// Where the middle is `off` the chord and a half an arch of height f, the curve is off s + 4 f s (1 - s) away from the chord, s of
-    /// the way to the middle.
+    /// Where the middle is `off` the chord and a half an arch of height f, the curve is off s + 4 f
+    /// s (1 - s) away from the chord, s of the way to the middle.
     fn is_bent(&self, knots: &[Knot; 2]) -> bool {
         let Some(middle) = self.knot(knots, 0.5) else {
             return false;
@@ -70,7 +77,8 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         max > self.chord
     }
 
-    /// Adds the points between two knots that cut the arc into equal pieces by the free parameter, and those of pieces that are still too long.
+    /// Adds the points between two knots that cut the arc into equal pieces by the free parameter,
+    /// and those of pieces that are still too long.
     fn cut(&self, knots: [Knot; 2], pieces: f64, depth: u32, points: &mut Vec<DVec4>) -> Result<()> {
         let mut before = knots[0];
         for k in 1..=pieces as usize {
@@ -94,13 +102,15 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         Ok(())
     }
 
-    /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it.
+    /// The number of pieces whose chords are near enough to the arc between two knots: their
+    /// distance falls by the square of it.
     fn pieces(&self, knots: &[Knot; 2]) -> f64 {
         (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES)
     }
 
-    /// How far the cubic between two knots is from their chord. With directions T and U across the chord, L long, that is of two parts: an
-    /// arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T + U|.
+    /// How far the cubic between two knots is from their chord. With directions T and U across the
+    /// chord, L long, that is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T
+    /// + U|.
     fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
         let whole = last.point - first.point;
         let length = whole.length();

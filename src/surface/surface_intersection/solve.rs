@@ -1,8 +1,10 @@
-//! All arcs of the intersection of a pair of cells, by [`subdivide`] of boxes of the four parameters across their longest sides.
+//! All arcs of the intersection of a pair of cells, by [`subdivide`] of boxes of the four
+//! parameters across their longest sides.
 //!
-//! A box is decided if it is proved to hold no solution, or if its solutions are proved to be a graph (`chart`) whose arc is found
-//! (`arc`). It is unresolved when the two pieces over it are within the tolerance of each other all over: they touch there, or
-//! coincide. Cost: O(N^2) a test and O(N^3) a split, `max_boxes` boxes at most.
+//! A box is decided if it is proved to hold no solution, or if its solutions are proved to be a
+//! graph (`chart`) whose arc is found (`arc`). It is unresolved when the two pieces over it are
+//! within the tolerance of each other all over: they touch there, or coincide. Cost: O(N^2) a test
+//! and O(N^3) a split, `max_boxes` boxes at most.
 
 use super::arc::{ArcSearch, End};
 use super::chart::ParameterBox;
@@ -14,8 +16,8 @@ use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use glam::{DVec3, DVec4};
 use std::borrow::Cow;
 
-/// The box at which the cells are tested for contact in many places and for having no area: transversal intersections need
-/// fewer.
+/// The box at which the cells are tested for contact in many places and for having no area:
+/// transversal intersections need fewer.
 const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
 /// Spots of one pair that do not touch each other.
@@ -45,18 +47,18 @@ pub(super) struct UnresolvedBall {
     pub(super) gap: f64,
 }
 
-/// What was found over some pairs.
+/// The arcs over some pairs, and unresolved balls.
 #[derive(Debug, Default)]
 pub(super) struct FoundArcs {
     pub(super) points: Vec<DVec4>,
     pub(super) arcs: Vec<Arc>,
     pub(super) balls: Vec<UnresolvedBall>,
-    /// Pairs on which more boxes were to be looked at than permitted.
+    /// Pairs that need more boxes than permitted.
     pub(super) exhausted: Vec<u32>,
 }
 
 impl FoundArcs {
-    /// How many points, arcs and spots there are.
+    /// The numbers of points, arcs and balls.
     fn counts(&self) -> [usize; 3] {
         [self.points.len(), self.arcs.len(), self.balls.len()]
     }
@@ -127,7 +129,7 @@ impl PairTask {
 struct PairSearch<'a, const N: usize, const M: usize> {
     task: &'a PairTask,
     equation: &'a Equation<N, M>,
-    /// The spots from here on are the pair's.
+    /// The balls from here on are the pair's.
     first_ball: usize,
     examined: usize,
     pieces: &'a mut FoundArcs,
@@ -221,7 +223,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
 }
 
 impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
-    /// Reports a box: spots of the same pair that touch are one.
+    /// Reports a box by a ball round it: those of the same pair that touch are merged.
     fn report(&mut self, part: &ParameterBox<N, M>) {
         let (PairTask { pair, tolerance, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
@@ -244,7 +246,8 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         }
     }
 
-    /// Whether the cells touch at three places at least, as far as a few points show: it is no use to look closer then.
+    /// Whether the cells touch at three places at least, as far as a few points show: it is no use
+    /// to look closer then.
     fn coincide(&self) -> bool {
         let mut contacts = [DVec3::ZERO; 3];
         let mut count = 0;

@@ -2,44 +2,47 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::bernstein::elevate;
+use crate::geom::bernstein::{elevate, evaluate, restrict};
 use crate::outline::CurveView;
 use crate::surface::MAX_DEGREE;
 use glam::DVec3;
 
 /// The least share of a whole that a segment is given of its parameter.
-const LEAST: f64 = 1e-9;
-/// Lengths of segments in the parameter may differ from those of their polygons by this, relative to the whole curve.
-const WILD: f64 = 16.0;
+const MIN_SEGMENT_SHARE: f64 = 1e-9;
+/// Lengths of segments in the parameter may differ from those of their polygons by this, relative
+/// to the whole curve.
+const MAX_LENGTH_DISTORTION: f64 = 16.0;
 
-/// A place on a strand.
+/// A place on a curve of a net.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub(super) struct At {
+pub(super) struct CurvePlace {
     pub(super) segment: usize,
     pub(super) t: f64,
 }
 
 /// Segments of degree N - 1, one after the other.
-pub(super) struct Strand<const N: usize> {
+pub(super) struct NetCurve<const N: usize> {
     pub(super) segments: Vec<[DVec3; N]>,
-    /// What each segment takes of the parameter: such that derivatives are continuous, but for their direction.
+    /// The share of the parameter that each segment takes: such that derivatives are continuous,
+    /// but for their direction.
     lengths: Vec<f64>,
     pub(super) closed: bool,
 }
 
-/// The part of a strand between two nodes.
+/// The part of a curve between two nodes.
 pub(super) struct Piece<const N: usize> {
     pub(super) segments: Vec<[DVec3; N]>,
     /// Where segments end, as fractions of the piece: the last is 1.
     pub(super) ends: Vec<f64>,
-    /// What it takes of the strand's parameter.
+    /// Its length in the curve's parameter.
     pub(super) length: f64,
 }
 
 /// The highest degree of the segments of a curve.
 ///
 /// # Errors
-/// [`Error::EmptyCurve`] for a curve without points, [`Error::OptionOutOfRange`] for a degree above 7.
+/// [`Error::EmptyCurve`] for a curve without points, [`Error::OptionOutOfRange`] for a degree above
+/// 7.
 pub(super) fn degree(curve: &CurveView<'_>) -> Result<usize> {
     if curve.points().is_empty() {
         return Err(Error::EmptyCurve);
@@ -51,7 +54,7 @@ pub(super) fn degree(curve: &CurveView<'_>) -> Result<usize> {
     Ok(degree)
 }
 
-impl<const N: usize> Strand<N> {
+impl<const N: usize> NetCurve<N> {
     /// A curve of degree N - 1 at most.
     pub(super) fn new(curve: &CurveView<'_>) -> Result<Self> {
         let mut segments = alloc::with_capacity(curve.len().max(1))?;
@@ -68,9 +71,9 @@ impl<const N: usize> Strand<N> {
         if segments.is_empty() {
             segments.push([curve.points()[0]; N]);
         }
-        let mut strand = Strand { lengths: Vec::new(), segments, closed: curve.is_closed() };
-        strand.lengths = strand.natural()?;
-        Ok(strand)
+        let mut net_curve = NetCurve { lengths: Vec::new(), segments, closed: curve.is_closed() };
+        net_curve.lengths = net_curve.natural()?;
+        Ok(net_curve)
     }
 
     /// True if it is one point.
@@ -78,8 +81,8 @@ impl<const N: usize> Strand<N> {
         is_point(self.segments.as_flattened())
     }
 
-    /// Lengths in a parameter in which the curve has derivatives of continuous length: those of its knots if it is C1 in some. Segments that
-    /// are points have none.
+    /// Lengths in a parameter in which the curve has derivatives of continuous length: those of its
+    /// knots if it is C1 in some. Segments that are points have none.
     fn natural(&self) -> Result<Vec<f64>> {
         let polygon = |points: &[DVec3; N]| points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
         let polygons = alloc::collect(self.segments.iter().map(polygon))?;
@@ -98,13 +101,13 @@ impl<const N: usize> Strand<N> {
         let sum: f64 = lengths.iter().sum();
         let wild = |(&length, &polygon): (&f64, &f64)| {
             let [length, polygon] = [length / sum, polygon / total];
-            !(length <= WILD * polygon && polygon <= WILD * length)
+            !(length <= MAX_LENGTH_DISTORTION * polygon && polygon <= MAX_LENGTH_DISTORTION * length)
         };
         if lengths.iter().zip(&polygons).any(wild) { Ok(polygons) } else { Ok(lengths) }
     }
 
-    pub(super) fn point(&self, at: At) -> DVec3 {
-        point(&self.segments[at.segment], at.t)[0]
+    pub(super) fn point(&self, at: CurvePlace) -> DVec3 {
+        evaluate(&self.segments[at.segment], at.t)
     }
 
     /// Backwards.
@@ -114,14 +117,14 @@ impl<const N: usize> Strand<N> {
         self.lengths.reverse();
     }
 
-    /// A place as it is called after [`Strand::reverse`].
-    pub(super) fn reversed(&self, at: At) -> At {
-        At { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
+    /// A place as it is called after [`NetCurve::reverse`].
+    pub(super) fn reversed(&self, at: CurvePlace) -> CurvePlace {
+        CurvePlace { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
     }
 
-    /// The parts between places that follow each other; of a closed one also that from the last to the first. A strand that is one point
-    /// has parts that are the same.
-    pub(super) fn cut(&self, places: &[At]) -> Result<Vec<Piece<N>>> {
+    /// The parts between places that follow each other; of a closed one also that from the last to
+    /// the first. A curve that is one point has parts that are the same.
+    pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<Piece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
         let mut pieces = alloc::with_capacity(count)?;
         for k in 0..count {
@@ -130,13 +133,13 @@ impl<const N: usize> Strand<N> {
         Ok(pieces)
     }
 
-    /// The whole strand, one piece.
+    /// The whole curve, one piece.
     pub(super) fn whole(&self) -> Result<Piece<N>> {
         let last = self.segments.len() - 1;
-        self.between(At { segment: 0, t: 0.0 }, At { segment: last, t: 1.0 })
+        self.between(CurvePlace { segment: 0, t: 0.0 }, CurvePlace { segment: last, t: 1.0 })
     }
 
-    fn between(&self, from: At, to: At) -> Result<Piece<N>> {
+    fn between(&self, from: CurvePlace, to: CurvePlace) -> Result<Piece<N>> {
         let mut piece = Piece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
         let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
             if end <= start || self.lengths[segment] == 0.0 {
@@ -144,7 +147,7 @@ impl<const N: usize> Strand<N> {
             }
             piece.length += self.lengths[segment] * (end - start);
             alloc::push(&mut piece.ends, piece.length)?;
-            alloc::push(&mut piece.segments, part(&self.segments[segment], [start, end]))
+            alloc::push(&mut piece.segments, restricted(&self.segments[segment], [start, end]))
         };
         if from.segment == to.segment && from.t < to.t {
             add(from.segment, [from.t, to.t])?;
@@ -170,7 +173,7 @@ impl<const N: usize> Strand<N> {
 impl<const N: usize> Piece<N> {
     /// Ends become fractions, none of them too close to the next.
     fn spread(&mut self) {
-        let least = LEAST * self.length;
+        let least = MIN_SEGMENT_SHARE * self.length;
         let (mut before, mut total) = (0.0, 0.0);
         for end in &mut self.ends {
             let length = *end - before;
@@ -202,8 +205,8 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The segments over the spans between breaks, the last of which is 1. The breaks have all ends of the piece among them: `ends`, as the breaks
-    /// have them.
+    /// The segments over the spans between breaks, the last of which is 1. The breaks have all ends
+    /// of the piece among them: `ends`, as the breaks have them.
     pub(super) fn refined(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
         alloc::reserve(refined, breaks.len())?;
         let (mut segment, mut from) = (0, 0.0);
@@ -212,7 +215,7 @@ impl<const N: usize> Piece<N> {
             let first = if segment == 0 { 0.0 } else { ends[segment - 1] };
             let length = ends[segment] - first;
             let [low, high] = [(from - first) / length, if to >= ends[segment] { 1.0 } else { (to - first) / length }];
-            let mut points = part(&self.segments[segment], [low, high]);
+            let mut points = restricted(&self.segments[segment], [low, high]);
             // Neighbours share their ends to the bit.
             points[0] = start;
             start = points[N - 1];
@@ -230,35 +233,9 @@ fn is_point(points: &[DVec3]) -> bool {
     points.iter().all(|&p| p == points[0])
 }
 
-/// Point and first derivative of a segment.
-pub(in crate::surface) fn point<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 2] {
-    let mut work = *points;
-    for count in (2..N).rev() {
-        for k in 0..count {
-            work[k] = work[k] * (1.0 - t) + work[k + 1] * t;
-        }
-    }
-    [work[0] * (1.0 - t) + work[1] * t, (work[1] - work[0]) * (N - 1) as f64]
-}
-
 /// A segment over a part of its parameters, exactly itself over all.
-pub(in crate::surface) fn part<const N: usize>(points: &[DVec3; N], [from, to]: [f64; 2]) -> [DVec3; N] {
-    let mut work = *points;
-    if from > 0.0 {
-        // The right part: what is left of the columns of de Casteljau's scheme.
-        for count in (1..N).rev() {
-            for k in 0..count {
-                work[k] = work[k] * (1.0 - from) + work[k + 1] * from;
-            }
-        }
-    }
-    if to < 1.0 {
-        let t = (to - from) / (1.0 - from);
-        for first in 1..N {
-            for k in (first..N).rev() {
-                work[k] = work[k - 1] * (1.0 - t) + work[k] * t;
-            }
-        }
-    }
-    work
+pub(super) fn restricted<const N: usize>(points: &[DVec3; N], range: [f64; 2]) -> [DVec3; N] {
+    let mut part = *points;
+    restrict(&mut part, range);
+    part
 }
