@@ -122,7 +122,9 @@ impl Crate {
         for (path, module) in &self.modules {
             let used = |import: &&Import| !import.public || module.names.contains(&import.name);
             let imports = module.imports.iter().filter(used).map(|import| &import.path);
-            for used in imports.chain(&module.paths) {
+            let through_globs = module.names.iter().filter(|_| !module.globs.is_empty());
+            let lone: Vec<_> = through_globs.map(|name| vec![name.clone()]).collect();
+            for used in imports.chain(&module.paths).chain(&lone) {
                 if let Some(file) = self.definition(path, used, 0).filter(|file| *file != module.file) {
                     arrows.entry((module.file.clone(), file.to_owned())).or_insert_with(|| used.join("::"));
                 }
@@ -171,6 +173,10 @@ impl Module {
                 k += 1;
                 continue;
             };
+            if name == "mod" && matches!(tokens.get(k + 2), Some(TokenTree::Group(_))) {
+                k += 3;
+                continue;
+            }
             if name == "use" {
                 let end = (k..tokens.len()).find(|&end| is_mark(tokens.get(end), ';')).unwrap_or(tokens.len());
                 let before = k.checked_sub(1).and_then(|before| tokens.get(before));
