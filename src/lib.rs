@@ -46,6 +46,7 @@
 mod alloc;
 pub mod boundary;
 pub mod check;
+mod choice;
 pub mod error;
 mod fair;
 pub mod ffi;

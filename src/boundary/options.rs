@@ -1,5 +1,7 @@
 //! Options of the search for boundary loops.
 
+use crate::choice::choices;
+
 /// What a boundary does at an edge with three or more faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NonManifold {
@@ -8,6 +10,15 @@ pub enum NonManifold {
     Cut,
     /// Only edges with exactly one face belong to loops; a walk that meets such an edge ends there, as an open chain.
     Stop,
+}
+
+impl NonManifold {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: NonManifold =
+            NonManifold::Cut => "Cut", "Each face has a border of its own there: loops are always closed.";
+            NonManifold::Stop => "Stop", "Loops end there, as open chains.";
+    }
 }
 
 /// How closely the mesh is looked at.

@@ -1,5 +1,6 @@
 //! Options, results and the status of each hole.
 
+use crate::choice::choices;
 use crate::mesh::Mesh;
 use crate::stitch::Quality;
 use std::ops::Range;
@@ -16,6 +17,16 @@ pub enum Weight {
     BendThenArea,
     /// The area, as Barequet and Sharir have it.
     Area,
+}
+
+impl Weight {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Weight =
+            Weight::AreaAndBend => "Area and bend", "The area, and the bends along edges by their squared length.";
+            Weight::BendThenArea => "Largest bend", "The largest angle between neighbouring faces, then the area.";
+            Weight::Area => "Area", "The area alone.";
+    }
 }
 
 /// New vertices inside the holes.

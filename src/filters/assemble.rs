@@ -1,104 +1,54 @@
 //! The filter `assemble`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, ParamKind, Values};
-use super::stitch::{FAIRING, MERIDIANS, meridians};
-use crate::alloc;
-use crate::error::Result;
+use super::prelude::*;
+use super::stitch::FAIRING_HELP;
 use crate::fill;
-use crate::job::Job;
 use crate::repair::weld;
 use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, assemble};
-use crate::stitch::{self, Fairing, Rows};
+use crate::stitch::{self, Fairing, Meridians, Rows};
 
 pub(super) const FILTER: Filter = Filter {
     id: "assemble",
     name: "Assemble pieces",
-    script_name: "assemble",
     category: "Stitching",
-    help: "Makes one mesh of many open pieces: borders that lie on one another are sewn, faces made to agree, loops that face \
-           each other across a gap stitched, and holes filled if wanted. What faces nothing is left alone.",
+    help: "Joins many open pieces to one mesh: coincident borders are welded, orientations made consistent, loops that face \
+           each other across a gap stitched, and holes filled on request. Loops that face none are left as they are.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
     max_inputs: 1 << 16,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
     params: &[
-        length(
-            "tolerance",
-            "Welding distance",
-            "Borders are sewn where their vertices are no farther apart than this; 0 for equal positions, -1 for no welding.",
-            -1.0,
-            0.0,
+        Param::real("tolerance", "Welding distance", [-1.0, 1e15], &[0.0])
+            .help("The largest distance of border vertices that are welded; 0 for equal positions, -1 for no welding."),
+        Param::real("max_gap", "Widest gap", [-1.0, 1e15], &[-1.0]).help(
+            "The largest mean width of a gap that is closed; 0 leaves all open, -1 decides by the size of the loops.",
         ),
-        length(
-            "max_gap",
-            "Widest gap",
-            "The mean width of the widest gap that is closed; 0 leaves all open, -1 decides by the size of the loops.",
-            -1.0,
-            -1.0,
-        ),
-        Param::choice(
-            "extent",
-            "Join",
-            "What of the loops is joined.",
-            &[
-                Choice {
-                    label: "Loops and parts of them",
-                    help: "Whole loops, and runs of vertices that face each other.",
-                },
-                Choice { label: "Whole loops", help: "No parts." },
-            ],
-        ),
-        Param::choice(
-            "meridians",
-            "Meridians",
-            "How vertices of one loop are joined to vertices of the other.",
-            MERIDIANS,
-        ),
-        Param::choice(
-            "rows",
-            "Rows",
-            "Whether rows of new vertices lie between the rims.",
-            &[
-                Choice { label: "None", help: "Every meridian is one edge." },
-                Choice { label: "By mean edge", help: "New edges are about as long as the mean edge of the pieces." },
-            ],
-        ),
-        Param::choice("fairing", "Shape of the rows", "Where the new vertices lie.", FAIRING),
-        Param::choice(
-            "holes",
-            "Holes that are left",
-            "What becomes of them in the end.",
-            &[
-                Choice { label: "Leave", help: "They stay open." },
-                Choice { label: "Fill", help: "Triangles between the vertices of the rim." },
-                Choice {
-                    label: "Fill, refined and fair",
-                    help: "New vertices, moved until the patch goes on as the surface does.",
-                },
-            ],
-        ),
+        Param::choice("extent", "Join", EXTENTS.texts).help("The parts of the loops that are joined."),
+        Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
+            .help("The rule that joins vertices of one loop to vertices of the other."),
+        Param::choice("rows", "Rows", ROWS.texts).help("The rows of new vertices between the rims."),
+        Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).help(FAIRING_HELP),
+        Param::choice("holes", "Remaining holes", HOLES).help("The treatment of holes that remain."),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
 
-const fn length(id: &'static str, label: &'static str, help: &'static str, min: f64, default: f64) -> Param {
-    Param {
-        id,
-        label,
-        help,
-        kind: ParamKind::Real,
-        min,
-        max: 1e15,
-        default: if default < 0.0 { &[-1.0] } else { &[0.0] },
-        step: 0.0,
-        choices: &[],
-    }
+choices! {
+    /// Whether only whole loops are joined.
+    EXTENTS: bool =
+        false => "Loops and parts of them", "Whole loops, and runs of vertices that face each other.";
+        true => "Whole loops", "No parts.";
 }
+
+choices! {
+    ROWS: Rows =
+        Rows::None => "None", "Every meridian is one edge.";
+        Rows::MeanEdge => "By mean edge", "New edges are about as long as the mean edge of the pieces.";
+}
+
+const HOLES: &[Choice] = &[
+    Choice::new("Leave", "They stay open."),
+    Choice::new("Fill", "Triangles between the vertices of the rim."),
+    Choice::new("Fill, refined and fair", "New vertices, placed so that the patch continues the surface smoothly."),
+];
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mut pieces = alloc::with_capacity(inputs.len())?;
@@ -109,14 +59,14 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let options = Options {
         weld: (tolerance >= 0.0).then(|| weld::Options { tolerance: Some(tolerance), ..weld::Options::default() }),
         max_gap: if max_gap < 0.0 { MaxGap::Auto } else { MaxGap::Given(max_gap) },
-        whole_loops_only: values.chosen("extent") == 1,
+        whole_loops_only: values.choice("extent", EXTENTS),
         strip: stitch::Options {
-            meridians: meridians(values.chosen("meridians")),
-            rows: [Rows::None, Rows::MeanEdge][values.chosen("rows")],
-            fairing: [Fairing::None, Fairing::ThinPlate][values.chosen("fairing")],
+            meridians: values.choice("meridians", Meridians::CHOICES),
+            rows: values.choice("rows", ROWS),
+            fairing: values.choice("fairing", Fairing::CHOICES),
             ..stitch::Options::default()
         },
-        fill: match values.chosen("holes") {
+        fill: match values.place("holes") {
             0 => None,
             1 => Some(fill::Options::default()),
             _ => Some(fill::Options {

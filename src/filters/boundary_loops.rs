@@ -1,45 +1,26 @@
 //! The filter `boundary_loops`.
 
-use super::Filter;
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, Values};
+use super::prelude::*;
 use crate::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
-use crate::error::Result;
-use crate::job::Job;
-use std::fmt::Write;
 
-/// Loops that the report lists one by one.
-const LISTED: usize = 20;
+/// The largest number of loops that the report lists.
+const MAX_LISTED: usize = 20;
 
 pub(super) const FILTER: Filter = Filter {
     id: "boundary_loops",
     name: "Boundary loops",
-    script_name: "boundary_loops",
     category: "Boundary",
-    help: "Finds every free boundary loop of a mesh, as polylines: the chains of edges that have a face on one side only. A \
-           loop runs with the surface on its left. Where the boundary touches itself it is cut into simple loops.",
+    help: "Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface \
+           lies to the left of a loop. Where the boundary touches itself it is divided into simple loops.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 1",
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
-    params: &[Param::choice(
-        "non_manifold",
-        "Edges with three or more faces",
-        "What a loop does where three or more faces meet at an edge.",
-        &[
-            Choice { label: "Cut", help: "Each face has a border of its own there: loops are always closed." },
-            Choice { label: "Stop", help: "Loops end there, as open chains." },
-        ],
-    )],
-    suggest: None,
-    run,
+    params: &[Param::choice("non_manifold", "Edges with three or more faces", NonManifold::CHOICES.texts)
+        .help("The course of a loop at an edge with three or more faces.")],
+    ..Filter::new(MESH, TO_CURVES_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
-    let non_manifold = [NonManifold::Cut, NonManifold::Stop][values.chosen("non_manifold")];
+    let non_manifold = values.choice("non_manifold", NonManifold::CHOICES);
     let boundary = boundary_loops(mesh, &Options { non_manifold, ..Options::default() }, job)?;
     let mut curves = Curves::none();
     for found in boundary.iter() {
@@ -50,16 +31,15 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 fn report(boundary: &Boundary) -> String {
     let mut text = format!("{} boundary loops, {} edges\n", boundary.len(), boundary.edge_count());
-    for (i, found) in boundary.iter().take(LISTED).enumerate() {
+    for (i, found) in boundary.iter().take(MAX_LISTED).enumerate() {
         let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{kind} {i}: {} edges, length {}", found.half_edges.len(), found.length);
+        push_line!(text, "{kind} {i}: {} edges, length {}", found.half_edges.len(), found.length);
     }
-    if boundary.len() > LISTED {
-        let _ = writeln!(text, "and {} more", boundary.len() - LISTED);
+    if boundary.len() > MAX_LISTED {
+        push_line!(text, "and {} more", boundary.len() - MAX_LISTED);
     }
     if !boundary.defects().is_empty() {
-        let _ = writeln!(text, "{} defects of the mesh", boundary.defects().len());
+        push_line!(text, "{} defects of the mesh", boundary.defects().len());
     }
     text
 }

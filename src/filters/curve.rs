@@ -1,65 +1,52 @@
-//! What filters of curves have in common: the Bézier curves that polylines stand for, and the plane
+//! Common parts of filters of curves: the Bézier curves that interpolate polylines, and the plane
 //! that they lie in.
 
-use super::data::{Curves, Input};
-use super::extent::{extent_of, plane_of, put};
-use super::param::{Choice, PLACES, Param, ParamKind, Values};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
+use super::extent::plane_of;
+use super::prelude::*;
 use crate::outline::ops::Spacing;
 use crate::outline::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
-use glam::DVec3;
 
 pub(super) const CATEGORY: &str = "Curves";
 pub(super) const REFERENCE: &str = "T. Nadopta, Theoretical foundations of the identification of outline curves, 2008";
 
-/// What a polyline stands for.
-pub(super) const BETWEEN: Param = Param::choice(
-    "between",
-    "Between the points",
-    "What the curves are, of which the points are given.",
-    &[
-        Choice { label: "Straight", help: "The polylines themselves." },
-        Choice { label: "Smooth", help: "Quadratic segments that meet smoothly, one for each point." },
-        Choice { label: "Cubic spline", help: "Cubic segments with continuous curvature." },
-    ],
+choices! {
+    /// The interpolating curve; none for the polyline itself.
+    CURVES_THROUGH: Option<Mode> =
+        None => "Straight", "The polylines themselves.";
+        Some(Mode::Composite) => "Smooth", "Quadratic segments that meet smoothly, one for each point.";
+        Some(Mode::CubicC2) => "Cubic spline", "Cubic segments with continuous curvature.";
+}
+
+/// The interpolation of polylines.
+pub(super) const INTERPOLATION: Param =
+    Param::choice("between", "Between the points", CURVES_THROUGH.texts).help("The curves through the given points.");
+
+/// The fineness of curves.
+pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error").help(
+    "The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves.",
 );
 
-/// How fine curves that come out are.
-pub(super) const CHORD: Param = Param::relative(
-    "chord_error",
-    "Chord error",
-    "How far the polylines that come out may be from the curves, relative to the diagonal of the box of all curves.",
-);
-
-/// The plane that curves are in.
-pub(super) const PLANE: Param = Param::new(
-    "plane",
-    "Plane",
-    "The plane that the curves lie in, within a millionth of their size; suggested is the one that they enclose most area in.",
-    ParamKind::Plane,
-    PLACES,
-    &[0.0, 0.0, 1.0, 0.0],
+/// The plane of curves.
+pub(super) const PLANE: Param = Param::plane("plane", "Plane").help(
+    "The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested.",
 );
 
 /// Suggests [`PLANE`].
-pub(super) fn suggest_plane(params: &[Param], inputs: &[Input<'_>], values: &mut [f64]) {
+pub(super) fn suggest_plane(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
     if let Some(Input::Curves(curves)) = inputs.first()
         && let Some(plane) = plane_of(curves)
     {
-        put(params, values, PLANE.id, &plane);
+        defaults.set(PLANE.id, &plane);
     }
 }
 
-/// The curve that a polyline stands for: one without segments if there are fewer than two different
-/// points.
+/// The curve through a polyline, without segments if there are fewer than two distinct points.
 ///
 /// # Errors
 /// Those of [`fit`].
-pub(super) fn curve(points: &[[f64; 3]], closed: bool, between: usize, job: &Job<'_>) -> Result<Curve> {
-    if between > 0 && !points.is_empty() {
-        let options = Options { mode: [Mode::Composite, Mode::CubicC2][between - 1], ..Options::default() };
+fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -> Result<Curve> {
+    if let Some(mode) = mode.filter(|_| !points.is_empty()) {
+        let options = Options { mode, ..Options::default() };
         let outlines = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         return fit(&outlines, &options, job)?.curve(0).to_owned();
     }
@@ -74,40 +61,40 @@ pub(super) fn curve(points: &[[f64; 3]], closed: bool, between: usize, job: &Job
     CurveView::new(&controls, &ends, closed)?.to_owned()
 }
 
-/// The curves that all polylines stand for.
+/// The curves through all polylines.
 ///
 /// # Errors
 /// Those of [`Curves::each`] and [`fit`].
 pub(super) fn curves(given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
-    laid(given, values, job, |_, points| alloc::copied(points))
+    curves_of(given, values, job, |_, points| alloc::copied(points))
 }
 
-/// The curves of polylines that were laid somewhere else first.
-fn laid(
+/// The curves through mapped polylines. `map` gets the number of the first point and the points.
+fn curves_of(
     given: &Curves,
     values: &Values<'_>,
     job: &Job<'_>,
-    lay: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
+    map: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
 ) -> Result<Vec<Curve>> {
-    let (each, between) = (given.each()?, values.chosen(BETWEEN.id));
+    let (each, mode) = (given.each()?, values.choice(INTERPOLATION.id, CURVES_THROUGH));
     let mut curves = alloc::with_capacity(each.len())?;
     let mut first = 0;
     for (c, (points, closed)) in each.iter().enumerate() {
         let part = job.share(c, each.len());
         part.step(0.0, "curves")?;
-        curves.push(curve(&lay(first, points)?, *closed, between, &part)?);
+        curves.push(curve(&map(first, points)?, *closed, mode, &part)?);
         first += points.len();
     }
     Ok(curves)
 }
 
-/// The length that chords are held to.
+/// The largest distance of chords.
 pub(super) fn chord(given: &Curves, values: &Values<'_>) -> f64 {
     let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
-    (values.number(CHORD.id) * size).max(f64::MIN_POSITIVE)
+    (values.number(CHORD_ERROR.id) * size).max(f64::MIN_POSITIVE)
 }
 
-/// A curve as points of a polyline; one without segments is its point.
+/// The points of a polyline along a curve; of a curve without segments its point.
 ///
 /// # Errors
 /// Those of [`CurveView::sampled`].
@@ -116,13 +103,13 @@ pub(super) fn sampled(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) ->
     if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
 }
 
-/// A plane with axes of its own: those of space for the plane z = 0.
-pub(super) struct Flat {
+/// A plane with axes, those of space for the plane z = 0.
+pub(super) struct CurvePlane {
     origin: DVec3,
     axes: [DVec3; 3],
 }
 
-impl Flat {
+impl CurvePlane {
     /// The plane that is given as a parameter.
     ///
     /// # Errors
@@ -130,25 +117,24 @@ impl Flat {
     pub(super) fn new(values: &Values<'_>) -> Result<Self> {
         let (normal, distance) = values.plane(PLANE.id)?;
         let (u, v) = normal.any_orthonormal_pair();
-        // Right-handed, so that counter-clockwise is the same in the plane as seen against its
-        // normal.
+        // Right-handed, so that orientation in the plane agrees with the view against its normal.
         let v = if u.cross(v).dot(normal) < 0.0 { -v } else { v };
-        Ok(Flat { origin: normal * distance, axes: [u, v, normal] })
+        Ok(CurvePlane { origin: normal * distance, axes: [u, v, normal] })
     }
 
-    /// All curves in coordinates of the plane, z being 0.
+    /// All curves in coordinates of the plane, with z = 0.
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`] with a place among all points, and those of [`curves`].
     pub(super) fn curves(&self, given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
         let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
         let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
-        let play = 1e-6 * size + 64.0 * f64::EPSILON * largest;
-        laid(given, values, job, |first, points| {
+        let slack = 1e-6 * size + 64.0 * f64::EPSILON * largest;
+        curves_of(given, values, job, |first, points| {
             let mut flat = alloc::with_capacity(points.len())?;
             for (k, &point) in points.iter().enumerate() {
                 let [x, y, z] = self.axes.map(|axis| axis.dot(DVec3::from(point) - self.origin));
-                if z.abs() > play {
+                if z.abs() > slack {
                     return Err(Error::CurveNotPlane { point: (first + k) as u32 });
                 }
                 flat.push([x, y, 0.0]);

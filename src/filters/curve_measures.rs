@@ -1,34 +1,21 @@
 //! The filter `curve_measures`.
 
-use super::Filter;
-use super::curve::{self, BETWEEN, CATEGORY, REFERENCE};
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::Values;
-use crate::error::Result;
-use crate::job::Job;
+use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
+use super::prelude::*;
 use crate::outline::CurveView;
-use glam::DVec3;
-use std::fmt::Write;
 
-/// Curves that the report lists one by one.
-const LISTED: usize = 1000;
+/// The largest number of curves that the report lists.
+const MAX_LISTED: usize = 1000;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_measures",
     name: "Measure curves",
-    script_name: "curve_measures",
     category: CATEGORY,
-    help: "Measures curves: their lengths, their boxes, and what area they enclose, which for a curve that is not plane is that of \
-           its largest shadow. An open curve is closed by its chord for that.",
+    help: "Measures curves: length, bounding box and enclosed area. The area of a curve that is not plane is that of its largest \
+           projection; an open curve is closed by its chord.",
     reference: REFERENCE,
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Text],
-    replaces: false,
-    params: &[BETWEEN],
-    suggest: None,
-    run,
+    params: &[INTERPOLATION],
+    ..Filter::new(CURVES, TO_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
@@ -40,15 +27,14 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let curve = curve.view();
         let length = if curve.is_empty() { 0.0 } else { curve.lengths_cancellable(&part)?.total() };
         total += length;
-        if c < LISTED {
-            // Writing to a string cannot fail.
-            let _ = writeln!(text, "curve {c}: {}", line(&curve, length)?);
+        if c < MAX_LISTED {
+            push_line!(text, "curve {c}: {}", line(&curve, length)?);
         }
     }
-    if curves.len() > LISTED {
-        let _ = writeln!(text, "and {} more", curves.len() - LISTED);
+    if curves.len() > MAX_LISTED {
+        push_line!(text, "and {} more", curves.len() - MAX_LISTED);
     }
-    let _ = writeln!(text, "{} curves, length {total}", curves.len());
+    push_line!(text, "{} curves, length {total}", curves.len());
     Ok(vec![Output::Text(text)])
 }
 

@@ -1,56 +1,29 @@
 //! The filter `curve_meet`.
 
-use super::Filter;
-use super::curve::{self, BETWEEN, CATEGORY};
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put, rounded};
-use super::param::{Param, ParamKind, Values};
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
+use super::curve::{self, CATEGORY, INTERPOLATION};
+use super::prelude::*;
 use crate::outline::Curve;
-use std::fmt::Write;
 
-/// Places that the report lists one by one.
-const LISTED: usize = 1000;
+/// The largest number of intersections that the report lists.
+const MAX_LISTED: usize = 1000;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_meet",
     name: "Intersections of curves",
-    script_name: "curve_meet",
     category: CATEGORY,
-    help: "Finds where curves meet each other, or pass each other nearer than a distance: a curve of one point for each place, in the \
-           middle between the two. Those of plane curves with themselves are found too.",
+    help: "Finds where curves intersect, or pass each other within a distance: a curve of one point for each place, midway between \
+           the two. Self-intersections of curves in the plane z = 0 are found too.",
     reference: "Bezier clipping by convex hulls, and Newton's method",
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
-    suggest: Some(suggest),
-    run,
+    params: &[
+        INTERPOLATION,
+        Param::length("within", "Distance", NON_NEGATIVE, &[0.0])
+            .help("The largest distance at which curves count as meeting; 0 for intersections up to rounding.")
+            .relative(1e-6),
+    ],
+    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
 };
 
-const PARAMS: &[Param] = &[
-    BETWEEN,
-    Param::new(
-        "within",
-        "Distance",
-        "How far apart curves may pass each other; 0 for those that meet but for rounding.",
-        ParamKind::Length,
-        [0.0, 1e15],
-        &[0.0],
-    ),
-];
-
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = extent_of(inputs) {
-        put(PARAMS, values, "within", &[rounded(1e-6 * extent.diagonal())]);
-    }
-}
-
-/// What was found.
+/// The intersections found.
 struct Found {
     places: Curves,
     text: String,
@@ -81,7 +54,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         }
     }
     let Found { places, mut text, overlaps, undecided } = found;
-    let _ = writeln!(
+    push_line!(
         text,
         "{} places, {overlaps} parts in common or beside each other, {undecided} pairs of curves undecided",
         places.closed.len()
@@ -118,9 +91,8 @@ impl Found {
 
     /// A line of the report, as long as it is short.
     fn note(&mut self, line: std::fmt::Arguments<'_>) {
-        if self.places.closed.len() <= LISTED {
-            // Writing to a string cannot fail.
-            let _ = writeln!(self.text, "{line}");
+        if self.places.closed.len() <= MAX_LISTED {
+            push_line!(self.text, "{line}");
         }
     }
 }

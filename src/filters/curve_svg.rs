@@ -1,41 +1,27 @@
 //! The filter `curve_svg`.
 
-use super::Filter;
-use super::curve::{BETWEEN, CATEGORY, Flat, PLANE, REFERENCE, suggest_plane};
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Param, Values};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
+use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE, suggest_plane};
+use super::prelude::*;
 use crate::outline::CurveView;
-use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_svg",
     name: "Curves as SVG paths",
-    script_name: "curve_svg",
     category: CATEGORY,
-    help: "Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back as they are. Smooth \
-           curves are written as the Bezier curves that they are.",
+    help: "Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth \
+           curves are written as Bezier curves.",
     reference: REFERENCE,
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
-    suggest: Some(|inputs, values| suggest_plane(PARAMS, inputs, values)),
-    run,
+    params: &[
+        INTERPOLATION,
+        PLANE,
+        Param::flag("downwards", "y downwards").help("Negates the second coordinate, as y points down in SVG."),
+    ],
+    suggest: Some(suggest_plane),
+    ..Filter::new(CURVES, TO_TEXT, run)
 };
 
-const PARAMS: &[Param] = &[
-    BETWEEN,
-    PLANE,
-    Param::flag("downwards", "y downwards", "The second coordinate is turned over, as it grows downwards in SVG."),
-];
-
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let flat = Flat::new(values)?;
+    let flat = CurvePlane::new(values)?;
     let curves = flat.curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
     let mut text = String::new();
     for (c, curve) in curves.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! What goes into a filter and what comes out.
+//! The inputs and outputs of filters.
 
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use glam::DVec3;
 
-/// What an input is.
+/// The kind of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputKind {
     /// A polygon mesh.
@@ -35,27 +35,38 @@ impl<'a> Input<'a> {
     /// The mesh.
     ///
     /// # Errors
-    /// [`Error::InputUnfit`]: it is none.
+    /// [`Error::InputUnfit`] for curves.
     pub(super) fn mesh(&self) -> Result<&MeshView<'a>> {
         match self {
             Input::Mesh(mesh) => Ok(mesh),
-            Input::Curves(_) => Err(Error::InputUnfit { input: 0, why: "a mesh is needed, not curves" }),
+            Input::Curves(_) => Err(InputKind::Curves.unfit(0)),
         }
     }
 
     /// The polylines.
     ///
     /// # Errors
-    /// [`Error::InputUnfit`]: they are none.
+    /// [`Error::InputUnfit`] for a mesh.
     pub(super) fn curves(&self) -> Result<&'a Curves> {
         match self {
             Input::Curves(curves) => Ok(curves),
-            Input::Mesh(_) => Err(Error::InputUnfit { input: 0, why: "curves are needed, not a mesh" }),
+            Input::Mesh(_) => Err(InputKind::Mesh.unfit(0)),
         }
     }
 }
 
-/// What an output is.
+impl InputKind {
+    /// The error of an input of this kind where the other one is needed.
+    pub(super) fn unfit(self, place: usize) -> Error {
+        let why = match self {
+            InputKind::Mesh => "curves are needed, not a mesh",
+            InputKind::Curves => "a mesh is needed, not curves",
+        };
+        Error::InputUnfit { input: place as u32, why }
+    }
+}
+
+/// The kind of an output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutputKind {
     /// A polygon mesh.
@@ -101,7 +112,7 @@ pub struct Curves {
 }
 
 impl Curves {
-    /// Whether the offsets fit the points, and there is a flag for each curve.
+    /// Checks that the offsets fit the points, and that each curve has a flag.
     ///
     /// # Errors
     /// [`Error::BadOffsets`] with the first entry that does not fit; without offsets, and with

@@ -1,106 +1,63 @@
 //! The filter `deform`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind, with_positions};
-use super::extent::{extent_of, put, rounded};
-use super::param::{Choice, Param, ParamKind, Values};
-use crate::error::{Error, Result};
-use crate::job::Job;
+use super::data::with_positions;
+use super::extent::rounded;
+use super::prelude::*;
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use crate::net::field::{Bend, Field, Shear, Spherify, Taper, Twist};
 use crate::net::transform::Axis;
-use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Vertices that are moved at a time.
-const PIECE: usize = 1024;
+const CHUNK: usize = 1024;
 
-/// Pieces between two chances to cancel.
-const PIECES: usize = 64;
+/// Chunks between two progress reports.
+const CHUNKS_PER_REPORT: usize = 64;
 
 pub(super) const FILTER: Filter = Filter {
     id: "deform",
     name: "Deform",
-    script_name: "deform",
-    category: "Nets",
-    help: "Moves the vertices of a mesh by a field of deformation: twists it round an axis, tapers, bends or shears it, or draws it \
-           towards a sphere. Faces stay what they are, and vertices that lie together move together.",
+    category: "Deformation",
+    help: "Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, or projection towards a \
+           sphere. Faces are unchanged, and coincident vertices stay coincident.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, deformation fields",
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh],
     replaces: true,
-    params: PARAMS,
+    params: &[
+        Param::choice("field", "Field", FIELDS).help("The deformation field."),
+        Param::choice("axis", "Axis", AXES.texts).help("The axis of the field, through the origin."),
+        Param::real("amount", "Amount", COORDINATES, &[0.1])
+            .help("The parameter of the field; 0 leaves the mesh unchanged. The suggestion suits a twist."),
+        Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
+            .help("The fraction of the deformation that is applied, from 0 to 1."),
+    ],
     suggest: Some(suggest),
-    run,
+    ..Filter::new(MESH, TO_MESH, run)
 };
 
-const PARAMS: &[Param] = &[
-    Param::choice(
-        "field",
-        "Field",
-        "What is done to space.",
-        &[
-            Choice {
-                label: "Twist",
-                help: "Turns round the axis, the amount in radians for each unit of length along it.",
-            },
-            Choice {
-                label: "Taper",
-                help: "Scales across the axis by 1 and the amount for each unit of length along it.",
-            },
-            Choice {
-                label: "Bend",
-                help: "Bends the axis to an arc from the lowest vertex on; the amount is its curvature.",
-            },
-            Choice { label: "Shear", help: "Moves along the axis by the amount times the next coordinate." },
-            Choice { label: "Spherify", help: "Draws towards the sphere round the origin whose radius is the amount." },
-        ],
-    ),
-    Param::choice(
-        "axis",
-        "Axis",
-        "The axis of the field, through the origin.",
-        &[
-            Choice { label: "z", help: "The third one." },
-            Choice { label: "x", help: "The first one." },
-            Choice { label: "y", help: "The second one." },
-        ],
-    ),
-    Param {
-        id: "amount",
-        label: "Amount",
-        help: "How much; what it means depends on the field, and 0 leaves all as it is. Suggested is what suits a twist.",
-        kind: ParamKind::Real,
-        min: -1e15,
-        max: 1e15,
-        default: &[0.1],
-        step: 0.0,
-        choices: &[],
-    },
-    Param {
-        id: "strength",
-        label: "Strength",
-        help: "The part of the deformation that is done, from none to all of it.",
-        kind: ParamKind::Real,
-        min: 0.0,
-        max: 1.0,
-        default: &[1.0],
-        step: 0.0,
-        choices: &[],
-    },
+const FIELDS: &[Choice] = &[
+    Choice::new("Twist", "Rotates about the axis, by the amount in radians for each unit of length along it."),
+    Choice::new("Taper", "Scales across the axis by 1 plus the amount for each unit of length along it."),
+    Choice::new("Bend", "Bends the axis to an arc from the lowest vertex on; the amount is its curvature."),
+    Choice::new("Shear", "Moves along the axis by the amount times the next coordinate."),
+    Choice::new("Spherify", "Projects towards the sphere about the origin whose radius is the amount."),
 ];
+
+choices! {
+    /// The axis and the one that follows it.
+    AXES: [Axis; 2] =
+        [Axis::Z, Axis::X] => "z", "The third axis.";
+        [Axis::X, Axis::Y] => "x", "The first axis.";
+        [Axis::Y, Axis::Z] => "y", "The second axis.";
+}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let (amount, strength) = (values.number("amount"), values.number("strength"));
-    let axis = [Axis::Z, Axis::X, Axis::Y][values.chosen("axis")];
-    let next = [Axis::X, Axis::Y, Axis::Z][values.chosen("axis")];
+    let [axis, next] = values.choice("axis", AXES);
     if amount == 0.0 {
         return Ok(vec![Output::Mesh(copied(mesh, job)?)]);
     }
-    let field: Box<dyn Field> = match values.chosen("field") {
+    let field: Box<dyn Field> = match values.place("field") {
         0 => Box::new(Twist::new(axis, amount, 0.0)?),
         1 => Box::new(Taper::new(axis, amount, 0.0)?),
         2 => Box::new(Bend::new(axis, amount, lowest(mesh, axis), f64::INFINITY)?),
@@ -110,10 +67,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(moved(mesh, field.as_ref(), strength, job)?)])
 }
 
-/// The amount that turns the mesh by half a right angle from end to end, if it is twisted.
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+/// The amount at which a twist rotates one end of the mesh by pi / 4 against the other.
+fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
     if let Some(extent) = extent_of(inputs) {
-        put(PARAMS, values, "amount", &[rounded(0.25 * PI / extent.diagonal())]);
+        defaults.set("amount", &[rounded(0.25 * PI / extent.diagonal())]);
     }
 }
 
@@ -123,7 +80,7 @@ fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
 /// [`Error::FieldUndefined`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub(super) fn moved(mesh: &MeshView<'_>, field: &dyn Field, strength: f64, job: &Job<'_>) -> Result<Mesh> {
     let mut moved = copied(mesh, &job.part(0.0, 0.2))?;
-    // In no part at all, not even undefined places matter.
+    // At strength 0 the domain of the field does not matter.
     if strength > 0.0 {
         let job = job.part(0.2, 1.0);
         match &mut moved.positions {
@@ -134,7 +91,7 @@ pub(super) fn moved(mesh: &MeshView<'_>, field: &dyn Field, strength: f64, job: 
     Ok(moved)
 }
 
-/// The least coordinate along an axis.
+/// The smallest coordinate along an axis.
 fn lowest(mesh: &MeshView<'_>, axis: Axis) -> f64 {
     let along = |point: DVec3| match axis {
         Axis::X => point.x,
@@ -146,7 +103,7 @@ fn lowest(mesh: &MeshView<'_>, axis: Axis) -> f64 {
     Some(all.fold(f64::INFINITY, f64::min)).filter(|low| low.is_finite()).unwrap_or(0.0)
 }
 
-/// Moves points, a piece at a time; [`Error::FieldUndefined`] for the first that the field is not
+/// Moves points, a chunk at a time; [`Error::FieldUndefined`] for the first that the field is not
 /// defined at.
 fn map<T: Copy + Into<f64>>(
     field: &dyn Field,
@@ -155,23 +112,23 @@ fn map<T: Copy + Into<f64>>(
     round: impl Fn(f64) -> T,
     job: &Job<'_>,
 ) -> Result<()> {
-    let mut scratch = [[0.0; PIECE]; 3];
-    let pieces = points.len().div_ceil(PIECE);
-    for (number, piece) in points.chunks_mut(PIECE).enumerate() {
-        if number % PIECES == 0 {
-            job.step(number as f64 / pieces as f64, "moving vertices")?;
+    let mut scratch = [[0.0; CHUNK]; 3];
+    let chunks = points.len().div_ceil(CHUNK);
+    for (number, chunk) in points.chunks_mut(CHUNK).enumerate() {
+        if number % CHUNKS_PER_REPORT == 0 {
+            job.step(number as f64 / chunks as f64, "moving vertices")?;
         }
-        let count = piece.len();
-        for (k, point) in piece.iter().enumerate() {
+        let count = chunk.len();
+        for (k, point) in chunk.iter().enumerate() {
             (0..3).for_each(|axis| scratch[axis][k] = point[axis].into());
         }
         let [x, y, z] = &mut scratch;
         field.map(strength, [&mut x[..count], &mut y[..count], &mut z[..count]]);
-        for (k, point) in piece.iter_mut().enumerate() {
+        for (k, point) in chunk.iter_mut().enumerate() {
             let moved = [0, 1, 2].map(|axis| scratch[axis][k]);
             let was_finite = point.iter().all(|&x| x.into().is_finite());
             if was_finite && !moved.iter().all(|x| x.is_finite()) {
-                return Err(Error::FieldUndefined { node: (number * PIECE + k) as u32 });
+                return Err(Error::FieldUndefined { node: (number * CHUNK + k) as u32 });
             }
             *point = moved.map(&round);
         }
@@ -179,7 +136,7 @@ fn map<T: Copy + Into<f64>>(
     Ok(())
 }
 
-/// The mesh as it is.
+/// A copy of the mesh.
 fn copied(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Mesh> {
     job.step(0.0, "copying the mesh")?;
     let positions = mesh.positions();

@@ -1,11 +1,11 @@
-//! How large inputs are, and where: what defaults that depend on them are made of.
+//! Size and place of inputs, from which defaults that depend on them are made.
 
 use super::data::{Curves, Input};
-use super::param::Param;
 use crate::geom::Aabb;
 use glam::DVec3;
 
-/// The box round all finite points of some inputs; `None` if there are none, or if they are all one.
+/// The box round all finite points of some inputs; `None` if there are none, or if they are all
+/// one.
 pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
     let mut extent = Aabb::EMPTY;
     let mut add = |point: DVec3| {
@@ -32,18 +32,6 @@ pub(super) fn rounded(value: f64) -> f64 {
     if round.is_finite() { round } else { value }
 }
 
-/// Overwrites the values of parameter `id` among those of all `params`.
-pub(super) fn put(params: &[Param], values: &mut [f64], id: &str, new: &[f64]) {
-    let mut start = 0;
-    for param in params {
-        let end = start + param.kind.arity();
-        if param.id == id {
-            values[start..end].copy_from_slice(new);
-        }
-        start = end;
-    }
-}
-
 /// The plane that curves lie in, or lie about: its unit normal, upwards where it can be, and its
 /// distance from the origin.
 pub(super) fn plane_of(curves: &Curves) -> Option<[f64; 4]> {
@@ -60,7 +48,7 @@ pub(super) fn plane_of(curves: &Curves) -> Option<[f64; 4]> {
     let normal = area.try_normalize().filter(|_| area.length() > 1e-12).unwrap_or(DVec3::Z);
     let upwards = [normal.z, normal.y, normal.x].into_iter().find(|x| x.abs() > 1e-9).is_none_or(|x| x > 0.0);
     let normal = if upwards { normal } else { -normal };
-    // What rounding leaves of a plane across an axis.
+    // Rounding errors of a plane across an axis.
     let normal = DVec3::from(normal.to_array().map(|x| if x.abs() < 1e-12 { 0.0 } else { x })).normalize();
     let [a, b, c] = normal.to_array();
     Some([a, b, c, normal.dot(centre)])

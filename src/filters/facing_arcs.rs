@@ -1,66 +1,30 @@
 //! The filter `facing_arcs`.
 
-use super::Filter;
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, ParamKind, Values};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
+use super::prelude::*;
 use crate::stitch::facing::{Centres, Options, Run, facing};
-use glam::DVec3;
-use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
     id: "facing_arcs",
     name: "Facing arcs of two loops",
-    script_name: "facing_arcs",
     category: "Boundary",
-    help: "Finds which points of two loops face each other, as the paper has it: those on the other loop's side of the plane through \
-           their own loop's centre. The arcs of them that would be joined come out first, then all others.",
+    help: "Finds the points of two loops that face each other: those on the other loop's side of the plane through their own \
+           loop's centre. The arcs that stitching would join come first, then all others.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 2",
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
     params: &[
-        number("curve_a", "First loop", &[0.0]),
-        number("curve_b", "Second loop", &[1.0]),
-        Param::choice(
-            "run",
-            "Facing arc",
-            "Which arc is taken where several face the other loop.",
-            &[
-                Choice { label: "Closest", help: "The one with the closest pair of points." },
-                Choice { label: "Longest", help: "The one of the most points." },
-            ],
-        ),
-        Param::choice(
-            "centres",
-            "Centres",
-            "What the centre of a loop is.",
-            &[
-                Choice { label: "Mean of the points", help: "As the paper has it." },
-                Choice { label: "Mean of the curve", help: "Whatever the spacing of the points." },
-            ],
-        ),
-        Param::new(
-            "tolerance",
-            "Facing tolerance",
-            "How far a point must be from the plane to face the other loop; -1 takes what round-off can do.",
-            ParamKind::Real,
-            [-1.0, 1e15],
-            &[-1.0],
+        Param::int("curve_a", "First loop", CURVE_NUMBERS, &[0.0]).help(CURVE_HELP),
+        Param::int("curve_b", "Second loop", CURVE_NUMBERS, &[1.0]).help(CURVE_HELP),
+        Param::choice("run", "Facing arc", Run::CHOICES.texts).help(RUN_HELP),
+        Param::choice("centres", "Centres", Centres::CHOICES.texts).help("The definition of a loop's centre."),
+        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).help(
+            "The smallest distance from the plane at which a point faces the other loop; -1 takes the bound on rounding.",
         ),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
 };
 
-const fn number(id: &'static str, label: &'static str, default: &'static [f64]) -> Param {
-    let help = "The loop's number among the curves, from 0 on; the filter boundary_loops gives curves that fit.";
-    Param::new(id, label, help, ParamKind::Int, [0.0, u32::MAX as f64], default)
-}
+const CURVE_NUMBERS: [f64; 2] = [0.0, u32::MAX as f64];
+const CURVE_HELP: &str = "The number of the curve, from 0 on; the filter boundary_loops gives suitable curves.";
+pub(super) const RUN_HELP: &str = "The arc that is taken where several face the other loop.";
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     job.step(0.0, "facing arcs")?;
@@ -72,9 +36,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     };
     let loops = [points("curve_a")?, points("curve_b")?];
     let options = Options {
-        run: [Run::Closest, Run::Longest][values.chosen("run")],
+        run: values.choice("run", Run::CHOICES),
         tolerance: Some(values.number("tolerance")).filter(|&t| t >= 0.0),
-        centres: [Centres::Vertices, Centres::Length][values.chosen("centres")],
+        centres: values.choice("centres", Centres::CHOICES),
     };
     let found = facing(&loops[0], &loops[1], &options, &job.part(0.1, 1.0))?;
     let (mut arcs, mut text) = (Curves::none(), String::new());
@@ -86,8 +50,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         // All of a loop is a loop.
         arcs.add(arc.places(own.len()).map(|place| own[place]), arc.count == own.len())?;
         let [name, kind] = [["first", "second"][side], if arc == found.taken[side] { "taken" } else { "left" }];
-        // Writing to a string cannot fail.
-        let _ = writeln!(
+        push_line!(
             text,
             "{kind} of the {name} loop: {} of {} points, from point {} on",
             arc.count,

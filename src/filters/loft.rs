@@ -1,94 +1,48 @@
 //! The filter `loft`.
 
-use super::Filter;
 use super::curve::REFERENCE;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put};
-use super::param::{Choice, PLACES, Param, ParamKind, Values};
+use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::outline::frame::{Correspondence, Frame, FrameOptions, frame};
 use crate::outline::{Options, Outlines, Points};
 use crate::surface::construct::FrameSurface;
 use crate::surface::{Sheet, Surface};
-use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
     id: "loft",
-    name: "Smooth surface through sections",
-    script_name: "loft",
+    name: "Loft through sections",
     category: CATEGORY,
-    help: "Draws a smooth surface through sections of a body, curves one behind another, all closed or all open: nodes are placed on the \
-           sections, curves are drawn along the body, and the surface through both comes out as a mesh.",
+    help: "Draws a smooth surface through consecutive sections of a body, all closed or all open: nodes are placed on the sections, \
+           curves are drawn along the body, and the surface through both is returned as a mesh.",
     reference: REFERENCE,
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
+    params: &[
+        Param::choice("nodes", "Nodes", CORRESPONDENCES).help("The rule by which points of the sections correspond."),
+        Param::int("columns", "Columns", [2.0, 100_000.0], &[32.0])
+            .help("The number of nodes on each section; ignored if the nodes are the given points."),
+        Param::choice("through", "Through", FrameSurface::CHOICES.texts)
+            .help("The elements that the surface contains."),
+        Param::flag("ring", "Ring").help("The last section is followed by the first."),
+        Param::new(ParamKind::Point, "point", "Point of the axis", COORDINATES, &[0.0; 3])
+            .help("A point on the axis of the angles; the centre of the sections is suggested."),
+        Param::direction("direction", "Direction of the axis")
+            .help("The direction of the axis of the angles; from the first section to the last is suggested."),
+        FINENESS[0],
+        FINENESS[1],
+        FINENESS[2],
+    ],
     suggest: Some(suggest),
-    run,
+    ..Filter::new(CURVES, TO_MESH_TEXT, run)
 };
 
-const PARAMS: &[Param] = &[
-    Param::choice(
-        "nodes",
-        "Nodes",
-        "Which points of the sections belong together.",
-        &[
-            Choice {
-                label: "By arc length",
-                help: "Those at equal parts of the length from each section's first point on.",
-            },
-            Choice { label: "By number", help: "The points themselves, of which all sections have equally many." },
-            Choice { label: "By angle", help: "Those at equal angles round an axis." },
-        ],
-    ),
-    Param::new(
-        "columns",
-        "Columns",
-        "The number of nodes on each section; not read if nodes are the points themselves.",
-        ParamKind::Int,
-        [2.0, 100_000.0],
-        &[32.0],
-    ),
-    Param::choice(
-        "through",
-        "Through",
-        "What the surface contains.",
-        &[
-            Choice { label: "Nodes", help: "The nodes: bicubic pieces from 6 x 6 of them each." },
-            Choice { label: "Curves", help: "All curves through the nodes, across and along." },
-        ],
-    ),
-    Param::flag("ring", "Ring", "The last section is followed by the first one."),
-    Param::new(
-        "point",
-        "Point of the axis",
-        "The axis of the angles passes this point; suggested is the middle of the sections.",
-        ParamKind::Point,
-        PLACES,
-        &[0.0; 3],
-    ),
-    Param::new(
-        "direction",
-        "Direction of the axis",
-        "The axis of the angles runs along this direction; suggested is that from the first section to the last.",
-        ParamKind::Direction,
-        PLACES,
-        &[0.0, 0.0, 1.0],
-    ),
-    FINENESS[0],
-    FINENESS[1],
-    FINENESS[2],
+const CORRESPONDENCES: &[Choice] = &[
+    Choice::new("By arc length", "Points at equal fractions of the length from each section's first point."),
+    Choice::new("By number", "The given points, of which all sections have equally many."),
+    Choice::new("By angle", "Points at equal angles round an axis."),
 ];
 
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
     let (Some(extent), Some(Input::Curves(curves))) = (extent_of(inputs), inputs.first()) else { return };
-    put(PARAMS, values, "point", &extent.centre().to_array());
+    defaults.set("point", &extent.centre().to_array());
     let middle = |ends: &[u32]| -> Option<DVec3> {
         let points = curves.points.get(ends[0] as usize..ends[1] as usize)?;
         let sum: DVec3 = points.iter().map(|&point| DVec3::from(point) / extent.diagonal()).sum();
@@ -98,7 +52,7 @@ fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
     if let (Some(first), Some(last)) = (sections.next().and_then(middle), sections.next_back().and_then(middle))
         && let Some(direction) = (last - first).try_normalize()
     {
-        put(PARAMS, values, "direction", &direction.to_array());
+        defaults.set("direction", &direction.to_array());
     }
 }
 
@@ -111,7 +65,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     }
     let columns = values.number("columns") as usize;
     let direction = values.direction("direction")?;
-    let correspondence = match values.chosen("nodes") {
+    let correspondence = match values.place("nodes") {
         0 => Correspondence::ArcLength { columns },
         1 => Correspondence::Given,
         _ => Correspondence::Angle {
@@ -134,7 +88,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
     })?;
-    let kind = [FrameSurface::Nodes, FrameSurface::Curves][values.chosen("through")];
+    let kind = values.choice("through", FrameSurface::CHOICES);
     let sheet = Sheet::from_frame(&made, [ring, closed], kind, &job.part(0.4, 0.6))?;
     let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
     let (mesh, text) = smooth::meshed(&surface, values, &job.part(0.7, 1.0))?;

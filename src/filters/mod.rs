@@ -1,15 +1,12 @@
 //! The table of filters: every capability of the library that makes sense in a mesh editor, under a
-//! stable name, with typed parameters.
+//! stable id, with typed parameters. Plugin hosts list it, and `docs/filters.md` is made from it.
 //!
-//! Plugin hosts show it, documentation is made from it. Each module of the library adds its entries
-//! here, one file each.
+//! * [`filter`]: the type of an entry. [`param`]: parameters and the validation of values.
+//!   [`data`]: inputs and outputs.
+//! * [`FILTERS`]: the table; each entry has a file.
 //!
-//! * [`param`]: what a parameter is, and the check of its values. [`data`]: what goes in and what
-//!   comes out.
-//! * [`FILTERS`]: the table.
-//!
-//! Values are numbers, as many per parameter as its kind has components, one parameter after the
-//! other in the table's order; whoever gives fewer gets the defaults for the rest.
+//! Values are numbers, one for each component of each parameter, in the order of the table; missing
+//! values at the end are defaults.
 
 pub mod data;
 pub mod param;
@@ -26,11 +23,10 @@ mod curve_resample;
 mod curve_svg;
 mod deform;
 mod displace;
-mod distances;
 mod extent;
 mod facing_arcs;
 mod fill_holes;
-mod filter;
+pub mod filter;
 mod loft;
 mod net_analyse;
 mod net_decimate;
@@ -41,8 +37,10 @@ mod net_resample;
 mod net_shape;
 mod orient;
 mod outline;
+mod prelude;
 mod project;
 mod quads;
+mod report;
 mod smooth;
 mod smooth_curve;
 mod smooth_distance;
@@ -58,7 +56,7 @@ mod stitch;
 mod strip;
 mod weld;
 
-pub use filter::{Filter, Suggest};
+pub use filter::Filter;
 
 /// All filters.
 pub static FILTERS: &[Filter] = &[

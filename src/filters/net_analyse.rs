@@ -1,61 +1,29 @@
 //! The filter `net_analyse`.
 
-use super::Filter;
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put, rounded};
-use super::param::{Param, ParamKind, Values};
+use super::prelude::*;
 use super::quads::CATEGORY;
-use crate::error::{Error, Result};
 use crate::geom::aabb;
-use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::net::analyse::analyse;
 use crate::net::convert::{GridNet, net_of_grid};
 use crate::net::{Coordinates, Net};
-use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_analyse",
-    name: "Analyse a deformation",
-    script_name: "net_analyse",
+    name: "Analyse a deformation of a quad grid",
     category: CATEGORY,
-    help: "Compares a grid of quads before a deformation with the same mesh after it: edges that have become points or were torn apart, \
-           which come out as segments of the grid as it was, and quads that are folded over. If there are none the deformation is soft.",
+    help: "Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as \
+           segments of the original grid, and quads that were folded over. Without any the deformation is soft.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations",
-    inputs: &[InputKind::Mesh, InputKind::Mesh],
-    min_inputs: 2,
-    max_inputs: 2,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
-    suggest: Some(suggest),
-    run,
+    params: &[
+        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0])
+            .help("The largest length that counts as 0; a billionth of the size is suggested.")
+            .relative(1e-9),
+        Param::int("listed", "Faces listed", [0.0, 1e6], &[20.0])
+            .help("The largest number of folded faces that are listed."),
+    ],
+    ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, run)
 };
-
-const PARAMS: &[Param] = &[
-    Param::new(
-        "tolerance",
-        "Tolerance",
-        "Edges no longer than this are points; suggested is a billionth of the size.",
-        ParamKind::Length,
-        [0.0, 1e15],
-        &[0.0],
-    ),
-    Param::new(
-        "listed",
-        "Faces listed",
-        "How many folded faces are named, at most.",
-        ParamKind::Int,
-        [0.0, 1e6],
-        &[20.0],
-    ),
-];
-
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = extent_of(inputs) {
-        put(PARAMS, values, "tolerance", &[rounded(1e-9 * extent.diagonal())]);
-    }
-}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (before, after) = (inputs[0].mesh()?, inputs[1].mesh()?);
@@ -82,8 +50,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     if !found.folded.is_empty() && most > 0 {
         text += "folded:";
         for &cell in found.folded.iter().take(most) {
-            // Writing to a string cannot fail.
-            let _ = write!(text, " {}", grid.face_of_cell[cell as usize]);
+            text += &format!(" {}", grid.face_of_cell[cell as usize]);
         }
         text += if found.folded.len() > most { " ...\n" } else { "\n" };
     }
@@ -92,8 +59,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 /// From the least number to the greatest.
 fn range(ratios: &[f64]) -> String {
-    let [least, greatest] = aabb::range(ratios.iter().copied());
-    format!("{least} to {greatest}")
+    let [min, max] = aabb::range(ratios.iter().copied());
+    format!("{min} to {max}")
 }
 
 /// The net with the positions of the other mesh, which must have the same faces.

@@ -1,49 +1,28 @@
 //! The filter `net_decimate`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put, rounded};
-use super::param::{Param, ParamKind, Values};
+use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use crate::error::Result;
-use crate::job::Job;
 use crate::net::resample::decimate;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_decimate",
-    name: "Thin out a grid of quads",
-    script_name: "net_decimate",
+    name: "Decimate a quad grid",
     category: CATEGORY,
-    help: "Leaves out rows and columns of a grid of quads as long as the surface hardly changes, always the one whose loss costs \
-           least. What is left are vertices of the grid, where they were.",
+    help: "Removes rows and columns of a quad grid as long as the surface hardly changes, always the one of least cost. The \
+           remaining vertices stay where they were.",
     reference: REFERENCE,
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
     replaces: true,
-    params: PARAMS,
-    suggest: Some(suggest),
-    run,
+    params: &[
+        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[1e-3])
+            .help(
+                "The largest distance of removed vertices from the segments that replace them; a thousandth of the size is \
+                 suggested.",
+            )
+            .relative(1e-3),
+        TRIANGLES,
+    ],
+    ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
-
-const PARAMS: &[Param] = &[
-    Param::new(
-        "tolerance",
-        "Tolerance",
-        "How far vertices that are left out may be from the segments that replace them; suggested is a thousandth of the size.",
-        ParamKind::Length,
-        [0.0, 1e15],
-        &[1e-3],
-    ),
-    TRIANGLES,
-];
-
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = extent_of(inputs) {
-        put(PARAMS, values, "tolerance", &[rounded(1e-3 * extent.diagonal())]);
-    }
-}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;

@@ -1,93 +1,47 @@
 //! The filter `net_join`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, ParamKind, Values};
+use super::prelude::*;
 use super::quads::{self, CATEGORY, TRIANGLES};
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
 use crate::net::{BridgeMode, Direction, JoinOptions, Net, Replication, concatenate_all};
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_join",
-    name: "Join grids of quads",
-    script_name: "net_join",
+    name: "Join quad grids",
     category: CATEGORY,
-    help: "Joins grids of quads to one, side by side: the rows, or columns, of each follow those of the one before, and a row of new \
-           quads lies between them, or they are welded. Smaller grids have rows repeated until they fit.",
+    help: "Joins quad grids side by side to one: the rows, or columns, of each follow those of the one before, with a row of new \
+           quads between them, or welded. Smaller grids have rows replicated to fit.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation",
-    inputs: &[InputKind::Mesh, InputKind::Mesh],
-    min_inputs: 2,
     max_inputs: 1 << 16,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
     params: &[
-        Param::choice(
-            "direction",
-            "Direction",
-            "On which side of the first grid the next one lies.",
-            &[
-                Choice {
-                    label: "Below",
-                    help: "Its rows follow the last row; a closed row is joined to a closed row by a tube.",
-                },
-                Choice { label: "Right", help: "Its columns follow the last column." },
-            ],
+        Param::choice("direction", "Direction", DIRECTIONS.texts).help("The direction from each grid to the next."),
+        Param::choice("bridge", "Between them", BridgeMode::CHOICES.texts).help("The connection between two grids."),
+        Param::length("tolerance", "Welding distance", NON_NEGATIVE, &[0.0])
+            .help("The largest distance of vertices that are welded; 0 for equal positions."),
+        Param::choice("sizes", "Different sizes", REPLICATIONS.texts)
+            .help("The treatment of sides with different numbers of vertices."),
+        Param::int("twist", "Twist", [0.0, u32::MAX as f64], &[0.0]).help(
+            "The number of vertices by which closed sides of all grids but the first are rotated before joining.",
         ),
-        Param::choice(
-            "bridge",
-            "Between them",
-            "What lies between two grids.",
-            &[
-                Choice { label: "Quads", help: "A row of new quads joins them." },
-                Choice { label: "Nothing", help: "They are in one mesh, but not joined." },
-                Choice { label: "Weld", help: "Their sides lie on each other and become one." },
-            ],
-        ),
-        Param::new(
-            "tolerance",
-            "Welding distance",
-            "How far apart vertices that are welded may be; 0 for equal positions.",
-            ParamKind::Length,
-            [0.0, 1e15],
-            &[0.0],
-        ),
-        Param::choice(
-            "sizes",
-            "Different sizes",
-            "What becomes of sides with different numbers of vertices.",
-            &[
-                Choice {
-                    label: "Repeat evenly",
-                    help: "Rows of the smaller grid are repeated, spread over all of it.",
-                },
-                Choice { label: "Repeat the first", help: "Its first row is repeated." },
-                Choice { label: "Repeat the last", help: "Its last row is repeated." },
-                Choice { label: "Refuse", help: "The filter fails." },
-            ],
-        ),
-        Param::new(
-            "twist",
-            "Twist",
-            "By how many vertices closed sides of the grids but the first are turned before they are joined.",
-            ParamKind::Int,
-            [0.0, u32::MAX as f64],
-            &[0.0],
-        ),
-        Param::new(
-            "turn",
-            "Turn over",
-            "Grids whose faces run the other way round than those of the first are flipped along the side; else the filter fails.",
-            ParamKind::Bool,
-            [0.0, 1.0],
-            &[1.0],
-        ),
+        Param { default: &[1.0], ..Param::flag("turn", "Flip") }
+            .help("Flips grids of opposite orientation to the first along the side; otherwise the filter fails."),
         TRIANGLES,
     ],
-    suggest: None,
-    run,
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, run)
 };
+
+choices! {
+    DIRECTIONS: Direction =
+        Direction::Down => "Below", "Its rows follow the last row; a closed row is joined to a closed row by a tube.";
+        Direction::Right => "Right", "Its columns follow the last column.";
+}
+
+choices! {
+    REPLICATIONS: Option<Replication> =
+        Some(Replication::Uniform) => "Repeat evenly", "Rows of the smaller grid are replicated evenly.";
+        Some(Replication::First) => "Repeat the first", "Its first row is replicated.";
+        Some(Replication::Last) => "Repeat the last", "Its last row is replicated.";
+        None => "Refuse", "The filter fails.";
+}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mut nets: Vec<Net<'static>> = alloc::with_capacity(inputs.len())?;
@@ -96,13 +50,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         nets.push(quads::net(input.mesh()?, &part)?);
     }
     let options = JoinOptions {
-        mode: [BridgeMode::Keep, BridgeMode::Hide, BridgeMode::Weld][values.chosen("bridge")],
+        mode: values.choice("bridge", BridgeMode::CHOICES),
         tolerance: values.number("tolerance"),
-        equalise: [Some(Replication::Uniform), Some(Replication::First), Some(Replication::Last), None]
-            [values.chosen("sizes")],
+        equalise: values.choice("sizes", REPLICATIONS),
         twist: values.number("twist") as u32,
         turn: values.is_set("turn"),
-        ..JoinOptions::new([Direction::Down, Direction::Right][values.chosen("direction")])
+        ..JoinOptions::new(values.choice("direction", DIRECTIONS))
     };
     let all = alloc::collect(nets.iter())?;
     let joined = concatenate_all(&all, &options, &job.part(0.5, 0.7))?;

@@ -1,74 +1,46 @@
 //! The filter `net_lathe`.
 
-use super::Filter;
-use super::curve::{self, BETWEEN};
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put};
-use super::param::{PLACES, Param, ParamKind, Values};
+use super::curve::{self, INTERPOLATION};
+use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::net::primitive::{Primitive, Request};
 use crate::net::transform::{Affine, transform};
 use crate::outline::CurveView;
 use crate::outline::ops::Spacing;
-use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_lathe",
     name: "Surface of revolution",
-    script_name: "net_lathe",
     category: CATEGORY,
-    help: "Turns a curve round an axis: a grid of quads whose rows are circles, closed round, with a pole where the curve meets the \
-           axis. Of each point its height along the axis and its distance from it are taken.",
+    help: "Revolves a curve about an axis: a quad grid whose rows are closed circles, with a pole where the curve meets the axis. Of \
+           each point of the curve its height along the axis and its distance from it are used.",
     reference: REFERENCE,
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
+    params: &[
+        Param::new(ParamKind::Point, "point", "Point of the axis", COORDINATES, &[0.0; 3])
+            .help("A point on the axis of revolution."),
+        Param::direction("direction", "Direction of the axis")
+            .help("The direction of the axis; the surface runs counter-clockwise round it."),
+        Param::int("columns", "Columns", [3.0, 100_000.0], &[64.0]).help("The number of quads round the axis."),
+        Param::int("rows", "Rows", [0.0, 100_000.0], &[0.0])
+            .help("The number of rows at equal arc lengths of the curve; 0 takes the given points."),
+        INTERPOLATION,
+        TRIANGLES,
+    ],
     suggest: Some(suggest),
-    run,
+    ..Filter::new(CURVES, TO_MESH_TEXT, run)
 };
 
-const PARAMS: &[Param] = &[
-    Param::new("point", "Point of the axis", "The axis passes this point.", ParamKind::Point, PLACES, &[0.0; 3]),
-    Param::new(
-        "direction",
-        "Direction of the axis",
-        "The axis runs along this direction, and the surface round it counter-clockwise.",
-        ParamKind::Direction,
-        PLACES,
-        &[0.0, 0.0, 1.0],
-    ),
-    Param::new("columns", "Columns", "The number of quads round the axis.", ParamKind::Int, [3.0, 100_000.0], &[64.0]),
-    Param::new(
-        "rows",
-        "Rows",
-        "The number of rows, at equal distances along the curve; 0 takes the points of the curve as they are.",
-        ParamKind::Int,
-        [0.0, 100_000.0],
-        &[0.0],
-    ),
-    BETWEEN,
-    TRIANGLES,
-];
-
-/// The axis is that of the curve's box: parallel to its longest side, at its edge next to the
-/// origin.
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+/// The axis along the longest side of the curve's box, at its edge nearest to the origin.
+fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
     if let Some(extent) = extent_of(inputs) {
         let size = extent.size();
         let axis = if size.z >= size.x && size.z >= size.y { 2 } else { usize::from(size.y >= size.x) };
         let near = DVec3::ZERO.clamp(extent.low, extent.high);
-        put(PARAMS, values, "direction", &DVec3::AXES[axis].to_array());
-        // A curve that keeps to one side of an axis of space turns round that; others round the
-        // side of their box.
+        defaults.set("direction", &DVec3::AXES[axis].to_array());
+        // A coordinate axis if the curve lies on one side of it; else the edge of the box.
         let mut point = DVec3::ZERO;
         point[axis] = near[axis];
-        put(PARAMS, values, "point", &point.to_array());
+        defaults.set("point", &point.to_array());
     }
 }
 
@@ -90,7 +62,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         }
     };
     if curve.is_closed() {
-        // A profile that ends where it begins makes a ring.
+        // A closed profile repeats its first point.
         let first = points[0];
         alloc::push(&mut points, first)?;
     }
@@ -98,7 +70,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let profile = alloc::collect(points.iter().map(|&point| {
         let height = axis.dot(point - origin);
         let radius = (point - origin - height * axis).length();
-        // What rounding leaves of a point on the axis.
+        // Within rounding a point lies on the axis.
         [if radius <= 1e-12 * size { 0.0 } else { radius }, height]
     }))?;
     let request = Request {
@@ -113,7 +85,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(quads::mesh(&net, values, &job.part(0.6, 1.0))?), Output::Text(text)])
 }
 
-/// The points where segments meet, and both ends of an open curve.
+/// The joints of segments, and both ends of an open curve.
 fn joints(curve: &CurveView<'_>) -> Result<Vec<DVec3>> {
     let ends = &curve.ends()[..curve.ends().len() - usize::from(curve.is_closed())];
     alloc::collect(ends.iter().map(|&end| curve.points()[end as usize]))

@@ -1,38 +1,20 @@
 //! The filter `net_measures`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Param, ParamKind, Values};
+use super::prelude::*;
 use super::quads::{self, CATEGORY};
-use crate::error::Result;
-use crate::job::Job;
 use crate::net::complex::{Cells, Complex};
 use crate::net::measure::{measure, moments, planarity};
-use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_measures",
-    name: "Measure a grid of quads",
-    script_name: "net_measures",
+    name: "Measure a quad grid",
     category: CATEGORY,
-    help: "Measures a grid of quads as a surface of bilinear patches: area and box, how plane its quads are, and what kind of surface it \
-           is; of a closed one the volume, the centre and the tensor of inertia, too.",
+    help: "Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a \
+           closed one also volume, centroid and inertia tensor.",
     reference: "The divergence theorem on bilinear patches, with Gauss's points",
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Text],
-    replaces: false,
-    params: &[Param::new(
-        "planarity",
-        "Plane within",
-        "Quads whose corners are farther than this from a plane, relative to the longer diagonal, count as crooked.",
-        ParamKind::Real,
-        [0.0, 1.0],
-        &[0.01],
-    )],
-    suggest: None,
-    run,
+    params: &[Param::real("planarity", "Planarity limit", [0.0, 1.0], &[0.01])
+        .help("Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted.")],
+    ..Filter::new(MESH, TO_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {

@@ -1,91 +1,59 @@
 //! The filter `net_shape`.
 
-use super::Filter;
-use super::data::{Input, Output, OutputKind};
-use super::param::{Choice, LENGTHS, Param, ParamKind, Values};
+use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::complex::{Cells, Complex};
 use crate::net::primitive::{Primitive, Request};
 
+/// The range of the numbers of rows and columns.
+const COUNTS: [f64; 2] = [5.0, 10_001.0];
+
 pub(super) const FILTER: Filter = Filter {
     id: "net_shape",
-    name: "Shape of quads",
-    script_name: "net_shape",
+    name: "Standard shape as a quad grid",
     category: CATEGORY,
-    help: "Makes a shape as a regular network of quads, closed by gluing: a mesh whose rows and columns of faces run on over its \
-           seams, with one vertex where a side is drawn together to a pole.",
+    help: "Makes a standard shape as a quad grid, closed by gluing: rows and columns of faces continue across its seams, and a side \
+           contracted to a pole is one vertex.",
     reference: REFERENCE,
-    inputs: &[],
-    min_inputs: 0,
-    max_inputs: 0,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
     params: &[
-        Param::choice(
-            "shape",
-            "Shape",
-            "What is made, round the z axis.",
-            &[
-                Choice { label: "Sphere", help: "Meridians and parallels, with two poles." },
-                Choice { label: "One-pole sphere", help: "A disc whose rim is drawn together at the lowest point." },
-                Choice { label: "Plane", help: "A square of twice the radius, seen from above." },
-                Choice { label: "Tube", help: "A cylinder without caps." },
-                Choice { label: "Cylinder", help: "A cylinder with caps." },
-                Choice { label: "Cone", help: "A cone with its base." },
-                Choice { label: "Torus", help: "A ring; its tube has the minor radius." },
-                Choice {
-                    label: "Cube",
-                    help: "A cube of twice the radius; each face has as many quads along a side as there are rows.",
-                },
-                Choice { label: "Moebius strip", help: "A strip with one side, as wide as the minor radius." },
-                Choice { label: "Klein bottle", help: "A closed surface with one side, which passes through itself." },
-                Choice { label: "Prism", help: "An upright prism over a regular polygon, with caps." },
-                Choice { label: "Pyramid", help: "An upright pyramid over a regular polygon, with its base." },
-                Choice {
-                    label: "Projective plane",
-                    help: "Boy's surface: closed, with one side; it passes through itself.",
-                },
-                Choice {
-                    label: "Pillow",
-                    help: "Two square sheets of twice the radius, joined along their rim; as thick as the minor radius, and with an \
-                           odd number of columns.",
-                },
-            ],
-        ),
-        count("rows", "Rows", "The number of rows of nodes, from one pole or rim to the other.", &[33.0]),
-        count(
-            "columns",
-            "Columns",
-            "The number of columns of nodes; of closed rows the last node is the first again.",
-            &[65.0],
-        ),
-        length("radius", "Radius", "The radius, or for rings that of the middle of the tube.", &[1.0]),
-        length("minor_radius", "Minor radius", "That of the tube of a ring, smaller than the radius.", &[0.25]),
-        length("height", "Height", "The height of tubes, cylinders, cones, prisms and pyramids.", &[2.0]),
+        Param::choice("shape", "Shape", SHAPES).help("The shape, round the z axis."),
+        Param::int("rows", "Rows", COUNTS, &[33.0])
+            .help("The number of rows of nodes, from one pole or rim to the other."),
+        Param::int("columns", "Columns", COUNTS, &[65.0])
+            .help("The number of columns of nodes; in closed rows the last node repeats the first."),
+        Param::length("radius", "Radius", LENGTHS, &[1.0]).help("The radius; of a torus that of its centre line."),
+        Param::length("minor_radius", "Minor radius", LENGTHS, &[0.25])
+            .help("The radius of the tube of a torus, smaller than the radius."),
+        Param::length("height", "Height", LENGTHS, &[2.0])
+            .help("The height of tubes, cylinders, cones, prisms and pyramids."),
         TRIANGLES,
-        Param::new(
-            "sides",
-            "Sides",
-            "The number of sides of the polygon under prisms and pyramids, less than there are columns.",
-            ParamKind::Int,
-            [3.0, 10_000.0],
-            &[6.0],
-        ),
+        Param::int("sides", "Sides", [3.0, 10_000.0], &[6.0])
+            .help("The number of sides of the base of prisms and pyramids, smaller than the number of columns."),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(&[], TO_MESH_TEXT, run)
 };
 
-const fn count(id: &'static str, label: &'static str, help: &'static str, default: &'static [f64]) -> Param {
-    Param::new(id, label, help, ParamKind::Int, [5.0, 10_001.0], default)
-}
-
-const fn length(id: &'static str, label: &'static str, help: &'static str, default: &'static [f64]) -> Param {
-    Param::new(id, label, help, ParamKind::Length, LENGTHS, default)
-}
+const SHAPES: &[Choice] = &[
+    Choice::new("Sphere", "Meridians and parallels, with two poles."),
+    Choice::new("One-pole sphere", "A disc whose rim is contracted to the lowest point."),
+    Choice::new("Plane", "A square of twice the radius, seen from above."),
+    Choice::new("Tube", "A cylinder without caps."),
+    Choice::new("Cylinder", "A cylinder with caps."),
+    Choice::new("Cone", "A cone with its base."),
+    Choice::new("Torus", "A torus; its tube has the minor radius."),
+    Choice::new("Cube", "A cube of twice the radius; each face has as many quads along a side as there are rows."),
+    Choice::new("Moebius strip", "A one-sided strip, as wide as the minor radius."),
+    Choice::new("Klein bottle", "A closed one-sided surface, which intersects itself."),
+    Choice::new("Prism", "A right prism over a regular polygon, with caps."),
+    Choice::new("Pyramid", "A right pyramid over a regular polygon, with its base."),
+    Choice::new("Projective plane", "Boy's surface: closed and one-sided, intersecting itself."),
+    Choice::new(
+        "Pillow",
+        "Two square sheets of twice the radius, joined along their rim; as thick as the minor radius, and with an odd number of \
+         columns.",
+    ),
+];
 
 fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let [radius, minor_radius, height] = ["radius", "minor_radius", "height"].map(|id| values.number(id));
@@ -108,7 +76,7 @@ fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output
         Primitive::ProjectivePlane { radius },
         Primitive::Pillow { size: [side; 2], thickness: minor_radius },
     ];
-    let request = Request { rows, columns, ..Request::new(shapes[values.chosen("shape")]) };
+    let request = Request { rows, columns, ..Request::new(shapes[values.place("shape")]) };
     let net = request.net(&job.part(0.0, 0.5)).map_err(|error| match error {
         // The other measures are in their ranges, and always fit.
         Error::OptionOutOfRange { option: "minor radius", value } => {

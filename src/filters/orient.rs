@@ -1,44 +1,26 @@
 //! The filter `orient`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, Values};
-use crate::error::Result;
-use crate::job::Job;
+use super::prelude::*;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
-use std::fmt::Write;
 
-/// Components that the report lists one by one.
-const LISTED: usize = 20;
+/// The largest number of components that the report lists.
+const MAX_LISTED: usize = 20;
 
 pub(super) const FILTER: Filter = Filter {
     id: "orient",
     name: "Orient faces",
-    script_name: "orient",
     category: "Repair",
-    help: "Turns faces over until neighbours agree which side is out, as few as possible in each piece. What has one side \
-           only, such as a Moebius strip, stays as it is.",
+    help: "Reverses faces until neighbours are consistently oriented, as few as possible in each component. One-sided components, \
+           such as a Moebius strip, stay as they are.",
     reference: "Breadth-first search across edges of two faces",
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
     replaces: true,
-    params: &[Param::choice(
-        "outward",
-        "Closed pieces",
-        "Which way closed pieces face.",
-        &[
-            Choice { label: "As most faces", help: "The way that most of their faces have." },
-            Choice { label: "Outwards", help: "Outwards, each by its own volume, also inside others." },
-        ],
-    )],
-    suggest: None,
-    run,
+    params: &[Param::choice("outward", "Closed components", Outward::CHOICES.texts)
+        .help("The orientation of closed components.")],
+    ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let outward = [Outward::Keep, Outward::Closed][values.chosen("outward")];
+    let outward = values.choice("outward", Outward::CHOICES);
     let done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
     let text = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
@@ -47,12 +29,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 fn report(done: &Oriented) -> String {
     let mut text =
         format!("{} of {} faces turned over, {} pieces\n", done.turned_faces, done.turned.len(), done.components);
-    for found in done.one_sided.iter().take(LISTED) {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "the piece of face {} has one side only (half-edge {})", found.face, found.half_edge);
+    for found in done.one_sided.iter().take(MAX_LISTED) {
+        push_line!(text, "the piece of face {} has one side only (half-edge {})", found.face, found.half_edge);
     }
-    if done.one_sided.len() > LISTED {
-        let _ = writeln!(text, "and {} more", done.one_sided.len() - LISTED);
+    if done.one_sided.len() > MAX_LISTED {
+        push_line!(text, "and {} more", done.one_sided.len() - MAX_LISTED);
     }
     text
 }

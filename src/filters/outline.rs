@@ -1,124 +1,45 @@
 //! The filter `outline`.
 
-use super::Filter;
-use super::curve::sampled;
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, ParamKind, Values};
-use crate::error::Result;
-use crate::job::Job;
+use super::curve::{CATEGORY, REFERENCE, sampled};
+use super::prelude::*;
 use crate::outline::ops::Spacing;
 use crate::outline::{
     Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
 };
-use std::fmt::Write;
+use std::f64::consts::PI;
 
 pub(super) const FILTER: Filter = Filter {
     id: "outline",
     name: "Smooth curves through points",
-    script_name: "outline",
-    category: "Curves",
+    category: CATEGORY,
     help: "Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the \
            middle of a quadratic section whose control point lies on the bisector, the median or the normal at the point.",
-    reference: "T. Nadopta, Theoretical foundations of the identification of outline curves, 2008",
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
+    reference: REFERENCE,
     params: &[
-        Param::choice(
-            "curve",
-            "Curve",
-            "What kind of curve is drawn.",
-            &[
-                Choice { label: "Composite", help: "Quadratic segments that meet smoothly, one for each point." },
-                Choice { label: "Cubic spline", help: "Cubic segments with continuous curvature." },
-                Choice {
-                    label: "Blend",
-                    help: "Neighbouring sections blended: each point moves its neighbourhood only.",
-                },
-                Choice { label: "Smooth blend", help: "The same with continuous curvature." },
-                Choice { label: "Single", help: "One Bezier curve; for few points." },
-            ],
-        ),
-        Param::choice(
-            "method",
-            "Method",
-            "Where the control point of a section lies.",
-            &[
-                Choice { label: "Bisector", help: "On the bisector of the angle at the point." },
-                Choice { label: "Median", help: "On the median of the triangle with its neighbours." },
-                Choice {
-                    label: "Normal",
-                    help: "On the normal of the chord, where that meets the chord; else on the bisector.",
-                },
-                Choice { label: "Symmedian", help: "On the symmedian of the triangle." },
-            ],
-        ),
-        Param::choice(
-            "lock",
-            "Tied to",
-            "What the section of a point is tied to.",
-            &[
-                Choice { label: "Parameter", help: "The parameter that the data's triangle has; always solvable." },
-                Choice { label: "Own triangle", help: "The section's own triangle." },
-                Choice { label: "Guide", help: "The guide of the data's triangle; plane polylines only." },
-            ],
-        ),
-        Param::choice(
-            "joint",
-            "Joints",
-            "Where the sections of a composite curve meet.",
-            &[
-                Choice { label: "Halves", help: "In the middle between their control points." },
-                Choice { label: "Knots", help: "By the lengths of the chords." },
-                Choice { label: "Curvature", help: "Where the curvature is continuous." },
-            ],
-        ),
-        Param::choice(
-            "ends",
-            "Ends",
-            "How open curves begin and end.",
-            &[
-                Choice { label: "Free", help: "As their sections have it." },
-                Choice { label: "Perpendicular", help: "Perpendicular to the first and the last chord." },
-            ],
-        ),
-        Param {
-            id: "corner_angle",
-            label: "Corners",
-            help: "Points where the polyline turns by more than this angle stay corners; half a turn for none.",
-            kind: ParamKind::Angle,
-            min: 0.0,
-            max: std::f64::consts::PI,
-            default: &[std::f64::consts::PI],
-            step: 0.0,
-            choices: &[],
-        },
-        Param {
-            id: "chord_error",
-            label: "Chord error",
-            help: "How far the polyline that comes out may be from the curve, relative to the size of the curve.",
-            kind: ParamKind::Real,
-            min: 1e-9,
-            max: 1.0,
-            default: &[1e-4],
-            step: 0.0,
-            choices: &[],
-        },
+        Param::choice("curve", "Curve", Mode::CHOICES.texts).help("The kind of curve that is drawn."),
+        Param::choice("method", "Method", Method::CHOICES.texts)
+            .help("The line that holds the control point of a section."),
+        Param::choice("lock", "Constraint", Lock::CHOICES.texts)
+            .help("The condition that fixes the section of a point."),
+        Param::choice("joint", "Joints", JointParameter::CHOICES.texts)
+            .help("The joints between the sections of a composite curve."),
+        Param::choice("ends", "Ends", Ends::CHOICES.texts).help("The end conditions of open curves."),
+        Param::new(ParamKind::Angle, "corner_angle", "Corners", [0.0, PI], &[PI])
+            .help("Points where the polyline turns by more than this angle remain corners; pi for none."),
+        Param::relative_error("chord_error", "Chord error")
+            .help("The largest distance of the polyline from the curve, relative to the size of the curve."),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let options = Options {
-        mode: [Mode::Composite, Mode::CubicC2, Mode::BlendC1, Mode::BlendC2, Mode::Single][values.chosen("curve")],
-        method: [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian][values.chosen("method")],
-        lock: [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide][values.chosen("lock")],
-        joint: [JointParameter::Half, JointParameter::Knot, JointParameter::G2][values.chosen("joint")],
-        ends: [Ends::Free, Ends::Perpendicular][values.chosen("ends")],
+        mode: values.choice("curve", Mode::CHOICES),
+        method: values.choice("method", Method::CHOICES),
+        lock: values.choice("lock", Lock::CHOICES),
+        joint: values.choice("joint", JointParameter::CHOICES),
+        ends: values.choice("ends", Ends::CHOICES),
         corner_angle: values.number("corner_angle"),
         ..Options::default()
     };
@@ -131,8 +52,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let chord = (values.number("chord_error") * done.reports()[0].size).max(f64::MIN_POSITIVE);
         let points = sampled(&done.curve(0), Spacing::Chord(chord), &part.part(0.8, 1.0))?;
         drawn.add(points.into_iter(), closed)?;
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "curve {c}: {}", report(&done));
+        push_line!(text, "curve {c}: {}", report(&done));
     }
     Ok(vec![Output::Curves(drawn), Output::Text(text)])
 }

@@ -1,9 +1,12 @@
-//! Parameters: kinds, ranges, defaults, and the check of values against them.
+//! Parameters: kinds, ranges, defaults, and the validation of values.
 
+pub use crate::choice::Choice;
+use crate::choice::Choices;
 use crate::error::{Error, Result};
 use glam::DVec3;
+use std::ops::Range;
 
-/// What a parameter's values mean.
+/// The kind of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ParamKind {
     /// 0 or 1.
@@ -27,7 +30,7 @@ pub enum ParamKind {
 }
 
 impl ParamKind {
-    /// How many values it has.
+    /// The number of components.
     pub const fn arity(self) -> usize {
         match self {
             ParamKind::Point | ParamKind::Direction => 3,
@@ -41,15 +44,6 @@ impl ParamKind {
     }
 }
 
-/// One choice of a [`ParamKind::Choice`].
-#[derive(Debug, Clone, Copy)]
-pub struct Choice {
-    /// For menus.
-    pub label: &'static str,
-    /// What it does.
-    pub help: &'static str,
-}
-
 /// A parameter of a filter.
 #[derive(Debug, Clone, Copy)]
 pub struct Param {
@@ -57,71 +51,121 @@ pub struct Param {
     pub id: &'static str,
     /// For dialogs.
     pub label: &'static str,
-    /// What it does, in whole sentences.
+    /// Its meaning, in whole sentences.
     pub help: &'static str,
-    /// What its values mean.
+    /// The kind of its values.
     pub kind: ParamKind,
-    /// The least value of each component.
+    /// The smallest value of each component.
     pub min: f64,
-    /// The greatest value of each component.
+    /// The largest value of each component.
     pub max: f64,
-    /// As many values as the kind has components.
+    /// One value for each component.
     pub default: &'static [f64],
-    /// What a spin box adds; 0 if the host may choose.
+    /// The increment of a spin box; 0 leaves it to the host.
     pub step: f64,
-    /// Of a [`ParamKind::Choice`]; else empty.
+    /// The choices of a [`ParamKind::Choice`]; else empty.
     pub choices: &'static [Choice],
+    /// For a length, its suggested ratio to the diagonal of the inputs' bounding box; 0 suggests
+    /// none.
+    pub size_ratio: f64,
 }
 
-/// Lengths that may be meant: meshes come in all units.
+/// Positive lengths: meshes come in all units.
 pub(super) const LENGTHS: [f64; 2] = [1e-15, 1e15];
 
-/// Coordinates that may be meant, and lengths with a sign.
-pub(super) const PLACES: [f64; 2] = [-1e15, 1e15];
+/// Lengths from 0 on.
+pub(super) const NON_NEGATIVE: [f64; 2] = [0.0, 1e15];
+
+/// Coordinates, and signed lengths.
+pub(super) const COORDINATES: [f64; 2] = [-1e15, 1e15];
 
 impl Param {
-    /// A parameter that is no choice.
+    /// A parameter without help.
     pub(super) const fn new(
+        kind: ParamKind,
         id: &'static str,
         label: &'static str,
-        help: &'static str,
-        kind: ParamKind,
         [min, max]: [f64; 2],
         default: &'static [f64],
     ) -> Self {
         let step = if kind.is_whole() { 1.0 } else { 0.0 };
-        Param { id, label, help, kind, min, max, default, step, choices: &[] }
+        Param { id, label, help: "", kind, min, max, default, step, choices: &[], size_ratio: 0.0 }
     }
 
-    /// Something that is done or not; not by default.
-    pub(super) const fn flag(id: &'static str, label: &'static str, help: &'static str) -> Self {
-        Param::new(id, label, help, ParamKind::Bool, [0.0, 1.0], &[0.0])
+    /// A whole number.
+    pub(super) const fn int(id: &'static str, label: &'static str, range: [f64; 2], default: &'static [f64]) -> Self {
+        Param::new(ParamKind::Int, id, label, range, default)
     }
 
-    /// The greatest error of a result, relative to a size that the help names.
-    pub(super) const fn relative(id: &'static str, label: &'static str, help: &'static str) -> Self {
-        Param::new(id, label, help, ParamKind::Real, [1e-9, 1.0], &[1e-4])
+    /// A number without a unit.
+    pub(super) const fn real(id: &'static str, label: &'static str, range: [f64; 2], default: &'static [f64]) -> Self {
+        Param::new(ParamKind::Real, id, label, range, default)
     }
 
-    /// A choice, whose default is the first.
-    pub(super) const fn choice(
+    /// A length.
+    pub(super) const fn length(
         id: &'static str,
         label: &'static str,
-        help: &'static str,
-        choices: &'static [Choice],
+        range: [f64; 2],
+        default: &'static [f64],
     ) -> Self {
-        let max = (choices.len() - 1) as f64;
-        Param { id, label, help, kind: ParamKind::Choice, min: 0.0, max, default: &[0.0], step: 1.0, choices }
+        Param::new(ParamKind::Length, id, label, range, default)
     }
 
-    /// True if `value` may stand for a component.
+    /// A direction; the z axis by default.
+    pub(super) const fn direction(id: &'static str, label: &'static str) -> Self {
+        Param::new(ParamKind::Direction, id, label, COORDINATES, &[0.0, 0.0, 1.0])
+    }
+
+    /// A plane; z = 0 by default.
+    pub(super) const fn plane(id: &'static str, label: &'static str) -> Self {
+        Param::new(ParamKind::Plane, id, label, COORDINATES, &[0.0, 0.0, 1.0, 0.0])
+    }
+
+    /// A flag, off by default.
+    pub(super) const fn flag(id: &'static str, label: &'static str) -> Self {
+        Param::new(ParamKind::Bool, id, label, [0.0, 1.0], &[0.0])
+    }
+
+    /// A bound on the error of a result, relative to a size that the help names.
+    pub(super) const fn relative_error(id: &'static str, label: &'static str) -> Self {
+        Param::real(id, label, [1e-9, 1.0], &[1e-4])
+    }
+
+    /// A choice, by default the first.
+    pub(super) const fn choice(id: &'static str, label: &'static str, choices: &'static [Choice]) -> Self {
+        let range = [0.0, (choices.len() - 1) as f64];
+        Param { choices, ..Param::new(ParamKind::Choice, id, label, range, &[0.0]) }
+    }
+
+    /// The parameter with its help.
+    pub(super) const fn help(self, help: &'static str) -> Self {
+        Param { help, ..self }
+    }
+
+    /// The length with a default relative to the diagonal of the inputs.
+    pub(super) const fn relative(self, size_ratio: f64) -> Self {
+        Param { size_ratio, ..self }
+    }
+
+    /// True if `value` is valid for a component.
     pub fn accepts(&self, value: f64) -> bool {
         // NaN is in no range.
         (self.min..=self.max).contains(&value) && (!self.kind.is_whole() || value.fract() == 0.0)
     }
 }
 
-/// Values that are in range, by parameter.
+/// The places of the values of parameter `id` among those of all parameters.
+pub(super) fn range_of(params: &[Param], id: &str) -> Option<Range<usize>> {
+    let mut end = 0;
+    params.iter().find_map(|param| {
+        let start = end;
+        end += param.kind.arity();
+        (param.id == id).then_some(start..end)
+    })
+}
+
+/// Values in range, by parameter.
 pub struct Values<'a> {
     params: &'static [Param],
     values: &'a [f64],
@@ -147,15 +191,8 @@ impl<'a> Values<'a> {
 
     /// The values of parameter `id`, which the filter must have.
     fn of(&self, id: &str) -> &'a [f64] {
-        let mut start = 0;
-        for param in self.params {
-            let end = start + param.kind.arity();
-            if param.id == id {
-                return &self.values[start..end];
-            }
-            start = end;
-        }
-        panic!("the filter has no parameter {id}")
+        let range = range_of(self.params, id).unwrap_or_else(|| panic!("the filter has no parameter {id}"));
+        &self.values[range]
     }
 
     /// The value of a parameter of one component.
@@ -168,7 +205,7 @@ impl<'a> Values<'a> {
         DVec3::from_slice(&self.of(id)[..3])
     }
 
-    /// Whether a flag is set.
+    /// True if a flag is set.
     pub(super) fn is_set(&self, id: &str) -> bool {
         self.number(id) != 0.0
     }
@@ -191,8 +228,13 @@ impl<'a> Values<'a> {
         self.direction(id).map(|normal| (normal, self.of(id)[3] / length))
     }
 
-    /// The place of a choice.
-    pub(super) fn chosen(&self, id: &str) -> usize {
+    /// The place of the choice made.
+    pub(super) fn place(&self, id: &str) -> usize {
         self.number(id) as usize
+    }
+
+    /// The value of the choice made.
+    pub(super) fn choice<T: Copy>(&self, id: &str, choices: Choices<T>) -> T {
+        choices.values[self.place(id)]
     }
 }

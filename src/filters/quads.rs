@@ -1,19 +1,16 @@
-//! What filters of nets have in common: the net that a mesh of quads in rows and columns is, and
-//! the mesh of a net.
+//! Common parts of filters of quad grids: the net of a mesh of quads in rows and columns, and back.
 
-use super::param::{Param, Values};
-use crate::error::Result;
-use crate::job::Job;
+use super::prelude::*;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::Net;
 use crate::net::convert::{Diagonal, MeshOptions, net_of_grid};
 
-pub(super) const CATEGORY: &str = "Nets";
+pub(super) const CATEGORY: &str = "Quad grids";
 pub(super) const REFERENCE: &str = "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks";
 
-/// Whether quads are cut.
+/// Cuts quads into triangles.
 pub(super) const TRIANGLES: Param =
-    Param::flag("triangles", "Triangles", "Quads are cut along their shorter diagonals.");
+    Param::flag("triangles", "Triangles").help("Cuts quads along their shorter diagonals.");
 
 /// The net whose cells are the faces of a mesh.
 ///
@@ -23,7 +20,7 @@ pub(super) fn net(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
     net_of_grid(mesh, None, job).map(|found| found.net)
 }
 
-/// The mesh of a net, of triangles if [`TRIANGLES`] says so.
+/// The mesh of a net, of triangles if [`TRIANGLES`] is set.
 ///
 /// # Errors
 /// Those of [`Net::to_mesh`].

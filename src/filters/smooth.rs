@@ -1,72 +1,38 @@
-//! What filters of smooth surfaces have in common: the surface through the vertices of a mesh of
-//! quads in rows and columns.
+//! Common parts of filters of smooth surfaces: the surface through the vertices of a quad grid.
 
-use super::data::Curves;
-use super::param::{Choice, PLACES, Param, ParamKind, Values};
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
+use super::prelude::*;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
 use crate::surface::contour::PointSpacing;
 use crate::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
-use glam::DVec3;
 
 pub(super) const CATEGORY: &str = "Smooth surfaces";
 pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";
 
-/// How the surface is drawn.
-pub(super) const SCHEME: Param = Param::choice(
-    "scheme",
-    "Surface",
-    "How the surface is drawn through the vertices of the quads, which must be in rows and columns.",
-    &[
-        Choice { label: "Smooth", help: "Bicubic pieces from 6 x 6 vertices each, with continuous tangents." },
-        Choice { label: "Four points", help: "The bicubic through the 4 x 4 vertices round a quad; tangents jump." },
-    ],
-);
+/// The interpolation of the surface.
+pub(super) const SCHEME: Param = Param::choice("scheme", "Surface", Scheme::CHOICES.texts)
+    .help("The interpolation of the vertices, whose quads must form a grid of rows and columns.");
 
-/// How fine curves are.
-pub(super) const CHORD: Param = Param::relative(
-    "chord_error",
-    "Chord error",
-    "How far the polylines may be from the curves, relative to the diagonal of the surface's box.",
-);
+/// The fineness of curves.
+pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error")
+    .help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
 
-/// How fine meshes are: relative deviation, fewest parts of a cell, triangles or quads.
+/// The fineness of meshes: relative deviation, fewest parts of a cell, triangles or quads.
 pub(super) const FINENESS: [Param; 3] = [
-    Param::new(
-        "deviation",
-        "Deviation",
-        "How far faces may be from the surface, relative to the diagonal of its box.",
-        ParamKind::Real,
-        [1e-7, 1.0],
-        &[1e-3],
-    ),
-    Param::new(
-        "parts",
-        "Parts",
-        "The fewest parts that each side of a cell is cut into.",
-        ParamKind::Int,
-        [1.0, 1000.0],
-        &[1.0],
-    ),
-    Param::flag("triangles", "Triangles", "The mesh is made of triangles instead of quads."),
+    Param::real("deviation", "Deviation", [1e-7, 1.0], &[1e-3])
+        .help("The largest distance of faces from the surface, relative to the diagonal of its box."),
+    Param::int("parts", "Parts", [1.0, 1000.0], &[1.0]).help("The smallest number of parts of each side of a cell."),
+    Param::flag("triangles", "Triangles").help("Makes triangles instead of quads."),
 ];
-
-/// A direction; the z axis by default.
-pub(super) const fn direction(help: &'static str) -> Param {
-    Param::new("direction", "Direction", help, ParamKind::Direction, PLACES, &[0.0, 0.0, 1.0])
-}
 
 /// The surface through a mesh, with its normals on the side that the faces are counter-clockwise
 /// from.
 pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Surface<'static>> {
-    let scheme = [Scheme::SixTap, Scheme::FourPoint][values.chosen("scheme")];
+    let scheme = values.choice("scheme", Scheme::CHOICES);
     let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;
     let (rows, columns) = (found.net.shape().rows(), found.net.shape().columns());
     let vertex = |i: usize, j: usize| found.vertex_of_node[i * columns + j];
-    // Faces run along rows first, so that the surface's first parameter goes along them too.
+    // The surface's first parameter runs along rows, as faces do.
     let closed_u = columns > 3 && (0..rows).all(|i| vertex(i, 0) == vertex(i, columns - 1));
     let closed_v = rows > 3 && (0..columns).all(|j| vertex(0, j) == vertex(rows - 1, j));
     let mut data = alloc::with_capacity(3 * rows * columns)?;
@@ -80,13 +46,13 @@ pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -
     Surface::new(vec![sheet], None, &job.part(0.6, 1.0))
 }
 
-/// The length that chords are held to.
+/// The largest distance of chords.
 pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> PointSpacing {
     let [low, high] = surface.bounds();
     PointSpacing::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
 }
 
-/// The surface of one sheet as a mesh, and what there is to say of it.
+/// The surface of one sheet as a mesh, and a line of the report.
 pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, String)> {
     let [low, high] = surface.bounds();
     let options = SurfaceMeshOptions {
@@ -109,8 +75,8 @@ pub(super) fn polylines(paths: &Paths) -> Result<Curves> {
     })
 }
 
-/// Says how many curves there are.
-pub(super) fn account(paths: &Paths) -> String {
+/// A line on the number of curves.
+pub(super) fn summary(paths: &Paths) -> String {
     let closed = paths.closed.iter().filter(|&&closed| closed).count();
     format!(
         "{} curves, {closed} of them closed, {} points; {} cells unresolved\n",

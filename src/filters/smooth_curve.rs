@@ -1,34 +1,22 @@
 //! The filter `smooth_curve`.
 
-use super::Filter;
-use super::curve::{self, BETWEEN};
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::param::Values;
+use super::curve::{self, INTERPOLATION};
+use super::prelude::*;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::surface::line_intersection::HitSelection;
-use std::fmt::Write;
 
-/// Hits that the report lists one by one.
-const LISTED: usize = 1000;
+/// The largest number of intersections that the report lists.
+const MAX_LISTED: usize = 1000;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_curve",
-    name: "Curves through a smooth surface",
-    script_name: "smooth_curve",
+    name: "Intersections of curves with a smooth surface",
     category: CATEGORY,
-    help: "Finds where curves meet the smooth surface through the vertices of a grid of quads: a curve of one point for each hit. No hit \
-           is missed.",
+    help: "Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each \
+           intersection. None is missed.",
     reference: REFERENCE,
-    inputs: &[InputKind::Mesh, InputKind::Curves],
-    min_inputs: 2,
-    max_inputs: 2,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
-    params: &[SCHEME, BETWEEN],
-    suggest: None,
-    run,
+    params: &[SCHEME, INTERPOLATION],
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
@@ -44,14 +32,13 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         })?;
         for hit in hits {
             points.add([hit.point].into_iter(), false)?;
-            if points.closed.len() <= LISTED {
+            if points.closed.len() <= MAX_LISTED {
                 let [x, y, z] = hit.point.to_array();
                 let touches = if hit.tangent { ", touches" } else { "" };
-                // Writing to a string cannot fail.
-                let _ = writeln!(text, "curve {c} at {} + {}: ({x} {y} {z}){touches}", hit.at.segment, hit.at.t);
+                push_line!(text, "curve {c} at {} + {}: ({x} {y} {z}){touches}", hit.at.segment, hit.at.t);
             }
         }
     }
-    let _ = writeln!(text, "{} hits", points.closed.len());
+    push_line!(text, "{} hits", points.closed.len());
     Ok(vec![Output::Curves(points), Output::Text(text)])
 }

@@ -1,47 +1,28 @@
 //! The filter `smooth_distance`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind, with_positions};
-use super::distances;
-use super::param::{Param, ParamKind, Values};
+use super::data::with_positions;
+use super::prelude::*;
+use super::report::distances;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use crate::alloc;
-use crate::error::{Element, Error, Result};
-use crate::job::Job;
+use crate::error::Element;
 use crate::mesh::{MeshView, PositionBuffer};
 use crate::par;
 use crate::surface::Surface;
-use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_distance",
     name: "Distance from a smooth surface",
-    script_name: "smooth_distance",
     category: CATEGORY,
-    help: "Measures how far the vertices of a mesh are from the smooth surface through the vertices of a grid of quads, the second \
+    help: "Measures the distances of the vertices of a mesh from the smooth surface through the vertices of a quad grid, the second \
            mesh, and moves them towards their nearest points on it.",
     reference: REFERENCE,
-    inputs: &[InputKind::Mesh, InputKind::Mesh],
-    min_inputs: 2,
-    max_inputs: 2,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
     replaces: true,
     params: &[
         SCHEME,
-        Param {
-            id: "strength",
-            label: "Strength",
-            help: "How much of the way vertices are moved: 0 leaves them, 1 puts them on the surface.",
-            kind: ParamKind::Real,
-            min: 0.0,
-            max: 1.0,
-            default: &[1.0],
-            step: 0.0,
-            choices: &[],
-        },
+        Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
+            .help("The fraction of the way that vertices are moved: 0 leaves them, 1 puts them on the surface."),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, run)
 };
 
 /// Vertices that are looked at between two chances to cancel, and by a thread at a time.
@@ -57,8 +38,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let from = |v: usize| positions.get(v as u32);
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(nearest.iter().enumerate().map(|(v, &to)| from(v).lerp(to, strength)))?;
-    let distances = nearest.iter().enumerate().map(|(v, &to)| from(v).distance(to));
-    let text = distances::account("vertices", distances);
+    let lengths = nearest.iter().enumerate().map(|(v, &to)| from(v).distance(to));
+    let text = distances("vertices", lengths);
     Ok(vec![Output::Mesh(with_positions(mesh, moved)?), Output::Text(text)])
 }
 

@@ -1,31 +1,19 @@
 //! The filter `smooth_nearest`.
 
-use super::Filter;
-use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::distances;
-use super::param::Values;
+use super::prelude::*;
+use super::report::distances;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use crate::alloc;
-use crate::error::{Element, Error, Result};
-use crate::job::Job;
-use glam::DVec3;
+use crate::error::Element;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_nearest",
     name: "Nearest points on a smooth surface",
-    script_name: "smooth_nearest",
     category: CATEGORY,
-    help: "Finds for each point of curves the nearest point of the smooth surface through the vertices of a grid of quads, with proof, \
-           draws the ways there as segments, and says how far the points are.",
+    help: "Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, \
+           draws the segments between them, and reports their lengths.",
     reference: REFERENCE,
-    inputs: &[InputKind::Mesh, InputKind::Curves],
-    min_inputs: 2,
-    max_inputs: 2,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
     params: &[SCHEME],
-    suggest: None,
-    run,
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
 };
 
 /// Points that are looked at between two chances to cancel, at most.
@@ -51,7 +39,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             unproven += usize::from(!found.proven);
         }
     }
-    let mut text = distances::account("points", all.into_iter());
+    let mut text = distances("points", all.into_iter());
     text += &format!("{unproven} without proof\n");
     Ok(vec![Output::Curves(ways), Output::Text(text)])
 }

@@ -1,62 +1,34 @@
 //! The filter `smooth_net`.
 
-use super::Filter;
-use super::curve::{self, BETWEEN};
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put, rounded};
-use super::param::{LENGTHS, Param, ParamKind, Values};
+use super::curve::{self, INTERPOLATION};
+use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::outline::Curve;
 use crate::surface::construct::CurveNet;
 use crate::surface::{Sheet, Surface};
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_net",
-    name: "Smooth surface through a net of curves",
-    script_name: "smooth_net",
+    name: "Smooth surface through a curve network",
     category: CATEGORY,
-    help: "Draws the smooth surface that contains all curves of a net: curves across, and in a second input curves along, each of which \
-           meets all of the first ones in their order. Curves across alone are spanned by a skin. It comes out as a mesh.",
+    help: "Draws the smooth surface that contains all curves of a network: curves across, and in a second input curves along, each of \
+           which meets all of the first in their order. Curves across alone are skinned. The result is a mesh.",
     reference: "W. J. Gordon, Spline-blended surface interpolation through curve networks, 1969",
-    inputs: &[InputKind::Curves, InputKind::Curves],
     min_inputs: 1,
-    max_inputs: 2,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
-    suggest: Some(suggest),
-    run,
+    params: &[
+        INTERPOLATION,
+        Param::flag("ring", "Ring")
+            .help("The last curve across is followed by the first; ignored with curves along, which determine it."),
+        // The rounding of points may keep curves apart.
+        Param::length("tolerance", "Tolerance", LENGTHS, &[1e-6])
+            .help("The largest distance of curves where they meet; both are then moved to the middle.")
+            .relative(1e-4),
+        FINENESS[0],
+        FINENESS[1],
+        FINENESS[2],
+    ],
+    ..Filter::new(&[InputKind::Curves; 2], TO_MESH_TEXT, run)
 };
-
-const PARAMS: &[Param] = &[
-    BETWEEN,
-    Param::flag(
-        "ring",
-        "Ring",
-        "The last curve across is followed by the first one; without curves along, else these tell.",
-    ),
-    Param::new(
-        "tolerance",
-        "Tolerance",
-        "How far apart curves may be where they meet; both are then moved to the middle.",
-        ParamKind::Length,
-        LENGTHS,
-        &[1e-6],
-    ),
-    FINENESS[0],
-    FINENESS[1],
-    FINENESS[2],
-];
-
-/// What points were rounded to may keep curves apart.
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = extent_of(inputs) {
-        put(PARAMS, values, "tolerance", &[rounded(1e-4 * extent.diagonal())]);
-    }
-}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let across = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.1))?;
@@ -82,7 +54,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(mesh), Output::Text(text)])
 }
 
-/// Whether curves are closed; `None` if some are and some are not.
+/// True if all curves are closed, false if all are open, `None` for both kinds.
 fn all_closed(curves: &[Curve]) -> Option<bool> {
     let closed = curves.iter().filter(|curve| curve.view().is_closed()).count();
     // A point is a pole, closed or not.

@@ -1,91 +1,61 @@
 //! The filter `smooth_sections`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, put};
-use super::param::{Choice, LENGTHS, PLACES, Param, ParamKind, Values};
-use super::smooth::{self, CATEGORY, CHORD, REFERENCE, SCHEME};
-use crate::error::Result;
+use super::prelude::*;
+use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
 use crate::geom::aabb;
-use crate::job::Job;
 use crate::surface::contour::Planes;
 use crate::surface::{Paths, Surface};
-use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_sections",
     name: "Plane sections of a smooth surface",
-    script_name: "smooth_sections",
     category: CATEGORY,
-    help: "Cuts the smooth surface through the vertices of a grid of quads by parallel planes, and returns the curves in order. \
-           No curve is missed, and points lie on the surface, not on the quads.",
+    help: "Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve \
+           is missed, and points lie on the surface, not on the quads.",
     reference: REFERENCE,
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Curves, OutputKind::Text],
-    replaces: false,
-    params: PARAMS,
+    params: &[
+        SCHEME,
+        Param::direction("direction", "Direction").help("The normal of the planes."),
+        Param::choice("placement", "Planes", PLACEMENTS).help("The placement of the planes."),
+        Param::int("number", "Number", [1.0, 10_000.0], &[10.0]).help("The number of planes."),
+        Param::length("offset", "Offset", COORDINATES, &[0.0])
+            .help("The distance of the first plane from the origin along the direction; for given planes."),
+        Param::length("distance", "Distance", LENGTHS, &[1.0]).help("The spacing of the planes; for given planes."),
+        CHORD_ERROR,
+    ],
     suggest: Some(suggest),
-    run,
+    ..Filter::new(MESH, TO_CURVES_TEXT, run)
 };
 
-const PARAMS: &[Param] = &[
-    SCHEME,
-    smooth::direction("The direction across the planes."),
-    Param::choice(
-        "placement",
-        "Planes",
-        "Where the planes are.",
-        &[
-            Choice { label: "Even", help: "Evenly over the extent of the surface." },
-            Choice { label: "Given", help: "At the offset and, one after the other, at the distance from there." },
-        ],
-    ),
-    Param::new("number", "Number", "The number of planes.", ParamKind::Int, [1.0, 10_000.0], &[10.0]),
-    Param::new(
-        "offset",
-        "Offset",
-        "How far the first plane is from the origin, along the direction; for given planes.",
-        ParamKind::Length,
-        PLACES,
-        &[0.0],
-    ),
-    Param::new(
-        "distance",
-        "Distance",
-        "How far planes are from each other; for given planes.",
-        ParamKind::Length,
-        LENGTHS,
-        &[1.0],
-    ),
-    CHORD,
+const PLACEMENTS: &[Choice] = &[
+    Choice::new("Even", "Evenly over the extent of the surface."),
+    Choice::new("Given", "From the offset on, at the given spacing."),
 ];
 
-/// Ten planes across the z axis, as the defaults of the other parameters have it.
-fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+/// Ten planes across the z axis, in accordance with the other defaults.
+fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
     if let Some(extent) = extent_of(inputs) {
         let height = Some(extent.size().z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal());
-        put(PARAMS, values, "offset", &[extent.low.z + 0.05 * height]);
-        put(PARAMS, values, "distance", &[0.1 * height]);
+        defaults.set("offset", &[extent.low.z + 0.05 * height]);
+        defaults.set("distance", &[0.1 * height]);
     }
 }
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
     let paths = cut(&surface, values, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::account(&paths))])
+    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths))])
 }
 
 fn cut(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Paths> {
     let normal = values.direction("direction")?;
     let number = values.number("number") as usize;
-    let [first, distance] = match values.chosen("placement") {
+    let [first, distance] = match values.place("placement") {
         0 => evenly(surface, normal, number),
         _ => [values.number("offset"), values.number("distance")],
     };
     let mut offsets: Vec<f64> = (0..number).map(|k| first + k as f64 * distance).collect();
-    // Planes that rounding makes one, where the surface has no extent, are one.
+    // Where the surface has no extent, rounding makes planes equal.
     offsets.dedup();
     let planes = Planes { point: DVec3::ZERO, normal, offsets: &offsets };
     surface.section(&planes, smooth::chord(surface, values), job)

@@ -1,28 +1,17 @@
 //! The filter `smooth_surface`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::Values;
+use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS, REFERENCE, SCHEME};
-use crate::error::Result;
-use crate::job::Job;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_surface",
-    name: "Smooth surface through quads",
-    script_name: "smooth_surface",
+    name: "Smooth surface through a quad grid",
     category: CATEGORY,
-    help: "Draws a smooth surface through the vertices of a grid of quads and returns it as a finer mesh, whose vertices lie on the \
-           surface and whose faces are as near to it as is asked for.",
+    help: "Draws a smooth surface through the vertices of a quad grid and returns it as a finer mesh, whose vertices lie on the \
+           surface and whose faces are within the deviation of it.",
     reference: REFERENCE,
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
     params: &[SCHEME, FINENESS[0], FINENESS[1], FINENESS[2]],
-    suggest: None,
-    run,
+    ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {

@@ -1,51 +1,32 @@
 //! The filter `strip`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, Values};
-use super::stitch::{MERIDIANS, meridians};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
+use super::prelude::*;
 use crate::mesh::{Mesh, PositionBuffer, Scalar};
-use crate::stitch::{RuledOptions, Start, ruled};
-use glam::DVec3;
+use crate::stitch::{Meridians, RuledOptions, Start, ruled};
 
 pub(super) const FILTER: Filter = Filter {
     id: "strip",
     name: "Strip between two curves",
-    script_name: "strip",
     category: "Stitching",
-    help: "Spans a strip of triangles between two polylines, both closed or both open, which run side by side in one direction.",
+    help: "Spans a strip of triangles between two polylines of one direction that run side by side, both closed or both open.",
     reference: "H. Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for the rule \
                 by index",
-    inputs: &[InputKind::Curves],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
-    replaces: false,
     params: &[
-        Param::choice(
-            "meridians",
-            "Meridians",
-            "How points of one curve are joined to points of the other.",
-            MERIDIANS,
-        ),
-        Param::choice(
-            "start",
-            "First meridian",
-            "Where the strip between closed curves begins; between open ones it begins at their first points.",
-            &[
-                Choice { label: "Automatic", help: "Where it gives the best strip of those tried." },
-                Choice { label: "Closest pair", help: "Between the two points nearest to each other." },
-                Choice { label: "First points", help: "Between the first points." },
-            ],
-        ),
-        Param::flag("reversed", "Backwards", "The second curve is taken the other way round."),
+        Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
+            .help("The rule that joins points of one curve to points of the other."),
+        Param::choice("start", "First meridian", STARTS.texts)
+            .help("The start of the strip between closed curves; between open ones it is at their first points."),
+        Param::flag("reversed", "Reversed").help("Reverses the second curve."),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(CURVES, TO_MESH_TEXT, run)
 };
+
+choices! {
+    STARTS: Option<Start> =
+        Some(Start::Auto) => "Automatic", "At the best strip of those tried.";
+        Some(Start::Closest) => "Closest pair", "Between the two points nearest to each other.";
+        None => "First points", "Between the first points.";
+}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     job.step(0.0, "strip")?;
@@ -62,8 +43,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         b.reverse();
     }
     let options = RuledOptions {
-        meridians: meridians(values.chosen("meridians")),
-        start: [Some(Start::Auto), Some(Start::Closest), None][values.chosen("start")],
+        meridians: values.choice("meridians", Meridians::CHOICES),
+        start: values.choice("start", STARTS),
         ..RuledOptions::default()
     };
     let made = ruled(&a, &b, closed, &options, job)?;

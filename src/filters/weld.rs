@@ -1,75 +1,46 @@
 //! The filter `weld`.
 
-use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, ParamKind, Values};
-use crate::error::Result;
-use crate::job::Job;
+use super::prelude::*;
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 
 pub(super) const FILTER: Filter = Filter {
     id: "weld",
     name: "Weld vertices",
-    script_name: "weld",
     category: "Repair",
-    help: "Makes one vertex of vertices that lie together. Borders that lie on one another are sewn edge to edge, whichever \
-           way their faces look; or all vertices that lie together become one, as a triangle soup needs it.",
+    help: "Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all \
+           coincident vertices are merged, as a triangle soup requires.",
     reference: "Greedy clustering in the order of the vertices; edges are sewn two by two",
-    inputs: &[InputKind::Mesh],
-    min_inputs: 1,
-    max_inputs: 1,
-    outputs: &[OutputKind::Mesh, OutputKind::Text],
     replaces: true,
     params: &[
-        Param::choice(
-            "vertices",
-            "Weld",
-            "Which vertices are welded.",
-            &[
-                Choice { label: "Borders", help: "Free edges that lie on one another two by two become one edge." },
-                Choice { label: "All vertices", help: "All that lie together, whatever comes of the edges." },
-            ],
+        Param::choice("vertices", "Weld", Vertices::CHOICES.texts).help("The vertices that are welded."),
+        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0]).help(
+            "The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions.",
         ),
-        Param {
-            id: "tolerance",
-            label: "Tolerance",
-            help: "How far apart vertices that lie together may be, in the unit of the positions; 0 takes equal positions.",
-            kind: ParamKind::Length,
-            min: 0.0,
-            max: 1e15,
-            default: &[0.0],
-            step: 0.0,
-            choices: &[],
-        },
-        Param::choice(
-            "collapse",
-            "Short edges",
-            "What becomes of two corners of one face that lie together.",
-            &[
-                Choice { label: "Keep", help: "They stay apart." },
-                Choice {
-                    label: "Collapse",
-                    help: "They become one, and a face of fewer than three corners is dropped.",
-                },
-            ],
-        ),
-        Param::choice(
-            "unused",
-            "Unused vertices",
-            "What becomes of vertices that no face uses.",
-            &[Choice { label: "Keep", help: "They stay." }, Choice { label: "Remove", help: "They are left out." }],
-        ),
+        Param::choice("collapse", "Short edges", COLLAPSE.texts)
+            .help("The treatment of coincident corners of one face."),
+        Param::choice("unused", "Unused vertices", UNUSED.texts).help("The treatment of vertices that no face uses."),
     ],
-    suggest: None,
-    run,
+    ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
+
+choices! {
+    COLLAPSE: bool =
+        false => "Keep", "They stay apart.";
+        true => "Collapse", "They are merged, and a face of fewer than three corners is dropped.";
+}
+
+choices! {
+    UNUSED: bool =
+        false => "Keep", "They stay.";
+        true => "Remove", "They are dropped.";
+}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options {
-        vertices: [Vertices::Boundary, Vertices::All][values.chosen("vertices")],
+        vertices: values.choice("vertices", Vertices::CHOICES),
         tolerance: Some(values.number("tolerance")),
-        collapse: values.chosen("collapse") == 1,
-        remove_unused: values.chosen("unused") == 1,
+        collapse: values.choice("collapse", COLLAPSE),
+        remove_unused: values.choice("unused", UNUSED),
     };
     let done = weld(inputs[0].mesh()?, &options, job)?;
     let text = report(&done);

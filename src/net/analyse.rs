@@ -62,7 +62,7 @@ impl Analysis {
 /// component of cells into two sides, of which the smaller is folded; where a fold ends within the
 /// surface and divides nothing, the cells along it are. Invertible affine maps fold nothing, nor
 /// does bending until the dihedral angle vanishes. Links across seams other than closed sides are
-/// not tested. O(nodes), 24 bytes a node, and 13 more if there are folds.
+/// not tested. O(nodes), 24 bytes a node, and 9 more if there are folds.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN,

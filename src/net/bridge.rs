@@ -2,6 +2,7 @@
 //! and the record of how each net was adapted, so that splitting is exact.
 
 use super::{Direction, Shape, Topology};
+use crate::choice::choices;
 use std::sync::Arc;
 
 /// The form of a bridge.
@@ -25,6 +26,16 @@ pub enum BridgeMode {
     Hide,
     /// The two sides coincide: the links between them are contracted.
     Weld,
+}
+
+impl BridgeMode {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: BridgeMode =
+            BridgeMode::Keep => "Quads", "A row of new quads joins them.";
+            BridgeMode::Hide => "Nothing", "They are in one mesh, but not joined.";
+            BridgeMode::Weld => "Weld", "Their coincident sides are merged.";
+    }
 }
 
 /// The physical properties that a host gives a bridge (Deryagin, "tension, elasticity, stiffness"):

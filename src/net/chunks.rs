@@ -32,10 +32,11 @@ impl ChunkLayout {
             ChunkLayout { length: columns, stride, lines: (BLOCK / stride).max(1) }
         }
     }
+}
 
-    fn block(&self) -> usize {
-        self.lines * self.stride
-    }
+/// The elements of three iterators in step.
+pub(crate) fn zip3<I: ExactSizeIterator>([x, y, z]: [I; 3]) -> impl ExactSizeIterator<Item = [I::Item; 3]> {
+    x.zip(y).zip(z).map(|((x, y), z)| [x, y, z])
 }
 
 /// Calls `work` with the number of the first node and the coordinates of each chunk of at most
@@ -47,15 +48,13 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     max: usize,
     work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let layout = ChunkLayout::of(planes);
-    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.block()));
-    let results = par::map(threads, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
-        let [x, y, z] = [x, y, z].map(|matrix| matrix.chunks_mut(layout.stride));
-        x.zip(y).zip(z).enumerate().try_for_each(|(line, ((x, y), z))| {
-            let first = (block * layout.lines + line) * layout.length;
-            let length = x.len().min(layout.length);
-            let [x, y, z] = [x, y, z].map(|row| row[..length].chunks_mut(max));
-            x.zip(y).zip(z).enumerate().try_for_each(|(k, ((x, y), z))| work(first + k * max, [x, y, z]))
+    let ChunkLayout { length, stride, lines } = ChunkLayout::of(planes);
+    let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride)));
+    let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
+        zip3(matrices.map(|matrix| matrix.chunks_mut(stride))).enumerate().try_for_each(|(line, rows)| {
+            let (first, length) = ((block * lines + line) * length, rows[0].len().min(length));
+            let mut chunks = zip3(rows.map(|row| row[..length].chunks_mut(max))).enumerate();
+            chunks.try_for_each(|(k, chunk)| work(first + k * max, chunk))
         })
     });
     results.into_iter().collect()
@@ -68,11 +67,10 @@ pub(crate) fn for_each_chunk_in_order<T: Real>(
     mut work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
 ) -> Result<()> {
     let ChunkLayout { length, stride, .. } = ChunkLayout::of(planes);
-    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(stride));
-    x.zip(y).zip(z).enumerate().try_for_each(|(line, ((x, y), z))| {
-        let length_here = x.len().min(length);
-        let [x, y, z] = [x, y, z].map(|row| row[..length_here].chunks_mut(4 * CHUNK));
-        x.zip(y).zip(z).enumerate().try_for_each(|(k, ((x, y), z))| work(line * length + k * 4 * CHUNK, [x, y, z]))
+    zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(stride))).enumerate().try_for_each(|(line, rows)| {
+        let (first, length) = (line * length, rows[0].len().min(length));
+        let mut chunks = zip3(rows.map(|row| row[..length].chunks_mut(4 * CHUNK))).enumerate();
+        chunks.try_for_each(|(k, chunk)| work(first + k * 4 * CHUNK, chunk))
     })
 }
 
@@ -82,15 +80,13 @@ pub(crate) fn for_each_chunk<T: Real>(
     threads: usize,
     work: impl Fn(usize, [&[T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let layout = ChunkLayout::of(planes);
-    let [x, y, z] = planes.matrices().map(|matrix| matrix.chunks(layout.block()));
-    let results = par::map(threads, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
-        let [x, y, z] = [x, y, z].map(|matrix| matrix.chunks(layout.stride));
-        x.zip(y).zip(z).enumerate().try_for_each(|(line, ((x, y), z))| {
-            let first = (block * layout.lines + line) * layout.length;
-            let length = x.len().min(layout.length);
-            let [x, y, z] = [x, y, z].map(|row| row[..length].chunks(CHUNK));
-            x.zip(y).zip(z).enumerate().try_for_each(|(k, ((x, y), z))| work(first + k * CHUNK, [x, y, z]))
+    let ChunkLayout { length, stride, lines } = ChunkLayout::of(planes);
+    let blocks = zip3(planes.matrices().map(|matrix| matrix.chunks(lines * stride)));
+    let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
+        zip3(matrices.map(|matrix| matrix.chunks(stride))).enumerate().try_for_each(|(line, rows)| {
+            let (first, length) = ((block * lines + line) * length, rows[0].len().min(length));
+            let mut chunks = zip3(rows.map(|row| row[..length].chunks(CHUNK))).enumerate();
+            chunks.try_for_each(|(k, chunk)| work(first + k * CHUNK, chunk))
         })
     });
     results.into_iter().collect()

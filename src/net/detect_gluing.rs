@@ -41,7 +41,7 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
     let classes = Classes::of(&near)?;
     let rim = Rim { shape, coordinates, tolerance };
     let seams = rim.seams(&rim.pairs(&classes)?, &classes)?;
-    job.step(0.8, "derivation")?;
+    job.step(0.8, "detecting gluings")?;
     Topology::new(shape, Links::Matrix(near.matrix()?), &seams)?.saturated()
 }
 

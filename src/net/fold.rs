@@ -29,7 +29,7 @@ enum FoldTest {
 /// Cells that one thread takes at a time, approximately, and that are tested between progress
 /// reports.
 const BLOCK: usize = 1 << 14;
-const STAGE: &str = "looking for folds";
+const STAGE: &str = "detecting folds";
 
 /// The factor on error margins before the deformation: a fold must not have been nearly one before.
 const MARGIN_BEFORE: f64 = 8.0;
@@ -109,7 +109,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
-        let mut sides = ParitySets::new(count)?;
+        let mut sets = ParitySets::new(count)?;
         let mut folded = Vec::new();
         let step = |cell: u32, from: f64| match cell as usize % BLOCK {
             0 => job.step(from + 0.4 * f64::from(cell) / count as f64, STAGE),
@@ -121,31 +121,31 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             match self.is_folded(pair) {
                 Some(true) => alloc::push(&mut folded, [a, b])?,
                 Some(false) => {
-                    sides.union(a, b, false);
+                    sets.union(a, b, false);
                 }
                 None => {}
             }
         }
         let mut at_ends = Vec::new();
         for [a, b] in folded {
-            if !sides.union(a, b, true) {
+            if !sets.union(a, b, true) {
                 alloc::append(&mut at_ends, &[a, b])?;
             }
         }
-        // A part is known by its first cell, whose side is 1.
+        // A component is represented by its first cell, whose side is 1.
         let mut side = |cell: u32| {
-            let (root, opposed) = sides.find(cell);
+            let (root, opposed) = sets.find(cell);
             (root as usize, if opposed { -1i8 } else { 1 })
         };
         let mut balance: Vec<i32> = alloc::zeroed(count)?;
         for cell in 0..count as u32 {
-            let (part, sign) = side(cell);
-            balance[part] += i32::from(sign);
+            let (component, sign) = side(cell);
+            balance[component] += i32::from(sign);
         }
         let mut signs = alloc::with_capacity(count)?;
         signs.extend((0..count as u32).map(|cell| {
-            let (part, sign) = side(cell);
-            if balance[part] < 0 { -sign } else { sign }
+            let (component, sign) = side(cell);
+            if balance[component] < 0 { -sign } else { sign }
         }));
         at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
         for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {

@@ -8,6 +8,7 @@
 //!
 //! Invariant: nodes of one class get the same bits. O(nodes), and memory for the glued nodes only.
 
+use super::chunks::zip3;
 use super::hidden_cells::HiddenCells;
 use super::shape::corner_places;
 use super::topology::{Groups, Reduced};
@@ -75,8 +76,8 @@ struct CornerSums<'a, T> {
     hidden: HiddenCells,
     classes: Classes,
     groups: Groups,
-    /// A bit for each node that is glued to another.
-    is_glued: BitSet,
+    /// The nodes that are glued to others.
+    glued: BitSet,
     sign: f64,
 }
 
@@ -84,21 +85,21 @@ impl<'a, T: Real> CornerSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
         let classes = Classes::of(net.topology())?;
         let groups = classes.groups()?;
-        let mut is_glued = BitSet::new(net.shape().node_count())?;
-        groups.members().iter().for_each(|&node| is_glued.insert(node));
+        let mut glued = BitSet::new(net.shape().node_count())?;
+        groups.members().iter().for_each(|&node| glued.insert(node));
         Ok(CornerSums {
             planes,
             matrices: planes.matrices(),
             hidden: HiddenCells::of(net)?,
             classes,
             groups,
-            is_glued,
+            glued,
             sign: if net.topology().is_reversed() { -1.0 } else { 1.0 },
         })
     }
 
     fn is_glued(&self, i: usize, j: usize) -> bool {
-        self.is_glued.contains(self.planes.shape().node(i, j))
+        self.glued.contains(self.planes.shape().node(i, j))
     }
 
     fn point(&self, i: usize, j: usize) -> DVec3 {
@@ -184,14 +185,10 @@ impl VectorSum {
 fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
-    let [x, y, z] = out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride));
-    par::map_cancellable(job, STAGE, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
-        let [x, y, z] = [x, y, z].map(|matrix| matrix.chunks_mut(stride));
-        let lines = x.zip(y).zip(z).enumerate().map(|(line, ((x, y), z))| {
-            let out = [x, y, z].map(|row| &mut row[..shape.columns()]);
-            row(corners, block * lines + line, out)
-        });
-        lines.sum()
+    let blocks = zip3(out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride)));
+    par::map_cancellable(job, STAGE, blocks.enumerate(), |(block, matrices)| {
+        let rows = zip3(matrices.map(|matrix| matrix.chunks_mut(stride))).enumerate();
+        rows.map(|(line, rows)| row(corners, block * lines + line, rows.map(|row| &mut row[..shape.columns()]))).sum()
     })
 }
 

@@ -7,6 +7,7 @@
 //! half-edges and at most d edges at a vertex, which pairing the half-edges takes; the rest is linear.
 
 use crate::alloc;
+use crate::choice::choices;
 use crate::error::Result;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
@@ -22,6 +23,15 @@ pub enum Outward {
     Keep,
     /// Outwards, each by its own volume: of shells inside one another each one encloses what is within it.
     Closed,
+}
+
+impl Outward {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Outward =
+            Outward::Keep => "Majority", "The orientation of most of their faces.";
+            Outward::Closed => "Outwards", "Outwards, each by its own volume, also inside others.";
+    }
 }
 
 /// How to orient.

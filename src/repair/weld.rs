@@ -13,6 +13,7 @@ use super::cluster::Clusters;
 use super::corners::Corners;
 use super::sew::{free_edges, is_free, sew, unordered};
 use crate::alloc;
+use crate::choice::choices;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges};
@@ -28,6 +29,15 @@ pub enum Vertices {
     Boundary,
     /// All vertices that faces use.
     All,
+}
+
+impl Vertices {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Vertices =
+            Vertices::Boundary => "Borders", "Coincident pairs of boundary edges become one edge.";
+            Vertices::All => "All vertices", "All coincident vertices, whatever becomes of the edges.";
+    }
 }
 
 /// How to weld.

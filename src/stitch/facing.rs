@@ -14,6 +14,7 @@
 //!   the one with the closest pair of vertices is taken, or the longest.
 
 use crate::alloc;
+use crate::choice::choices;
 use crate::error::{Element, Error, Result, Side};
 use crate::geom::kd_tree::KdTree;
 use crate::geom::scale::common_unit;
@@ -83,6 +84,15 @@ pub enum Centres {
     Length,
 }
 
+impl Centres {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Centres =
+            Centres::Vertices => "Mean of the points", "As in the paper.";
+            Centres::Length => "Mean of the curve", "Independent of the spacing of the points.";
+    }
+}
+
 /// How facing vertices are found.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
@@ -103,6 +113,15 @@ pub enum Run {
     Closest,
     /// On each loop the one of the most vertices, of equal ones the first.
     Longest,
+}
+
+impl Run {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Run =
+            Run::Closest => "Closest", "The one with the closest pair of points.";
+            Run::Longest => "Longest", "The one of the most points.";
+    }
 }
 
 /// An arc of a loop: its first place and its number of vertices. It may pass the loop's end.

@@ -5,6 +5,7 @@ use super::facing::{Centres, Run};
 use super::meridian::{Meridians, Pair, Search};
 use super::quality::Quality;
 use super::start::Start;
+use crate::choice::choices;
 use crate::mesh::{Mesh, MeshView};
 use std::ops::Range;
 
@@ -18,6 +19,16 @@ pub enum Orientation {
     Refuse,
     /// The rims are not compared: the faces are taken to be right as they are.
     Keep,
+}
+
+impl Orientation {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Orientation =
+            Orientation::Fix => "Reverse it", "Its faces are reversed.";
+            Orientation::Refuse => "Refuse", "The filter fails.";
+            Orientation::Keep => "Ignore", "The faces are taken as they are.";
+    }
 }
 
 /// How many rows of new vertices lie between the rims.
@@ -43,6 +54,15 @@ pub enum Cells {
     Quads,
 }
 
+impl Cells {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Cells =
+            Cells::Triangles => "Triangles", "Quads are split by their shorter diagonals.";
+            Cells::Quads => "Quads", "Quads where four different neighbours meet, triangles elsewhere.";
+    }
+}
+
 /// Whether the new vertices stay on straight meridians.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fairing {
@@ -52,6 +72,15 @@ pub enum Fairing {
     /// They are moved so that the strip bends as a thin plate does and meets both pieces smoothly: see
     /// [`stitch()`](super::stitch()). The rims stay where they are.
     ThinPlate,
+}
+
+impl Fairing {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Fairing =
+            Fairing::None => "Straight", "Evenly on straight lines from rim to rim.";
+            Fairing::ThinPlate => "Fair", "The strip bends as a thin plate and joins both pieces smoothly.";
+    }
 }
 
 /// Whether faces of the strip that cut others are looked for. What they share by number, a vertex or an edge, is no cut.
@@ -64,6 +93,16 @@ pub enum Intersections {
     Ignore,
     /// Always. Without faired rows nothing is changed.
     Report,
+}
+
+impl Intersections {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Intersections =
+            Intersections::Auto => "Automatic", "Where rows are faired; there they are avoided.";
+            Intersections::Ignore => "Ignore", "No search.";
+            Intersections::Report => "Report", "Always.";
+    }
 }
 
 /// How to stitch.

@@ -1,5 +1,7 @@
 //! One direction of a grid: how the cubic over each interval follows from the nodes near it.
 
+use crate::choice::choices;
+
 use std::ops::Range;
 
 /// Nodes that a cubic may depend on.
@@ -15,6 +17,15 @@ pub enum Scheme {
     /// The cubic through the four nodes round the interval, as the paper has it ("crossings with the neighbouring curves"): continuous,
     /// fourth order with the constant 3/128; tangents jump at nodes.
     FourPoint,
+}
+
+impl Scheme {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Scheme =
+            Scheme::SixTap => "Smooth", "Bicubic patches from 6 x 6 vertices each, with continuous tangents.";
+            Scheme::FourPoint => "Four points", "Bicubic patches through 4 x 4 vertices each, with discontinuous tangents.";
+    }
 }
 
 /// The weights that make the four Bézier points of an interval from the nodes round it.

@@ -78,9 +78,7 @@ fn check_names_what_is_wrong() {
     soup.face(&[2, 3, 14]);
     let faulty = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
     let faulty = text(&faulty[0]);
-    for line in
-        ["faces that are there already: 7\n", "faces without area: 8\n", "vertices without faces: 13\n", "not manifold"]
-    {
+    for line in ["duplicate faces: 7\n", "faces without area: 8\n", "unused vertices: 13\n", "not manifold"] {
         assert!(faulty.contains(line), "{line}: {faulty}");
     }
     let threes = faulty.lines().find(|line| line.contains("three or more")).unwrap();

@@ -111,7 +111,7 @@ fn chapter(filter: &Filter) -> String {
         "\n### {}\n\n`{}` (in scripts `{}`): {} -> {}.{place}\n\n{}\n\nReference: {}.\n",
         filter.name,
         filter.id,
-        filter.script_name,
+        filter.script_name(),
         inputs(filter),
         outputs(filter),
         filter.help,

@@ -64,9 +64,9 @@ fn is_word(text: &str) -> bool {
 fn names_are_unique_stable_and_explained() {
     assert_eq!(FILTERS.iter().map(|f| f.id).collect::<Vec<_>>(), IDS);
     let distinct = |key: fn(&Filter) -> &str| FILTERS.iter().map(key).collect::<HashSet<_>>().len();
-    assert_eq!([distinct(|f| f.id), distinct(|f| f.name), distinct(|f| f.script_name)], [FILTERS.len(); 3]);
+    assert_eq!([distinct(|f| f.id), distinct(|f| f.name), distinct(|f| f.script_name())], [FILTERS.len(); 3]);
     for filter in FILTERS {
-        assert!(is_word(filter.id) && is_word(filter.script_name), "{}", filter.id);
+        assert!(is_word(filter.id) && is_word(filter.script_name()), "{}", filter.id);
         assert!(filter.help.len() > 40 && filter.help.ends_with('.') && !filter.help.contains("  "), "{}", filter.help);
         assert!(!filter.reference.is_empty() && !filter.reference.contains("  "), "{}", filter.reference);
         assert!(!filter.category.is_empty() && !filter.name.is_empty());
@@ -157,7 +157,7 @@ fn suggestions_are_in_range_whatever_the_mesh() {
         let [small, large] = [&usual, &scaled(&usual, 1e3, 0.0)].map(|given| filter.defaults(&inputs(given)));
         let mut start = 0;
         for param in filter.params {
-            if param.kind == ParamKind::Length && filter.suggest.is_some() && param.default[0] != small[start] {
+            if param.kind == ParamKind::Length && filter.has_suggestions() && param.default[0] != small[start] {
                 let ratio = large[start] / small[start];
                 assert!((ratio / 1e3 - 1.0).abs() < 0.02, "{} {} {ratio}", filter.id, param.id);
             }

@@ -147,7 +147,7 @@ fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Inp
     for knob in &effect.knobs {
         read(parameters, knob, time, &mut values[knob.first..])?;
     }
-    if effect.filter.suggest.is_some() {
+    if effect.filter.has_suggestions() {
         let mut suit = 1;
         parameters.int(SUIT, time, &mut suit)?;
         if suit != 0 {

@@ -36,7 +36,7 @@ pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Han
     for knob in &effect.knobs {
         define(&parameters, knob)?;
     }
-    if effect.filter.suggest.is_some() {
+    if effect.filter.has_suggestions() {
         let properties = parameters.define(PARAM_BOOLEAN, SUIT)?;
         let _ = properties.set_text(PROP_LABEL, 0, SUIT_LABEL);
         let _ = properties.set_text(PARAM_PROP_HINT, 0, SUIT_HINT);

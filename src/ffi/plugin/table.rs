@@ -89,7 +89,7 @@ impl Entry {
             struct_size: size_of::<gusset_filter>(),
             id: text(of.id),
             name: text(of.name),
-            script_name: text(of.script_name),
+            script_name: text(of.script_name()),
             category: text(of.category),
             help: text(of.help),
             reference: text(of.reference),

@@ -131,7 +131,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
 
 /// The nodes at which classes lie.
 struct VertexPlaces {
-    /// Whether each node has finite coordinates.
+    /// True for each node with finite coordinates.
     finite: Vec<bool>,
     /// The classes whose smallest node is missing, each with its first node that is not, in order.
     /// Rarely any.
@@ -166,7 +166,7 @@ impl VertexPlaces {
     }
 }
 
-/// Whether each node has finite coordinates.
+/// True for each node with finite coordinates.
 fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
     let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
     let mut finite = alloc::filled(true, planes.shape().node_count())?;

@@ -1,7 +1,7 @@
 //! Free-form deformation: Sederberg and Parry, "Free-Form Deformation of Solid Geometric Models",
 //! 1986. A tensor product of Bernstein polynomials over a box; O(control points) a node.
 
-use super::{Field, Points, check_finite, each_point};
+use super::map::{Field, Points, check_finite, each_point};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! Projective maps: parallel and central projection onto a plane, and every other 4 x 4 matrix.
 
-use super::{Field, Points, along_line, check_finite, each_point_simd};
+use super::map::{Field, Points, along_line, check_finite, each_point_simd};
 use crate::error::{Error, Result};
 use glam::DVec3;
 

@@ -4,7 +4,7 @@
 //! Conjugation by an [`Affine`](crate::net::transform::Affine) in the chain gives any other axis.
 //! O(1) a node.
 
-use super::{Field, Points, check_finite, each_point, each_point_simd};
+use super::map::{Field, Points, check_finite, each_point, each_point_simd};
 use crate::error::{Error, Result};
 use crate::net::transform::Axis;
 

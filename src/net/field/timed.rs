@@ -1,6 +1,6 @@
 //! Keyframe animation: the strength of a field as a function of time. O(log keys).
 
-use super::check_finite;
+use super::map::check_finite;
 use crate::error::{Error, Result};
 
 /// The interpolation of strengths between two times.

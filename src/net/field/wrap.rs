@@ -1,7 +1,7 @@
 //! Maps of sheets onto a sphere, a cylinder and a torus (Deryagin, "hard" deformations: they bring
 //! nodes together that the net did not glue, see [`analyse`](crate::net::analyse)). O(1) a node.
 
-use super::{Field, Points, along_line, check_finite, each_point, each_point_simd};
+use super::map::{Field, Points, along_line, check_finite, each_point, each_point_simd};
 use crate::error::{Error, Result};
 use crate::net::transform::Axis;
 use glam::DVec3;

@@ -94,7 +94,7 @@ fn cut(
     let mut parts = alloc::with_capacity(ranges.len())?;
     for (k, (range, topology)) in ranges.iter().zip(topologies).enumerate() {
         if k % 256 == 0 {
-            job.step(k as f64 / ranges.len() as f64, "taking nets apart")?;
+            job.step(k as f64 / ranges.len() as f64, "splitting nets")?;
         }
         if welded || crossed[k] {
             topology.check_crossings()?;
@@ -107,7 +107,7 @@ fn cut(
         part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= innermost);
         parts.push(part);
     }
-    job.step(1.0, "taking nets apart")?;
+    job.step(1.0, "splitting nets")?;
     Ok(parts)
 }
 

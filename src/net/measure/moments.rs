@@ -3,7 +3,7 @@
 //! The flux through each bilinear patch is integrated by the 3 x 3 product Gauss rule, which is
 //! exact: the integrands have degree at most 4 in each parameter. O(nodes).
 
-use super::{origin, rows_at_once};
+use super::sums::{origin, rows_at_once};
 use crate::error::Result;
 use crate::job::Job;
 use crate::net::hidden_cells::HiddenCells;

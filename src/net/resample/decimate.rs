@@ -4,7 +4,7 @@
 //! Invariant: the deviation of removed nodes from the segments that replace them stays within half
 //! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::{min_size, require_sides, selected, with_sides};
+use super::sides::{min_size, require_sides, selected, with_sides};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;

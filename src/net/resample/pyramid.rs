@@ -1,7 +1,8 @@
 //! Levels of detail: a pyramid of nets of 2^k + 1 rows and columns. The memory is 4/3 of the first
 //! level.
 
-use super::{Interpolation, min_size, require_sides, resample, selected, with_sides};
+use super::interpolate::{Interpolation, resample};
+use super::sides::{min_size, require_sides, selected, with_sides};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

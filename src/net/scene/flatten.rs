@@ -1,10 +1,12 @@
 //! Flattening: the visible nets of a scene joined to one, in the space of the scene, and the
 //! inverse. O(entries + instances + nodes).
 
-use super::{Content, Instance, Scene};
+use super::arena::{Content, Scene};
+use super::instances::Instance;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::net::chunks::zip3;
 use crate::net::join::{JoinOptions, join_mirrored, starts};
 use crate::net::transform::Affine;
 use crate::net::{Direction, Net, Planes, Real, each};
@@ -97,13 +99,11 @@ fn transform<T: Real>(
     let shape = planes.shape();
     let (rows, columns) = (shape.rows(), shape.columns());
     let height = (BLOCK / columns).clamp(1, rows);
-    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(height * columns));
-    let mut blocks = alloc::with_capacity(rows.div_ceil(height))?;
-    blocks.extend(x.zip(y).zip(z).enumerate().map(|(k, ((x, y), z))| (k * height, [x, y, z])));
+    let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(height * columns)));
     let threads = if blocks.len() < 4 { 1 } else { job.threads() };
-    par::map(threads, blocks.into_iter(), |(first, [x, y, z])| {
+    par::map(threads, blocks.enumerate(), |(block, [x, y, z])| {
         let rows = x.chunks_mut(columns).zip(y.chunks_mut(columns)).zip(z.chunks_mut(columns));
-        for (i, ((x, y), z)) in (first..).zip(rows) {
+        for (i, ((x, y), z)) in (block * height..).zip(rows) {
             match direction {
                 Direction::Down => move_nodes(x, y, z, world(starts.partition_point(|&start| start <= i) - 1)),
                 Direction::Right => {

@@ -1,7 +1,7 @@
 //! Instances of a scene and their transforms: counted in topological order, listed depth first.
 //! O(entries + children) and O(instances).
 
-use super::{Content, Counts, Entry, Scene};
+use super::arena::{Content, Counts, Entry, Scene};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;

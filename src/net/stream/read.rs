@@ -11,6 +11,7 @@ use super::{raw, structure};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::net::chunks::zip3;
 use crate::net::{Bridge, Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
 use crate::par;
 use std::ops::Range;
@@ -140,13 +141,12 @@ fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'
     let info = &prelude.info;
     let at_once = 4 * par::at_most(info.block_count(), job.threads());
     let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
-    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block));
-    for ((x, y), z) in x.zip(y).zip(z) {
+    for matrices in zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block))) {
         job.step(start as f64 / info.block_count() as f64, "decoding")?;
-        let parts = x.chunks_mut(block).zip(y.chunks_mut(block)).zip(z.chunks_mut(block)).enumerate();
-        let done = par::map(job.threads(), parts, |(k, ((x, y), z))| {
+        let parts = zip3(matrices.map(|matrix| matrix.chunks_mut(block))).enumerate();
+        let done = par::map(job.threads(), parts, |(k, part)| {
             let Entry { offset, size, .. } = prelude.entries[start + k];
-            prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], [x, y, z])
+            prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], part)
         });
         start += done.len();
         done.into_iter().collect::<Result<()>>()?;

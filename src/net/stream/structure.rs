@@ -15,6 +15,10 @@ const MATRIX: u8 = 64;
 /// The flag of a byte of sides that faces are reversed.
 const REVERSED: u8 = 128;
 
+/// Kinds and modes of bridges by their numbers in a stream.
+const KINDS: [BridgeKind; 3] = [BridgeKind::Ribbon, BridgeKind::Tube, BridgeKind::Thread];
+const MODES: [BridgeMode; 3] = [BridgeMode::Keep, BridgeMode::Hide, BridgeMode::Weld];
+
 /// Writes all of a net but its coordinates. Returns the number of nodes and pairs of seams of all
 /// topologies.
 pub(super) fn write(net: &Net<'_>, to: &mut Writer) -> Result<u64> {
@@ -287,16 +291,8 @@ fn write_bridges(bridges: &[Bridge], adaptations: &HashMap<*const Adaptation, u6
 /// adaptations of the nets on both sides, and the host's numbers if they are not all zero.
 fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     let direction = u8::from(bridge.direction == Direction::Down);
-    let kind = match bridge.kind {
-        BridgeKind::Ribbon => 0,
-        BridgeKind::Tube => 1,
-        BridgeKind::Thread => 2,
-    };
-    let mode = match bridge.mode {
-        BridgeMode::Keep => 0,
-        BridgeMode::Hide => 1,
-        BridgeMode::Weld => 2,
-    };
+    let kind = KINDS.iter().position(|&kind| kind == bridge.kind).unwrap_or(0) as u8;
+    let mode = MODES.iter().position(|&mode| mode == bridge.mode).unwrap_or(0) as u8;
     let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
     let bits = [tension.to_bits(), elasticity.to_bits(), stiffness.to_bits(), user];
     let plain = bits == [0; 4];
@@ -314,18 +310,9 @@ fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, 
 fn read_bridge(shape: Shape, adaptations: &[Arc<Adaptation>], from: &mut Reader<'_>) -> Result<Bridge> {
     let byte = from.u8()?;
     let direction = if byte & 1 == 0 { Direction::Right } else { Direction::Down };
-    let kind = match byte >> 1 & 3 {
-        0 => BridgeKind::Ribbon,
-        1 => BridgeKind::Tube,
-        2 => BridgeKind::Thread,
-        _ => return Err(from.bad("the kind of a bridge is unknown")),
-    };
-    let mode = match byte >> 3 & 3 {
-        0 => BridgeMode::Keep,
-        1 => BridgeMode::Hide,
-        2 => BridgeMode::Weld,
-        _ => return Err(from.bad("the mode of a bridge is unknown")),
-    };
+    let entry = |shift: u8| usize::from(byte >> shift & 3);
+    let kind = *KINDS.get(entry(1)).ok_or_else(|| from.bad("the kind of a bridge is unknown"))?;
+    let mode = *MODES.get(entry(3)).ok_or_else(|| from.bad("the mode of a bridge is unknown"))?;
     let [at, start, end, nesting] = [from.varint_u32()?, from.varint_u32()?, from.varint_u32()?, from.varint_u32()?];
     let (across, along) = direction.extent(shape);
     let inside = (1..across).contains(&(at as usize)) && end.saturating_sub(start) > 1 && end as usize <= along;

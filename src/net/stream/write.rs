@@ -12,7 +12,7 @@ use crate::job::Job;
 use crate::net::{Net, Planes, each};
 use crate::par;
 
-const LOOKING: &str = "looking at the net";
+const SAMPLING: &str = "sampling the net";
 
 /// Options of [`encode`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,13 +79,13 @@ fn encode_planes<T: Bits>(
         structure_size: 0,
         checksum: 0,
     };
-    job.step(0.0, LOOKING)?;
+    job.step(0.0, SAMPLING)?;
     if info.mode == Mode::Raw {
         let blocks = in_parallel(&info, job, |info, block| raw::encode(info, planes, block))?;
         return assemble(net, info, blocks);
     }
     let all = Duplicates::of(net.topology())?;
-    job.step(0.05, LOOKING)?;
+    job.step(0.05, SAMPLING)?;
     let rest = job.part(0.1, 1.0);
     let blocks = match info.mode {
         Mode::Quantised { bits } => {
@@ -112,7 +112,7 @@ fn compress<T: Bits, L: Levels<T> + Copy>(
     levels: L,
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u8>>> {
-    job.step(0.0, LOOKING)?;
+    job.step(0.0, SAMPLING)?;
     info.order = Blocks { info, planes, duplicates, levels }.best_order()? as u8;
     in_parallel(info, &job.part(0.1, 1.0), |info, block| Blocks { info, planes, duplicates, levels }.encode(block))
 }

@@ -10,6 +10,7 @@
 //! instead of slopes and angles. The foot of the bisector divides the chord by K / (1 + K), not by K as printed.
 
 use super::report::PointStatus;
+use crate::choice::choices;
 use glam::DVec3;
 
 /// How a section's control point is found.
@@ -27,6 +28,17 @@ pub enum Method {
     /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1: 0 is the median, 1/2 the bisector, 1 the
     /// symmedian.
     Alpha(f64),
+}
+
+impl Method {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Method =
+            Method::Bisector => "Bisector", "The bisector of the angle at the point.";
+            Method::Median => "Median", "The median of the triangle with its neighbours.";
+            Method::Normal => "Normal", "The normal of the chord, where its foot lies on the chord; else the bisector.";
+            Method::Symmedian => "Symmedian", "The symmedian of the triangle.";
+    }
 }
 
 /// A section: its control point, and the parameter of P.

@@ -1,6 +1,7 @@
 //! The options of an identification.
 
 use super::method::Method;
+use crate::choice::choices;
 use crate::error::{Error, Result};
 
 /// The kind of curve.
@@ -21,6 +22,18 @@ pub enum Mode {
     CubicC2,
 }
 
+impl Mode {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Mode =
+            Mode::Composite => "Composite", "Quadratic segments that meet smoothly, one for each point.";
+            Mode::CubicC2 => "Cubic spline", "Cubic segments with continuous curvature.";
+            Mode::BlendC1 => "Blend", "Blends of neighbouring sections: each point has local influence only.";
+            Mode::BlendC2 => "Smooth blend", "Blends of neighbouring sections with continuous curvature.";
+            Mode::Single => "Single", "One Bezier curve; for few points.";
+    }
+}
+
 /// The condition that ties the section of a point to the data, in composite and single curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Lock {
@@ -36,6 +49,16 @@ pub enum Lock {
     DataGuide,
 }
 
+impl Lock {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Lock =
+            Lock::Parameter => "Parameter", "The parameter of the data's triangle; always solvable.";
+            Lock::SelfConsistent => "Own triangle", "The section's own triangle.";
+            Lock::DataGuide => "Guide", "The guide of the data's triangle; plane polylines only.";
+    }
+}
+
 /// The joint parameter: where the joint of two sections divides the line between their control points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum JointParameter {
@@ -47,6 +70,16 @@ pub enum JointParameter {
     /// So that the curvature is continuous where the control polygon turns one way, and changes its sign only elsewhere.
     /// Slow, and for dense and even points hardly determined ([`NotConverged`](super::PointStatus::NotConverged)).
     G2,
+}
+
+impl JointParameter {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: JointParameter =
+            JointParameter::Half => "Halves", "Midway between their control points.";
+            JointParameter::Knot => "Knots", "In proportion to the lengths of the chords.";
+            JointParameter::G2 => "Curvature", "Where the curvature is continuous.";
+    }
 }
 
 /// How equations are solved.
@@ -68,6 +101,15 @@ pub enum Ends {
     Free,
     /// Perpendicular to the first and the last chord: from the first point to the third, and from the last but two to the last.
     Perpendicular,
+}
+
+impl Ends {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Ends =
+            Ends::Free => "Free", "As the end sections give.";
+            Ends::Perpendicular => "Perpendicular", "Perpendicular to the first and the last chord.";
+    }
 }
 
 /// How outlines are identified.

@@ -27,6 +27,7 @@ mod states;
 #[cfg(test)]
 mod tests;
 
+use crate::choice::choices;
 use crate::error::Result;
 use crate::job::Job;
 use band::Band;
@@ -57,6 +58,20 @@ pub enum Meridians {
     /// StepCosts on both rims at once wherever that makes the sum of the meridians' squared lengths less (dynamic time warping):
     /// quads where both sides advance, triangles elsewhere. Meant for strips with interior rows.
     Quad,
+}
+
+impl Meridians {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Meridians =
+            Meridians::MinArea => "Least area", "The strip of triangles of least area, for rims of any shape.";
+            Meridians::Index => "By index", "The rule of the paper: fastest, for evenly spaced rims.";
+            Meridians::ArcLength => "By arc length", "Both rims traversed in proportion to arc length: fast, for rims of similar shape.";
+            Meridians::Greedy => "Greedy", "Always the shorter of the two next meridians: fast.";
+            Meridians::MinDiagonal => "Shortest meridians", "The strip of triangles of least total length of meridians.";
+            Meridians::Smooth => "Least bend", "The strip of triangles that bends least, along the rims too.";
+            Meridians::Quad => "Quads", "Quads wherever both rims advance alike; for strips with rows.";
+    }
 }
 
 /// How hard the best meridians are looked for.

@@ -3,6 +3,7 @@
 use super::net::Gordon;
 use super::net_curve::{CurvePlace, NetCurve, degree};
 use crate::alloc;
+use crate::choice::choices;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::outline::frame::{Frame, NodeGrid};
@@ -18,6 +19,15 @@ pub enum FrameSurface {
     Nodes,
     /// Its curves too: Gordon's surface, which contains them.
     Curves,
+}
+
+impl FrameSurface {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: FrameSurface =
+            FrameSurface::Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each.";
+            FrameSurface::Curves => "Curves", "All curves through the nodes, across and along.";
+    }
 }
 
 impl Sheet<'static> {

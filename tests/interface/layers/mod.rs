@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// From the bottom up.
 const LAYERS: [&[&str]; 10] = [
-    &["error", "alloc", "job", "par", "simd"],
+    &["error", "alloc", "choice", "job", "par", "simd"],
     &["sort", "geom"],
     &["mesh"],
     &["intersect", "fair", "boundary", "winged", "check"],

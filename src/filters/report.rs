@@ -1,7 +1,17 @@
-//! What filters say of distances that they have measured.
+//! Lines of the reports that filters give as text.
 
-/// A line of text: how many, the largest, the mean and the root of the mean square.
-pub(super) fn account(of_what: &str, distances: impl Iterator<Item = f64>) -> String {
+/// Appends a formatted line to a text.
+macro_rules! push_line {
+    ($text:expr, $($arg:tt)*) => {{
+        use std::fmt::Write as _;
+        // Writing to a string cannot fail.
+        let _ = writeln!($text, $($arg)*);
+    }};
+}
+pub(super) use push_line;
+
+/// A line on distances: their number, the largest, the mean and the root mean square.
+pub(super) fn distances(of_what: &str, distances: impl Iterator<Item = f64>) -> String {
     let (mut count, mut largest, mut sum) = (0u64, 0.0f64, 0.0);
     // Squares relative to the largest so far, which neither overflow nor vanish.
     let mut squares = 0.0;

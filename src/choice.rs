@@ -1,0 +1,42 @@
+//! Choices: the values of an option in a stable order, each with the text that hosts show.
+//!
+//! A table stands beside its enum in the core; filters and their pages take order, values and texts
+//! from it. Places in a table are stored by hosts: a table grows at its end only.
+
+/// The text of one choice.
+#[derive(Debug, Clone, Copy)]
+pub struct Choice {
+    /// For menus.
+    pub label: &'static str,
+    /// Its effect, in a sentence.
+    pub help: &'static str,
+}
+
+impl Choice {
+    /// A choice with its texts.
+    pub(crate) const fn new(label: &'static str, help: &'static str) -> Self {
+        Choice { label, help }
+    }
+}
+
+/// The choices of an option.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Choices<T: 'static> {
+    /// The value of each choice.
+    pub(crate) values: &'static [T],
+    /// The text of each choice.
+    pub(crate) texts: &'static [Choice],
+}
+
+/// `choices! { NAME: Type = value => "label", "help"; ... }` defines a constant table of
+/// [`Choices`].
+macro_rules! choices {
+    ($(#[$attr:meta])* $name:ident: $type:ty = $($value:expr => $label:literal, $help:literal;)+) => {
+        $(#[$attr])*
+        pub(crate) const $name: $crate::choice::Choices<$type> = $crate::choice::Choices {
+            values: &[$($value),+],
+            texts: &[$($crate::choice::Choice::new($label, $help)),+],
+        };
+    };
+}
+pub(crate) use choices;

@@ -1,0 +1,81 @@
+//! Maps of space, and loops over points that vectorise where the map is plain arithmetic. O(1) a
+//! point.
+
+use crate::error::{Error, Result};
+use crate::net::transform::Affine;
+use crate::simd::{self, Kernel};
+
+/// Points to move: their x, y and z, slices of equal length.
+pub type Points<'a> = [&'a mut [f64]; 3];
+
+/// A map of space.
+pub trait Field: Sync {
+    /// Moves each point independently. `strength`: 1 applies the whole map; values between 0 and 1,
+    /// and beyond, are defined by each field; never 0. A point outside the field's domain becomes
+    /// NaN.
+    fn map(&self, strength: f64, points: Points<'_>);
+
+    /// True if finite points stay finite, but for overflow.
+    fn is_total(&self) -> bool {
+        true
+    }
+}
+
+/// Applies `map` to each point, for maps that call functions and so do not vectorise.
+pub(super) fn each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+    apply_to(x, y, z, map);
+}
+
+/// Applies `map` to each point, for maps of plain arithmetic, which vectorise.
+pub(super) fn each_point_simd([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+    simd::run(EachPoint { x, y, z, map });
+}
+
+struct EachPoint<'a, F> {
+    x: &'a mut [f64],
+    y: &'a mut [f64],
+    z: &'a mut [f64],
+    map: F,
+}
+
+impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for EachPoint<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        apply_to(self.x, self.y, self.z, self.map);
+    }
+}
+
+/// A separate function, as only arguments are known not to alias.
+#[inline(always)]
+fn apply_to(x: &mut [f64], y: &mut [f64], z: &mut [f64], map: impl Fn([f64; 3]) -> [f64; 3]) {
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        [*x, *y, *z] = map([*x, *y, *z]);
+    }
+}
+
+/// The point at parameter `strength` on the line from a point to its image.
+pub(super) fn along_line(strength: f64, map: impl Fn([f64; 3]) -> [f64; 3]) -> impl Fn([f64; 3]) -> [f64; 3] {
+    move |from| {
+        let to = map(from);
+        // At 1, without further rounding.
+        if strength == 1.0 { to } else { [0, 1, 2].map(|k| from[k] + strength * (to[k] - from[k])) }
+    }
+}
+
+/// [`Error::OptionOutOfRange`] for the first parameter that is not finite.
+pub(super) fn check_finite(parameters: &[(&'static str, f64)]) -> Result<()> {
+    match parameters.iter().find(|(_, value)| !value.is_finite()) {
+        Some(&(option, value)) => Err(Error::OptionOutOfRange { option, value }),
+        None => Ok(()),
+    }
+}
+
+/// In part: along the line to the image.
+impl Field for Affine {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        let rows = self.rows();
+        each_point_simd(points, along_line(strength, |[x, y, z]| rows.map(|[a, b, c, d]| a * x + b * y + c * z + d)));
+    }
+}

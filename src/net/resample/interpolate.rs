@@ -1,0 +1,171 @@
+//! Resampling by bilinear and Catmull-Rom interpolation, a separable filter of four taps. O(nodes
+//! of both).
+
+use super::sides::{require_sides, with_sides};
+use crate::alloc;
+use crate::choice::choices;
+use crate::error::Result;
+use crate::job::Job;
+use crate::net::chunks::zip3;
+use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+use crate::par;
+
+/// Nodes that one thread takes at a time, approximately.
+const BLOCK: usize = 1 << 14;
+
+/// The interpolation between nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Interpolation {
+    /// Bilinear patches.
+    Bilinear,
+    /// Catmull-Rom splines along rows and columns, which interpolate the nodes with continuous
+    /// tangents, across the seam where a row or column is closed.
+    #[default]
+    Bicubic,
+}
+
+impl Interpolation {
+    choices! {
+        /// The choices of hosts.
+        CHOICES: Interpolation =
+            Interpolation::Bicubic => "Cubic", "Cubic splines along rows and columns, which pass through all vertices.";
+            Interpolation::Bilinear => "Bilinear", "The bilinear patches of the quads.";
+    }
+}
+
+/// A net of another size, with nodes evenly spaced in the parameters of this one. First and last
+/// rows and columns stay.
+///
+/// Nodes that coincide with old ones have their bits. New nodes that depend on missing ones are
+/// missing. O(nodes of both).
+///
+/// # Errors
+/// [`Error::GluedInside`], [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn resample(
+    net: &Net<'_>,
+    rows: usize,
+    columns: usize,
+    interpolation: Interpolation,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
+    let (sides, shape) = (require_sides(net)?, Shape::new(rows, columns)?);
+    let along = Taps::new(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
+    let across = Taps::new(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
+    let coordinates =
+        each!(net.coordinates(), planes => Coordinates::from(interpolated(planes, shape, &along, &across, job)?));
+    with_sides(coordinates, net, sides)
+}
+
+/// The nodes that a new node depends on, along one direction, and their weights.
+#[derive(Clone, Copy)]
+struct Tap {
+    nodes: [u32; 4],
+    weights: [f64; 4],
+}
+
+struct Taps(Vec<Tap>);
+
+impl Taps {
+    /// The taps of `new` nodes evenly spaced over `old` ones.
+    fn new(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Self> {
+        let taps = (0..new).map(|k| {
+            // k (old - 1) / (new - 1), exactly.
+            let (at, steps) = (k as u64 * (old as u64 - 1), new as u64 - 1);
+            let before = ((at / steps) as usize).min(old - 2);
+            let t = (at - before as u64 * steps) as f64 / steps as f64;
+            match interpolation {
+                Interpolation::Bilinear => Tap::new([before; 4], before + 1, [0.0, 1.0 - t, t, 0.0]),
+                Interpolation::Bicubic => Tap::cubic(before, old, closed, t),
+            }
+        });
+        Ok(Taps(alloc::collect(taps)?))
+    }
+}
+
+impl Tap {
+    fn new([first, second, _, last]: [usize; 4], third: usize, weights: [f64; 4]) -> Self {
+        Tap { nodes: [first as u32, second as u32, third as u32, last as u32], weights }
+    }
+
+    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
+    /// linearly: the missing node is twice the last less the one before.
+    fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
+        let (s, square) = (1.0 - t, t * t);
+        let mut weights =
+            [-0.5 * t * s * s, 1.0 + square * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5), -0.5 * s * square];
+        // The last node of a closed row repeats its first.
+        let (mut before, mut after) = (k.wrapping_sub(1), k + 2);
+        if k == 0 {
+            before = if closed { count - 2 } else { 0 };
+            if !closed {
+                let w = std::mem::take(&mut weights[0]);
+                (weights[1], weights[2]) = (weights[1] + 2.0 * w, weights[2] - w);
+            }
+        }
+        if k + 2 == count {
+            after = if closed { 1 } else { count - 1 };
+            if !closed {
+                let w = std::mem::take(&mut weights[3]);
+                (weights[1], weights[2]) = (weights[1] - w, weights[2] + 2.0 * w);
+            }
+        }
+        Tap::new([before, k, k, after], k + 1, weights)
+    }
+
+    /// The node of weight 1, if all other weights are 0.
+    fn single(&self) -> Option<usize> {
+        (0..4)
+            .find(|&k| self.weights[k] == 1.0 && self.weights.iter().filter(|&&w| w != 0.0).count() == 1)
+            .map(|k| self.nodes[k] as usize)
+    }
+
+    /// The weighted sum. Nodes of weight 0 are skipped, as missing ones would spread.
+    fn apply(&self, value: impl Fn(usize) -> f64) -> f64 {
+        let parts = self.nodes.iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0);
+        parts.map(|(&node, weight)| weight * value(node as usize)).sum()
+    }
+}
+
+/// Interpolates across rows, a row at a time, then along the row.
+fn interpolated<T: Real>(
+    from: &Planes<'_, T>,
+    shape: Shape,
+    along: &Taps,
+    across: &Taps,
+    job: &Job<'_>,
+) -> Result<Planes<'static, T>> {
+    let mut to = Planes::zeroed(shape)?;
+    let lines = (BLOCK / shape.columns()).max(1);
+    let blocks = zip3(to.matrices_mut().map(|matrix| matrix.chunks_mut(lines * shape.columns())));
+    let results = par::map_cancellable(job, "resample", blocks.enumerate(), |(block, matrices)| {
+        let mut line = alloc::filled(0.0, from.shape().columns())?;
+        for (axis, matrix) in matrices.into_iter().enumerate() {
+            for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
+                across.0[block * lines + k].blend_rows(from, axis, &mut line);
+                row.iter_mut().zip(&along.0).for_each(|(to, tap)| *to = T::of(tap.along(&line)));
+            }
+        }
+        Ok(())
+    })?;
+    results.into_iter().collect::<Result<()>>()?;
+    Ok(to)
+}
+
+impl Tap {
+    /// The weighted sum of rows.
+    fn blend_rows<T: Real>(&self, from: &Planes<'_, T>, axis: usize, line: &mut [f64]) {
+        if let Some(i) = self.single() {
+            line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());
+            return;
+        }
+        line.fill(0.0);
+        for (&i, weight) in self.nodes.iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0) {
+            line.iter_mut().zip(from.row(i as usize)[axis]).for_each(|(to, &from)| *to += weight * from.into());
+        }
+    }
+
+    fn along(&self, line: &[f64]) -> f64 {
+        self.single().map_or_else(|| self.apply(|j| line[j]), |j| line[j])
+    }
+}
