@@ -1,5 +1,5 @@
-//! Generates the C headers (a test compares the committed ones with them) and the texts of statuses into OUT_DIR, and sets what the
-//! linker must know.
+//! Generates the C headers (a test compares the committed ones with them) and the texts of statuses
+//! into OUT_DIR, and sets what the linker must know.
 
 use std::{env, fmt::Write, fs, path::PathBuf};
 
@@ -35,7 +35,8 @@ fn main() {
     fs::write(out.join("status_text.rs"), status_text(&statuses)).expect("OUT_DIR can be written to");
 
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "linux") {
-        // Threads that still run when a host closes the library would run into unmapped code: never unmap it.
+        // Threads that still run when a host closes the library would run into unmapped code: never
+        // unmap it.
         println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
         if env::var_os("CARGO_FEATURE_CAPI").is_none() {
             println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libgusset.so.{major}.{minor}");

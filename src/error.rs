@@ -1,4 +1,5 @@
-//! Causes of failure: a variant for each kind of cause, with its text and the element that it is about.
+//! Causes of failure: a variant for each kind of cause, with its text and the element that it is
+//! about.
 //!
 //! `ffi::status` has the other list, of the numbers that C sees, and maps this one to it.
 
@@ -22,7 +23,8 @@ impl fmt::Display for Side {
     }
 }
 
-/// Kinds of elements that share a cause of failure. Places are those that a caller gave, counted from 0.
+/// Kinds of elements that share a cause of failure. Places are those that a caller gave, counted
+/// from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Element {
     /// A vertex of a mesh.
@@ -65,7 +67,8 @@ impl fmt::Display for Element {
     }
 }
 
-/// A number in a message: with an exponent where it would have many digits before or after the point.
+/// A number in a message: with an exponent where it would have many digits before or after the
+/// point.
 struct Number<'a>(&'a f64);
 
 impl fmt::Display for Number<'_> {
@@ -125,7 +128,8 @@ pub enum Error {
         /// `"vertices"` or `"faces"`.
         what: &'static str,
     },
-    /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere than their elements.
+    /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere
+    /// than their elements.
     #[error("offset {entry} is {value}{}", if *.entry == 0 { " instead of 0" } else { ", which is out of order or out of range" })]
     BadOffsets {
         /// The first offending entry.
@@ -151,7 +155,8 @@ pub enum Error {
         /// The vertex index found there.
         vertex: u32,
     },
-    /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point or a tangent there, a node.
+    /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point or a
+    /// tangent there, a node.
     #[error("{element} {index} has a coordinate that is {value}")]
     NotFinite {
         /// Its kind.
@@ -171,7 +176,8 @@ pub enum Error {
         /// That of the first one.
         expected: u32,
     },
-    /// A section of a frame, or a plane, has no node on a column: they do not meet, or the section is no curve.
+    /// A section of a frame, or a plane, has no node on a column: they do not meet, or the section
+    /// is no curve.
     #[error("section {section} has no node in column {column}")]
     NoNode {
         /// The section, or the plane.
@@ -209,7 +215,8 @@ pub enum Error {
         /// The point.
         point: u32,
     },
-    /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's type, would round them.
+    /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's
+    /// type, would round them.
     #[error("the inputs have coordinates of different types, where the result would round those of one: convert it")]
     MixedScalars,
     /// There is no boundary loop that could be stitched.
@@ -234,14 +241,16 @@ pub enum Error {
         /// The vertex.
         vertex: u32,
     },
-    /// Two consecutive loop vertices are not the ends of a free edge: an edge with exactly one face.
+    /// Two consecutive loop vertices are not the ends of a free edge: an edge with exactly one
+    /// face.
     #[error("loop {side}: the edge that leaves place {place} (vertex {vertex}) is no free edge of the mesh")]
     LoopEdgeNotFree {
         /// The piece.
         side: Side,
         /// The place in the loop where the edge starts.
         place: u32,
-        /// The vertex at that place (it may be out of range, which is one way not to be on a free edge).
+        /// The vertex at that place (it may be out of range, which is one way not to be on a free
+        /// edge).
         vertex: u32,
     },
     /// Both loops pass the same vertex of the same mesh.
@@ -250,8 +259,9 @@ pub enum Error {
         /// The vertex.
         vertex: u32,
     },
-    /// No vertex of a loop is clearly on the other loop's side of the plane through its centre, or the centres coincide: the
-    /// paper's planes cannot tell which vertices face each other. Such loops are joined whole.
+    /// No vertex of a loop is clearly on the other loop's side of the plane through its centre, or
+    /// the centres coincide: the paper's planes cannot tell which vertices face each other. Such
+    /// loops are joined whole.
     #[error("no vertex of loop {side} is clearly on the other loop's side of the plane through its centre")]
     PlanesUndecided {
         /// The loop.
@@ -271,8 +281,8 @@ pub enum Error {
         /// A face of the second piece.
         face: u32,
     },
-    /// Every strip through the first meridian, or the strip of the chosen rule, would use an edge twice that the mesh already
-    /// has.
+    /// Every strip through the first meridian, or the strip of the chosen rule, would use an edge
+    /// twice that the mesh already has.
     #[error("no strip between the loops avoids the edges that the mesh already has (vertex {vertex})")]
     NoStrip {
         /// The vertex of the first loop where the rule's meridian starts, if one is to blame.
@@ -306,7 +316,8 @@ pub enum Error {
         /// The index given.
         index: u64,
     },
-    /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse to equalise them.
+    /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse
+    /// to equalise them.
     #[error("the sides to be joined have {a} and {b} nodes")]
     SidesDiffer {
         /// Nodes of the first net's side.
@@ -332,7 +343,8 @@ pub enum Error {
         /// The knots needed.
         needed: u64,
     },
-    /// A knot of a spline is not finite, less than the one before, or repeated too often; or the spline has no range.
+    /// A knot of a spline is not finite, less than the one before, or repeated too often; or the
+    /// spline has no range.
     #[error("knot {knot} of direction {direction}, {}, is out of order or repeated too often", Number(.value))]
     BadKnot {
         /// 0 for u, 1 for v.
@@ -386,13 +398,15 @@ pub enum Error {
     /// A scene without nets, where one is needed.
     #[error("the scene has no nets")]
     EmptyScene,
-    /// A field of deformation is not defined at a node: the centre of a sphere, the plane of the eye of a projection.
+    /// A field of deformation is not defined at a node: the centre of a sphere, the plane of the
+    /// eye of a projection.
     #[error("at node {node} the field is not defined, or what it gives is too large")]
     FieldUndefined {
         /// The first such node.
         node: u32,
     },
-    /// A net is glued elsewhere than along whole sides, or has bridges: rows and columns cannot be added or left out evenly.
+    /// A net is glued elsewhere than along whole sides, or has bridges: rows and columns cannot be
+    /// added or left out evenly.
     #[error("the net is glued elsewhere than along whole sides, or has bridges")]
     GluedInside,
     /// A line is not finite, has no direction, or ends before it begins.

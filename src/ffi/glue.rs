@@ -1,10 +1,13 @@
-//! Declarative glue: macros that write impls. Types, constants and functions stay written out, as cbindgen sees none that a macro makes.
+//! Declarative glue: macros that write impls. Types, constants and functions stay written out, as
+//! cbindgen sees none that a macro makes.
 
-/// The structs of a file that begin with `size_t struct_size`, each with the size of its first version and `reserved` if it is read
-/// and has a field of that name, which must be 0 then. Layouts as a whole are held by the list of the binary interface.
+/// The structs of a file that begin with `size_t struct_size`, each with the size of its first
+/// version and `reserved` if it is read and has a field of that name, which must be 0 then. Layouts
+/// as a whole are held by the list of the binary interface.
 macro_rules! versioned {
     ($($name:ident: $size:literal $($reserved:ident)?),* $(,)?) => {$(
-        // SAFETY: repr(C), all fields plain numbers and raw pointers, for which zeros are values; the size comes first, as asserted.
+        // SAFETY: repr(C), all fields plain numbers and raw pointers, for which zeros are values;
+        // the size comes first, as asserted.
         unsafe impl $crate::ffi::input::Versioned for $name {
             const MIN_SIZE: usize = if size_of::<usize>() == 8 { $size } else { size_of::<$name>() };
             $(fn reserved(&self) -> u32 { self.$reserved })?
@@ -21,7 +24,8 @@ macro_rules! fixed {
     };
 }
 
-/// The constants of C that stand for the variants of an enum of the core, with the name of the field or parameter that takes them.
+/// The constants of C that stand for the variants of an enum of the core, with the name of the
+/// field or parameter that takes them.
 macro_rules! c_enum {
     ($($name:ident: $enum:ty { $($constant:ident => $variant:ident),* $(,)? })*) => {$(
         impl $crate::ffi::input::Choice for $enum {
@@ -43,7 +47,8 @@ macro_rules! c_enum {
     )*};
 }
 
-/// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to; its body may use `?`.
+/// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
+/// its body may use `?`.
 macro_rules! lend {
     ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
         $crate::ffi::guard::lend(($handle, stringify!($handle)), ($out, stringify!($out)), |$it| Ok($body))

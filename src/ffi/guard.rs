@@ -7,8 +7,9 @@ use crate::job::Job;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 
-/// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is cleared before anything else:
-/// whatever becomes of the context, the host finds NULL there after a failure.
+/// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is cleared
+/// before anything else: whatever becomes of the context, the host finds NULL there after a
+/// failure.
 pub(crate) fn create<T>(
     context: *const gusset_context,
     out: *mut *mut T,
@@ -24,7 +25,8 @@ pub(crate) fn create<T>(
     })
 }
 
-/// Fills a struct of the caller's from a handle; each pointer with its name. The macro of the same name says the names.
+/// Fills a struct of the caller's from a handle; each pointer with its name. The macro of the same
+/// name says the names.
 pub(crate) fn lend<'a, H: 'a, T: Versioned>(
     handle: (*const H, &'static str),
     out: (*mut T, &'static str),
@@ -37,7 +39,8 @@ pub(crate) fn lend<'a, H: 'a, T: Versioned>(
     })
 }
 
-/// Runs `body` with the context's job, or with the defaults if the context is NULL; records the outcome in the context.
+/// Runs `body` with the context's job, or with the defaults if the context is NULL; records the
+/// outcome in the context.
 ///
 /// A panic becomes `GUSSET_ERROR_PANIC`: nothing unwinds into the host.
 pub(crate) fn guard(

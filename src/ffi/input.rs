@@ -29,14 +29,16 @@ pub(crate) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<
 /// A handle that the call changes.
 pub(crate) fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it points to a live T that nobody else uses now is the caller's promise.
+    // SAFETY: not NULL and aligned; that it points to a live T that nobody else uses now is the
+    // caller's promise.
     Ok(unsafe { &mut *pointer })
 }
 
 /// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
 pub(crate) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it points to writable memory for a T is the caller's promise.
+    // SAFETY: not NULL and aligned; that it points to writable memory for a T is the caller's
+    // promise.
     unsafe {
         pointer.write(cleared);
         Ok(&mut *pointer)
@@ -61,7 +63,8 @@ pub(crate) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DV
 /// A buffer of the caller's for `count` numbers.
 pub(crate) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> Result<&'a mut [u32], Failure> {
     aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it has room for so many is the caller's promise. Plain numbers may hold anything.
+    // SAFETY: not NULL and aligned; that it has room for so many is the caller's promise. Plain
+    // numbers may hold anything.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
@@ -76,8 +79,8 @@ pub(crate) fn results<'a, T: bytemuck::Pod>(
     }
     aligned(pointer, name)?;
     bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
-    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. Plain
-    // numbers may hold anything.
+    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the
+    // caller's promise. Plain numbers may hold anything.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
@@ -103,8 +106,8 @@ pub(crate) fn handles<'a, T>(
     }
     aligned(pointer, name)?;
     bytes(pointer.cast_const().cast(), count, size_of::<*mut T>(), name)?;
-    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. They are
-    // written before they are read.
+    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the
+    // caller's promise. They are written before they are read.
     Ok(unsafe {
         pointer.write_bytes(0, count);
         std::slice::from_raw_parts_mut(pointer, count)
@@ -116,7 +119,8 @@ pub(crate) fn destroy<T>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.
     let dropped = catch_unwind(AssertUnwindSafe(|| {
         if !handle.is_null() {
-            // SAFETY: it came from Box::into_raw in a `_create` function, and the caller gives it up.
+            // SAFETY: it came from Box::into_raw in a `_create` function, and the caller gives it
+            // up.
             drop(unsafe { Box::from_raw(handle) });
         }
     }));
@@ -145,8 +149,8 @@ pub(crate) fn bytes<'a>(
     if pointer.is_null() {
         return Err(Failure::null(name));
     }
-    // SAFETY: not NULL, at most isize::MAX bytes, and bytes need no alignment; that so many can be read, and that nobody
-    // writes to them during the call, is the caller's promise.
+    // SAFETY: not NULL, at most isize::MAX bytes, and bytes need no alignment; that so many can be
+    // read, and that nobody writes to them during the call, is the caller's promise.
     Ok(unsafe { std::slice::from_raw_parts(pointer.cast(), length) })
 }
 
@@ -169,7 +173,8 @@ pub(crate) fn list<T: bytemuck::AnyBitPattern>(
     Ok(crate::alloc::collect(items(pointer, count, name)?)?)
 }
 
-/// `count` handles of the caller's that stay as they are, in an array at any alignment; each failure with its number.
+/// `count` handles of the caller's that stay as they are, in an array at any alignment; each
+/// failure with its number.
 pub(crate) fn references<'a, T: 'a>(
     handles: *const *const T,
     count: usize,
@@ -212,7 +217,8 @@ pub(crate) fn lent<T>(list: &[T]) -> *const T {
     if list.is_empty() { std::ptr::null() } else { list.as_ptr() }
 }
 
-/// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number if there is no buffer.
+/// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number
+/// if there is no buffer.
 pub(crate) fn fill<T: bytemuck::Pod>(
     buffer: *mut T,
     capacity: usize,
@@ -260,8 +266,9 @@ pub(crate) unsafe trait Versioned: Copy {
     }
 }
 
-/// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL gives all zeros if `optional`. Bytes
-/// beyond what this version knows must be 0, and so must `reserved`.
+/// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL
+/// gives all zeros if `optional`. Bytes beyond what this version knows must be 0, and so must
+/// `reserved`.
 pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
     // SAFETY: zeros are valid, by the trait.
     let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
@@ -270,8 +277,8 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     }
     let size = struct_size(pointer, name)?;
     let known = size_of::<T>().min(size);
-    // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. Copying a prefix over zeros gives a value
-    // of plain fields.
+    // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. Copying a prefix
+    // over zeros gives a value of plain fields.
     unsafe { std::ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
     match tail.iter().find(|&&byte| byte != 0) {
@@ -308,7 +315,8 @@ impl<T: Versioned> Output<T> {
     }
 }
 
-/// The size that the caller's struct says it has: the distance to the next one, where several lie in an array.
+/// The size that the caller's struct says it has: the distance to the next one, where several lie
+/// in an array.
 pub(crate) fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.

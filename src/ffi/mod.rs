@@ -11,10 +11,10 @@
 //!
 //! | folder | what it owns |
 //! |---|---|
-//! | [`mesh`] | the mesh view, in and out; boundaries, winged edges, checks, welding, orientation; strips, stitching, holes, assembly |
-//! | [`curve`] | the handle of a curve, and places on it; outlines through points, frames of a body |
-//! | [`net`] | the handle of a net; gluing, motion, measures, arrangement, meshes, scenes, streams |
-//! | [`surface`] | sheets, and the handle of a surface with its index; the queries of surfaces, and the paper's search |
+//! | [`mesh`] | the mesh view; boundaries, checks, repairs; stitching, holes, assembly |
+//! | [`curve`] | the handle of a curve, places on it; outlines, frames of a body |
+//! | [`net`] | the handle of a net; gluing, motion, measures, scenes, streams |
+//! | [`surface`] | sheets, the handle of a surface, its queries; the paper's search |
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
 //! | `openmfx` | with the feature of this name: the entry points of OpenMfx hosts |
 //!
