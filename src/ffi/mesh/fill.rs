@@ -265,7 +265,7 @@ pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *m
 pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *mut gusset_fill_view) -> gusset_status {
     lend!(fill, parts, |gusset_fill { filled, holes }| gusset_fill_view {
         struct_size: size_of::<gusset_fill_view>(),
-        holes: lent(&holes),
+        holes: lent(holes),
         hole_count: holes.len(),
         rims: gusset_indices::lend(&filled.rims),
     })

@@ -159,7 +159,7 @@ pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
 impl gusset_indices {
     /// Lends a slice; NULL for an empty one.
     pub(crate) fn lend(indices: &[u32]) -> Self {
-        let data = lent(&indices);
+        let data = lent(indices);
         gusset_indices { data, count: indices.len() }
     }
 }

@@ -62,27 +62,22 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
-/// The start of a list; NULL for an empty one.
-fn start<T>(items: &[T]) -> *const T {
-    lent(&items)
-}
-
 impl From<&gusset_net_analysis> for gusset_net_analysis_view {
     fn from(found: &gusset_net_analysis) -> Self {
         let Analysis { links, cells, determinants, torn, folded, .. } = &found.analysis;
         gusset_net_analysis_view {
             struct_size: size_of::<Self>(),
-            links: start(links),
+            links: lent(links),
             link_count: links.len(),
-            cells: start(cells),
-            determinants: start(determinants),
+            cells: lent(cells),
+            determinants: lent(determinants),
             cell_count: cells.len(),
-            contracted: start(&found.contracted),
-            stars: start(&found.stars),
+            contracted: lent(&found.contracted),
+            stars: lent(&found.stars),
             contracted_count: found.contracted.len(),
-            torn: start(torn),
+            torn: lent(torn),
             torn_count: torn.len(),
-            folded: start(folded),
+            folded: lent(folded),
             folded_count: folded.len(),
             soft: found.analysis.is_soft().into(),
             reserved: 0,

@@ -116,7 +116,7 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
         let findings = &validation.0;
         gusset_net_validation_view {
             struct_size: size_of::<gusset_net_validation_view>(),
-            findings: lent(&findings),
+            findings: lent(findings),
             count: findings.len(),
             violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
         }
