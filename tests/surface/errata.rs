@@ -4,8 +4,8 @@ use crate::shapes::{Random, torus};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::reference::{
-    Diameters, Found, Goal, Lattice, Object, Options, Slant, cells_within, curvature_bound, incidence, literal,
-    slanted, swings_by_curvature,
+    Diameters, SearchOutcome, Goal, Lattice, Object, SearchOptions, AngleTarget, cells_within, curvature_bound, incidence, literal,
+    angle_incidence, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -33,8 +33,8 @@ fn corner_distances(sheet: &Sheet<'_>, [i, j]: [usize; 2], point: DVec3, normal:
     [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| (sheet.corner(i, j) - point).dot(normal))
 }
 
-fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: Object, tau: f64) -> Found {
-    incidence(sheet, diameters, object, &Options::new(Goal::Within(tau)), &Job::default()).unwrap()
+fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: Object, tau: f64) -> SearchOutcome {
+    incidence(sheet, diameters, object, &SearchOptions::new(Goal::Within(tau)), &Job::default()).unwrap()
 }
 
 /// E1, the strip: cells 1 x 0.01, the plane x = 0.5, visits at x = -3 and x = 4 zero all four corners of the cells that it crosses.
@@ -50,7 +50,7 @@ fn e1_nodes_on_rims_are_corners_outside() {
     let left = literal(lattice, d, |[i, j]| target.distance(strip.corner(i, j)), false).unwrap();
     assert!((0..3).all(|j| !left.has_cell([3, j])), "the literal rule keeps what it is known to lose");
     let found = within(&strip, &diameters, object, 0.0);
-    assert!((0..3).all(|j| found.scale.get([3, j])));
+    assert!((0..3).all(|j| found.mask.get([3, j])));
 }
 
 /// E1 on a closed surface with random planes: many lose cells to the rule as written, none to the corrected one.
@@ -73,7 +73,7 @@ fn e1_random_planes() {
             if corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0) {
                 crossing += 1;
                 own += usize::from(!left.has_cell(cell));
-                assert!(found.scale.get(cell), "{cell:?}");
+                assert!(found.mask.get(cell), "{cell:?}");
             }
         }
         (planes, lost) = (planes + usize::from(own > 0), lost + own);
@@ -95,10 +95,10 @@ fn e2_blocks_must_not_touch() {
     // The node is at the point, and zeroed by the first one.
     assert!(!left.has_node([3, 0]) && target.distance(line.corner(3, 0)) == 0.0);
     let found = within(&line, &diameters, object, 0.0);
-    assert!(found.scale.get([2, 0]) && found.scale.get([3, 0]));
+    assert!(found.mask.get([2, 0]) && found.mask.get([3, 0]));
     // With tau: J = ceil((r - tau) / d) - 1.
     let found = within(&line, &diameters, object, 1.0);
-    assert!((1..5).all(|i| found.scale.get([i, 0])) && !found.scale.get([0, 0]));
+    assert!((1..5).all(|i| found.mask.get([i, 0])) && !found.mask.get([0, 0]));
 }
 
 /// E3: the nearest node excludes itself if it is farther than d.
@@ -117,7 +117,7 @@ fn e3_the_rule_does_not_find_the_nearest() {
         let nearest = nodes.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
         let left = literal(lattice, diameters.euclidean.greatest(), distance, false).unwrap();
         lost += usize::from(!left.has_node(nearest));
-        let options = Options::new(Goal::Least);
+        let options = SearchOptions::new(Goal::Least);
         let found = incidence(&bumpy, &diameters, Object::Point(query), &options, &Job::default()).unwrap();
         assert_eq!(found.least.1, distance(nearest));
     }
@@ -132,33 +132,33 @@ fn e4_angles() {
     let ring = sheet([100, 100], [true, true], |i, j| torus(i as f64 / 100.0, j as f64 / 100.0, 0.0));
     let diameters = Diameters::new(&ring, &job).unwrap();
     let curvature = curvature_bound(&ring, &job).unwrap();
-    let swings = swings_by_curvature(&ring, &diameters, curvature, &job).unwrap();
+    let variation = normal_variation_by_curvature(&ring, &diameters, curvature, &job).unwrap();
     let lattice = Lattice::of(&ring);
     let mut random = Random(4);
     let mut lost = 0;
     for _ in 0..10 {
-        let slant = Slant { direction: random.point(1.0), angle: FRAC_PI_2, unsigned: false };
-        let truth = slant.normalized().unwrap();
+        let target = AngleTarget { direction: random.point(1.0), angle: FRAC_PI_2, unsigned: false };
+        let truth = target.normalized().unwrap();
         let normal = |i: usize, j: usize| ring.normal(i % 100, j % 100, 0.0, 0.0);
         // As the paper has it: the angle with the direction itself, and K d.
         let phi = |[i, j]: [usize; 2]| normal(i, j).dot(truth.direction).clamp(-1.0, 1.0).acos();
-        let left = literal(lattice, swings.greatest(), phi, false).unwrap();
-        let found = slanted(&ring, &swings, slant, &Options::new(Goal::Within(0.0)), &job).unwrap();
+        let left = literal(lattice, variation.greatest(), phi, false).unwrap();
+        let found = angle_incidence(&ring, &variation, target, &SearchOptions::new(Goal::Within(0.0)), &job).unwrap();
         for cell in all_cells(lattice) {
             let [i, j] = cell;
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| phi([i, j]) - FRAC_PI_2);
             if corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0) {
                 lost += usize::from(!left.has_cell(cell));
-                assert!(found.scale.get(cell));
+                assert!(found.mask.get(cell));
             }
         }
     }
     println!("{lost} crossing cells lost");
     assert!(lost > 100, "{lost}");
     // Without sign, the nearer of both.
-    let slant = Slant { direction: DVec3::Z, angle: 0.2, unsigned: true };
-    assert!((slant.deviation(-DVec3::Z) - 0.2).abs() < 1e-15);
-    assert!((Slant { unsigned: false, ..slant }.deviation(-DVec3::Z) - (PI - 0.2)).abs() < 1e-15);
+    let target = AngleTarget { direction: DVec3::Z, angle: 0.2, unsigned: true };
+    assert!((target.deviation(-DVec3::Z) - 0.2).abs() < 1e-15);
+    assert!((AngleTarget { unsigned: false, ..target }.deviation(-DVec3::Z) - (PI - 0.2)).abs() < 1e-15);
 }
 
 /// E5: lines dropped where the block does not reach from side to side, or in the middle.
@@ -176,7 +176,7 @@ fn e5_lines_that_must_not_be_dropped() {
     let left = literal(lattice, 1.0, distance, true).unwrap();
     assert!(!left.has_cell([0, 3]));
     let found = within(&wide, &diameters, object, 0.0);
-    assert!(found.scale.get([0, 3]) && d > 1.0);
+    assert!(found.mask.get([0, 3]) && d > 1.0);
 
     // A strip that turns back: a block amid it is dropped, and the two ends, taken for neighbours, exclude each other.
     let strip = sheet([40, 1], [false; 2], |i, j| {
@@ -193,23 +193,23 @@ fn e5_lines_that_must_not_be_dropped() {
         let distance = |[i, j]: [usize; 2]| (strip.corner(i, j).x - point.x).abs();
         let left = literal(lattice, d, distance, true).unwrap();
         let found = within(&strip, &diameters, object, 0.0);
-        let plain = Options { drop_lines: false, ..Options::new(Goal::Within(0.0)) };
+        let plain = SearchOptions { drop_lines: false, ..SearchOptions::new(Goal::Within(0.0)) };
         let plain = incidence(&strip, &diameters, object, &plain, &Job::default()).unwrap();
         // Dropping lines spares nothing else.
-        assert_eq!(found.scale, plain.scale);
+        assert_eq!(found.mask, plain.mask);
         dropped += found.dropped;
         for cell in all_cells(lattice) {
             let corners = corner_distances(&strip, cell, point, DVec3::X);
             if corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0) {
                 lost += usize::from(!left.has_cell(cell));
-                assert!(found.scale.get(cell));
+                assert!(found.mask.get(cell));
             }
         }
     }
     assert!(lost > 0 && dropped > 0, "{lost} {dropped}");
     // The negative answer at once: the first node excludes all.
     let far = within(&strip, &diameters, Object::Point(DVec3::new(0.0, 1e4, 0.0)), 0.0);
-    assert_eq!((far.scale.count(), far.evaluations, far.blocks), (0, 1, 1));
+    assert_eq!((far.mask.count(), far.evaluations, far.blocks), (0, 1, 1));
 }
 
 /// A patch over the unit square, flat at its edge, with a bump of height about `height` inside.
@@ -238,7 +238,7 @@ fn e6_half_the_perimeter_is_no_bound() {
     let lattice = Lattice::of(&bump);
     let left = literal(lattice, half_perimeter, |[i, j]| target.distance(bump.corner(i, j)), false).unwrap();
     assert!(!left.has_cell([0, 0]));
-    assert!(within(&bump, &diameters, object, 0.0).scale.get([0, 0]));
+    assert!(within(&bump, &diameters, object, 0.0).mask.get([0, 0]));
 }
 
 /// E7: a section may be a loop within one cell, cross a side twice, or touch; the signs at the nodes do not show it.
@@ -290,7 +290,7 @@ fn e8_euclidean_suffices() {
         evaluations = [evaluations[0] + chord.evaluations, evaluations[1] + way.evaluations];
         let exact = cells_within(&folded, &diameters, object, 0.0, 1e-9, &job).unwrap();
         for cell in all_cells(lattice).filter(|&cell| exact.get(cell)) {
-            assert!(chord.scale.get(cell) && way.scale.get(cell));
+            assert!(chord.mask.get(cell) && way.mask.get(cell));
         }
     }
     assert!(evaluations[0] < evaluations[1], "{evaluations:?}");

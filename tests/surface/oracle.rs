@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::line_intersection::{HitSelection, Line};
-use gusset::surface::reference::{Diameters, Lattice, Object, Scale, cells_within, closest};
+use gusset::surface::reference::{Diameters, Lattice, Object, CellMask, cells_within, closest};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
 use std::path::{Path, PathBuf};
 
@@ -180,7 +180,7 @@ fn has(case: &Case, cell: [usize; 2], places: &[Place]) -> bool {
 }
 
 /// The cells of the scale are those with places, and those beside them that have the same points.
-fn compare(case: &Case, scale: &Scale, places: &[Place], what: &dyn std::fmt::Debug) -> usize {
+fn compare(case: &Case, scale: &CellMask, places: &[Place], what: &dyn std::fmt::Debug) -> usize {
     for place in places {
         assert!(scale.get(place.cell.map(|k| k as usize)), "{}: {what:?} {place:?}", case.name);
     }

@@ -4,8 +4,8 @@ use crate::shapes::{Random, SHAPES, grid, rough};
 use glam::DVec3;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
-    Diameters, Goal, Lattice, Object, Options, Scale, Sizes, Slant, Sum, chain, curvature_bound, euler_characteristic,
-    incidence, integer_diameter, normal_by_sections, slanted, swings_by_cones, swings_by_curvature,
+    Diameters, Goal, Lattice, Object, SearchOptions, CellMask, Sizes, AngleTarget, Sum, chain, curvature_bound, euler_characteristic,
+    incidence, integer_diameter, normal_by_sections, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, MAX_DEGREE, Nodes, Patches, Scheme, Sheet};
 use gusset::{Element, Error, Job, Progress};
@@ -110,7 +110,7 @@ impl Progress for Silent {
 fn blocks_stay_within_their_sums() {
     for sheet in sheets() {
         let sizes = Diameters::new(&sheet, &Job::default()).unwrap().euclidean;
-        let swings = swings_by_cones(&sheet, &Job::default()).unwrap();
+        let variation = normal_variation_by_cones(&sheet, &Job::default()).unwrap();
         let lattice = sizes.lattice();
         let [rows, columns] = lattice.lines();
         let mut random = Random(5);
@@ -124,7 +124,7 @@ fn blocks_stay_within_their_sums() {
             for cell in block(lattice, node, steps) {
                 for (point, there) in samples(&sheet, cell) {
                     assert!(point.distance(from) <= reach);
-                    assert!(angle(normal, there) <= swings.ring_sum(node, steps) + 1e-12);
+                    assert!(angle(normal, there) <= variation.ring_sum(node, steps) + 1e-12);
                 }
             }
             // The largest block within a limit: one more step would be too much.
@@ -165,11 +165,11 @@ fn block(lattice: Lattice, node: [usize; 2], steps: usize) -> Vec<[usize; 2]> {
 }
 
 /// All ways to search.
-fn ways(goal: Goal) -> Vec<Options> {
+fn ways(goal: Goal) -> Vec<SearchOptions> {
     let mut ways = Vec::new();
     for k in 0..8 {
         let sum = if k & 1 == 0 { Sum::Greatest } else { Sum::Rings };
-        ways.push(Options { sum, by_rows: k & 2 != 0, drop_lines: k & 4 != 0, ..Options::new(goal) });
+        ways.push(SearchOptions { sum, by_rows: k & 2 != 0, drop_lines: k & 4 != 0, ..SearchOptions::new(goal) });
     }
     ways
 }
@@ -199,13 +199,13 @@ fn nothing_within_reach_is_lost() {
                 let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 for cell in cells(lattice) {
                     let near = samples[lattice.index(cell)].iter().any(|(point, _)| truth.distance(*point) <= tau);
-                    assert!(!near || found.scale.get(cell), "{object:?} {options:?} {cell:?}");
+                    assert!(!near || found.mask.get(cell), "{object:?} {options:?} {cell:?}");
                 }
                 assert!(found.evaluations <= (rows * columns) as u64);
                 spared[0] += found.evaluations;
                 spared[1] += (rows * columns) as u64;
-                least = least.min(found.scale.count());
-                assert_eq!(found.scale.cells().count(), found.scale.count());
+                least = least.min(found.mask.count());
+                assert_eq!(found.mask.cells().count(), found.mask.count());
             }
             // The negative answer.
             if least == 0 && tau > 0.0 {
@@ -236,7 +236,7 @@ fn the_nearest_is_kept() {
                 for cell in cells(lattice) {
                     let near = &samples[lattice.index(cell)];
                     let nearer = near.iter().any(|(point, _)| point.distance(query) < found.least.1);
-                    assert!(!nearer || found.scale.get(cell), "{options:?} {cell:?}");
+                    assert!(!nearer || found.mask.get(cell), "{options:?} {cell:?}");
                 }
             }
         }
@@ -252,27 +252,27 @@ fn normals_at_an_angle_are_kept() {
         let diameters = Diameters::new(&sheet, &job).unwrap();
         let curvature = curvature_bound(&sheet, &job).unwrap();
         assert!(curvature.is_finite(), "{}", shape.name);
-        let cones = swings_by_cones(&sheet, &job).unwrap();
-        let bent = swings_by_curvature(&sheet, &diameters, curvature, &job).unwrap();
+        let cones = normal_variation_by_cones(&sheet, &job).unwrap();
+        let bent = normal_variation_by_curvature(&sheet, &diameters, curvature, &job).unwrap();
         let samples: Vec<_> = cells(lattice).map(|cell| samples(&sheet, cell)).collect();
         assert!(cones.greatest() < bent.greatest(), "{} {}", cones.greatest(), bent.greatest());
         let mut random = Random(3);
         let mut left = [0, 0];
         for k in 0..8 {
             let angle = if k % 2 == 0 { 0.5 * PI } else { PI * random.next() };
-            let slant = Slant { direction: random.point(1.0), angle, unsigned: k % 3 == 0 };
-            let truth = slant.normalized().unwrap();
+            let target = AngleTarget { direction: random.point(1.0), angle, unsigned: k % 3 == 0 };
+            let truth = target.normalized().unwrap();
             let least = |samples: &Vec<(DVec3, DVec3)>| {
                 samples.iter().map(|(_, normal)| truth.deviation(*normal)).fold(PI, f64::min)
             };
             let least: Vec<_> = samples.iter().map(least).collect();
-            for (which, swings) in [&cones, &bent].into_iter().enumerate() {
+            for (which, variation) in [&cones, &bent].into_iter().enumerate() {
                 for options in ways(Goal::Within(0.02)) {
-                    let found = slanted(&sheet, swings, slant, &options, &job).unwrap();
-                    left[which] += found.scale.count();
+                    let found = angle_incidence(&sheet, variation, target, &options, &job).unwrap();
+                    left[which] += found.mask.count();
                     for cell in cells(lattice) {
                         let near = least[lattice.index(cell)] <= 0.02;
-                        assert!(!near || found.scale.get(cell), "{} {slant:?} {cell:?}", shape.name);
+                        assert!(!near || found.mask.get(cell), "{} {target:?} {cell:?}", shape.name);
                     }
                 }
             }
@@ -304,7 +304,7 @@ fn curvatures_are_bounded() {
 }
 
 /// The shortest chains between all pairs of cells, by relaxation.
-fn by_relaxation(region: &Scale) -> Option<usize> {
+fn by_relaxation(region: &CellMask) -> Option<usize> {
     let lattice = region.lattice();
     let all: Vec<_> = region.cells().collect();
     let mut longest = 0;
@@ -342,12 +342,12 @@ fn chains_and_integer_diameters() {
     ] {
         let lattice = Lattice { cells, closed };
         // (6), and its half in closed directions.
-        let whole = Scale::full(lattice).unwrap();
+        let whole = CellMask::full(lattice).unwrap();
         let expected = [0, 1].map(|k| if closed[k] { cells[k] / 2 + 1 } else { cells[k] });
         assert_eq!(integer_diameter(&whole, &job), Ok(Some(expected[0].max(expected[1]))));
         assert_eq!(by_relaxation(&whole), Some(expected[0].max(expected[1])));
         for share in [0.2, 0.45, 0.6, 0.8] {
-            let mut region = Scale::empty(lattice).unwrap();
+            let mut region = CellMask::empty(lattice).unwrap();
             (0..lattice.len()).for_each(|k| region.set(lattice.cell(k), random.next() < share));
             let truth = by_relaxation(&region);
             assert_eq!(integer_diameter(&region, &job).unwrap(), if region.count() == 0 { Some(0) } else { truth });
@@ -362,7 +362,7 @@ fn chains_and_integer_diameters() {
             assert!(found.iter().all(|&cell| region.get(cell)) && truth.is_none_or(|truth| found.len() <= truth));
         }
     }
-    let region = Scale::empty(Lattice { cells: [2, 2], closed: [false; 2] }).unwrap();
+    let region = CellMask::empty(Lattice { cells: [2, 2], closed: [false; 2] }).unwrap();
     assert_eq!(integer_diameter(&region, &job), Ok(Some(0)));
     assert_eq!(chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuch { element: Element::Cell, index: 0 }));
     assert!(chain(&region, [0, 2], [1, 1], &job).is_err());
@@ -371,21 +371,21 @@ fn chains_and_integer_diameters() {
 #[test]
 fn regions_without_holes() {
     let lattice = Lattice { cells: [6, 7], closed: [false; 2] };
-    let euler_characteristic = |region: &Scale| euler_characteristic(region, &Job::default()).unwrap();
-    let whole = Scale::full(lattice).unwrap();
+    let euler_characteristic = |region: &CellMask| euler_characteristic(region, &Job::default()).unwrap();
+    let whole = CellMask::full(lattice).unwrap();
     assert_eq!(euler_characteristic(&whole), 1);
     let mut holed = whole.clone();
     holed.set([2, 3], false);
     assert_eq!(euler_characteristic(&holed), 0);
-    let mut two = Scale::empty(lattice).unwrap();
+    let mut two = CellMask::empty(lattice).unwrap();
     [[0, 0], [3, 3]].into_iter().for_each(|cell| two.set(cell, true));
     assert_eq!(euler_characteristic(&two), 2);
     // Cells that meet at a corner only are in one part.
-    let mut corner = Scale::empty(lattice).unwrap();
+    let mut corner = CellMask::empty(lattice).unwrap();
     [[0, 0], [1, 1]].into_iter().for_each(|cell| corner.set(cell, true));
     assert_eq!(euler_characteristic(&corner), 1);
     for (closed, expected) in [([true, false], 0), ([true, true], 0)] {
-        let ring = Scale::full(Lattice { closed, ..lattice }).unwrap();
+        let ring = CellMask::full(Lattice { closed, ..lattice }).unwrap();
         assert_eq!(euler_characteristic(&ring), expected);
     }
 }
@@ -396,7 +396,7 @@ fn regions_are_no_wider_than_their_bounds() {
     for sheet in sheets() {
         let sizes = Diameters::new(&sheet, &Job::default()).unwrap().euclidean;
         let lattice = sizes.lattice();
-        let whole = Scale::full(lattice).unwrap();
+        let whole = CellMask::full(lattice).unwrap();
         let path = chain(&whole, [0, 0], lattice.cell(lattice.len() - 1), &Job::default()).unwrap().unwrap();
         let points: Vec<_> = path.iter().flat_map(|&cell| samples(&sheet, cell)).collect();
         let width = |points: &[(DVec3, DVec3)]| {
@@ -453,7 +453,7 @@ fn what_is_refused() {
     let sheet = Sheet::Grid(grid(&SHAPES[2]));
     let job = Job::default();
     let diameters = Diameters::new(&sheet, &job).unwrap();
-    let ask = |object, goal| incidence(&sheet, &diameters, object, &Options::new(goal), &job);
+    let ask = |object, goal| incidence(&sheet, &diameters, object, &SearchOptions::new(goal), &job);
     let nan = DVec3::splat(f64::NAN);
     for object in [
         Object::Point(nan),
@@ -468,14 +468,14 @@ fn what_is_refused() {
     for within in [-1.0, f64::NAN] {
         assert!(ask(Object::Point(DVec3::ZERO), Goal::Within(within)).is_err());
     }
-    assert!(swings_by_curvature(&sheet, &diameters, f64::NAN, &job).is_err());
-    let swings = swings_by_cones(&sheet, &job).unwrap();
+    assert!(normal_variation_by_curvature(&sheet, &diameters, f64::NAN, &job).is_err());
+    let variation = normal_variation_by_cones(&sheet, &job).unwrap();
     for (direction, angle) in [(DVec3::ZERO, 0.0), (nan, 0.0), (DVec3::X, -0.1), (DVec3::X, 4.0), (DVec3::X, f64::NAN)]
     {
-        let slant = Slant { direction, angle, unsigned: false };
-        assert!(slanted(&sheet, &swings, slant, &Options::new(Goal::Least), &job).is_err());
+        let target = AngleTarget { direction, angle, unsigned: false };
+        assert!(angle_incidence(&sheet, &variation, target, &SearchOptions::new(Goal::Least), &job).is_err());
     }
-    assert!(Scale::from_words(Lattice::of(&sheet), &[0]).is_err());
+    assert!(CellMask::from_words(Lattice::of(&sheet), &[0]).is_err());
     // Cancelled at once.
     struct Stop;
     impl Progress for Stop {
@@ -502,15 +502,15 @@ fn of_any_size_and_anywhere() {
         let sheet = Sheet::Grid(Grid::new(nodes, [true, true], Scheme::SixTap).unwrap());
         let diameters = Diameters::new(&sheet, &Job::default()).unwrap();
         let object = Object::Plane { point: DVec3::splat(offset), normal: DVec3::new(1.0, 2.0, 3.0) };
-        let options = Options::new(Goal::Within(0.0));
+        let options = SearchOptions::new(Goal::Within(0.0));
         let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
         let crossing = cells(Lattice::of(&sheet)).filter(|&cell| {
             let Object::Plane { point, normal } = object else { unreachable!() };
             let signs: Vec<_> = samples(&sheet, cell).iter().map(|(p, _)| (*p - point).dot(normal) > 0.0).collect();
             signs.iter().any(|&sign| sign != signs[0])
         });
-        let count = crossing.inspect(|&cell| assert!(found.scale.get(cell))).count();
-        assert!(count > 50 && found.scale.count() < 6 * count, "{count} {}", found.scale.count());
+        let count = crossing.inspect(|&cell| assert!(found.mask.get(cell))).count();
+        assert!(count > 50 && found.mask.count() < 6 * count, "{count} {}", found.mask.count());
     }
 }
 
@@ -526,11 +526,11 @@ fn degenerate_sheets() {
                 let object = Object::Point(DVec3::new(0.0, 0.0, 3.0));
                 let found = incidence(&sheet, &diameters, object, &options, &Job::default()).unwrap();
                 assert_eq!(found.least.1, 3.0);
-                assert_eq!(found.scale.count(), usize::from(goal == Goal::Least));
+                assert_eq!(found.mask.count(), usize::from(goal == Goal::Least));
             }
         }
-        let swings: Sizes = swings_by_cones(&sheet, &Job::default()).unwrap();
-        assert_eq!(swings.greatest(), PI);
+        let variation: Sizes = normal_variation_by_cones(&sheet, &Job::default()).unwrap();
+        assert_eq!(variation.greatest(), PI);
         assert_eq!(normal_by_sections(&sheet, [0, 0], 0.5, 0.5), Ok(DVec3::ZERO));
     }
 }

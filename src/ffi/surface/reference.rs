@@ -9,8 +9,8 @@ use crate::ffi::surface::sheet::gusset_sheet;
 use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
-    Diameters, Found, Goal, Lattice, Object, Options, Scale, Slant, Sum, chain, curvature_bound, euler_characteristic,
-    incidence, integer_diameter, normal_by_sections, slanted, swings_by_cones, swings_by_curvature,
+    Diameters, SearchOutcome, Goal, Lattice, Object, SearchOptions, CellMask, AngleTarget, Sum, chain, curvature_bound, euler_characteristic,
+    incidence, integer_diameter, normal_by_sections, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
 use glam::DVec3;
@@ -106,18 +106,18 @@ fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
 }
 
 /// The caller's region; NULL for all cells.
-fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<Scale, Failure> {
+fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
     let lattice = Lattice::of(sheet);
     if words.is_null() && count == 0 {
-        return Ok(Scale::full(lattice)?);
+        return Ok(CellMask::full(lattice)?);
     }
-    Ok(Scale::from_words(lattice, &input::list(words, count, "words")?)?)
+    Ok(CellMask::from_words(lattice, &input::list(words, count, "words")?)?)
 }
 
 impl gusset_reference_task {
-    fn options(&self) -> Result<Options, Failure> {
+    fn options(&self) -> Result<SearchOptions, Failure> {
         let nearest = flag(self.find_nearest, "find_nearest")?;
-        Ok(Options {
+        Ok(SearchOptions {
             goal: if nearest { Goal::Least } else { Goal::Within(self.within) },
             sum: if flag(self.by_rings, "by_rings")? { Sum::Rings } else { Sum::Greatest },
             by_rows: flag(self.by_rows, "by_rows")?,
@@ -125,7 +125,7 @@ impl gusset_reference_task {
         })
     }
 
-    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Found, Failure> {
+    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
         let (options, unsigned) = (self.options()?, flag(self.unsigned_normals, "unsigned_normals")?);
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         let object = match self.object {
@@ -134,8 +134,8 @@ impl gusset_reference_task {
             GUSSET_REFERENCE_LINE => Object::Line(Line::new(point, direction)),
             GUSSET_REFERENCE_SEGMENT => Object::Line(Line::segment(point, point + direction)),
             GUSSET_REFERENCE_ANGLE => {
-                let slant = Slant { direction, angle: self.angle, unsigned };
-                return self.slanted(sheet, slant, &options, job);
+                let target = AngleTarget { direction, angle: self.angle, unsigned };
+                return self.angle_incidence(sheet, target, &options, job);
             }
             other => return Err(Failure::unknown("object", other.into())),
         };
@@ -143,23 +143,23 @@ impl gusset_reference_task {
         Ok(incidence(sheet, &diameters, object, &options, &job.part(0.5, 1.0))?)
     }
 
-    fn slanted(&self, sheet: &Sheet<'_>, slant: Slant, options: &Options, job: &Job<'_>) -> Result<Found, Failure> {
+    fn angle_incidence(&self, sheet: &Sheet<'_>, target: AngleTarget, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
         let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 0.6));
-        let swings = if self.curvature == 0.0 {
-            swings_by_cones(sheet, &second)?
+        let variation = if self.curvature == 0.0 {
+            normal_variation_by_cones(sheet, &second)?
         } else {
-            swings_by_curvature(sheet, &Diameters::new(sheet, &first)?, self.curvature, &second)?
+            normal_variation_by_curvature(sheet, &Diameters::new(sheet, &first)?, self.curvature, &second)?
         };
-        Ok(slanted(sheet, &swings, slant, options, &job.part(0.6, 1.0))?)
+        Ok(angle_incidence(sheet, &variation, target, options, &job.part(0.6, 1.0))?)
     }
 }
 
-impl From<&Found> for gusset_reference_report {
-    fn from(found: &Found) -> Self {
+impl From<&SearchOutcome> for gusset_reference_report {
+    fn from(found: &SearchOutcome) -> Self {
         let ([row, column], min_distance) = found.least;
         gusset_reference_report {
             struct_size: size_of::<Self>(),
-            cells: found.scale.count() as u64,
+            cells: found.mask.count() as u64,
             evaluations: found.evaluations,
             blocks: found.blocks,
             dropped: found.dropped,
@@ -366,7 +366,7 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
         buffer?;
         let found = task.search(read(sheet)?, job)?;
         report.into_iter().for_each(|report| report.write((&found).into()));
-        input::copy(words, capacity, found.scale.words(), written, "words")
+        input::copy(words, capacity, found.mask.words(), written, "words")
     })
 }
 

@@ -9,7 +9,7 @@
 
 use super::super::cells::{BLOCK, Cells};
 use super::super::ranges::{angles, cross};
-use super::{CELLS_PER_STEP, Pyramid, ROW_PAIRS_PER_TASK};
+use super::schedule::{BLOCK_ROWS_PER_TASK, tasks_per_step};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::aabb::Aabb;
@@ -120,15 +120,14 @@ impl Cones {
         // The rounding of sums of nodes and of their products, here and where patches are made.
         let noise = 1024.0 * f64::EPSILON * reach;
         let mut base = alloc::filled(PackedCone::ALL, rows * columns)?;
-        let together = 2 * ROW_PAIRS_PER_TASK * columns;
-        let (count, round) =
-            (rows.div_ceil(2 * ROW_PAIRS_PER_TASK), (CELLS_PER_STEP / (together * BLOCK * BLOCK)).max(1));
+        let together = BLOCK_ROWS_PER_TASK * columns;
+        let (count, round) = (rows.div_ceil(BLOCK_ROWS_PER_TASK), tasks_per_step(columns));
         let mut parts = base.chunks_mut(together).enumerate();
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "normal cones")?;
             let slice: Vec<_> = parts.by_ref().take(round).collect();
             par::map(job.threads(), slice.into_iter(), |(k, cones)| {
-                let first = 2 * ROW_PAIRS_PER_TASK * k;
+                let first = BLOCK_ROWS_PER_TASK * k;
                 let mut boxes = vec![[Aabb::EMPTY; 2]; cones.len()];
                 cells.tangents(first..first + cones.len() / columns, &mut boxes);
                 for (cone, boxes) in cones.iter_mut().zip(boxes) {
@@ -183,30 +182,6 @@ impl Level {
             cones.push(PackedCone::around(&four[..count]));
         }
         Ok(Level { columns, cones })
-    }
-}
-
-impl Pyramid {
-    /// The cones, built at the first call. Two threads may build them at once, to the same bits;
-    /// neither waits for the other, which may be its own caller.
-    pub(crate) fn cones<const N: usize>(&self, cells: &impl Cells<N>, job: &Job<'_>) -> Result<&Cones> {
-        if let Some(cones) = self.cones.get() {
-            return Ok(cones);
-        }
-        let Aabb { low, high } = self.bounds();
-        let made = Cones::build(cells, low.abs().max(high.abs()).max_element(), job)?;
-        Ok(self.cones.get_or_init(|| made))
-    }
-
-    /// The cones, if they were built.
-    pub(crate) fn known_cones(&self) -> Option<&Cones> {
-        self.cones.get()
-    }
-
-    /// Makes the cones exclude nothing, for a comparison.
-    #[cfg(test)]
-    pub(crate) fn disable_cones(&mut self) {
-        self.cones.get_mut().into_iter().for_each(Cones::disable);
     }
 }
 

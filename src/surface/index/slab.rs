@@ -3,7 +3,7 @@
 //! Invariant: boxes are entered too early and left too late by what all that is computed of the line
 //! may be off, so that no box that the line meets is missed.
 
-use super::ChildBoxes;
+use super::boxes::ChildBoxes;
 use glam::DVec3;
 
 /// A line for the slab test: where it enters and leaves the space between two parallel planes.

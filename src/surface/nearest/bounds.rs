@@ -233,6 +233,17 @@ mod tests {
         assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
+    /// Away from the nearest point, where the second derivatives are 1 and 100: the lesser one counts.
+    #[test]
+    fn the_remaining_gain_is_bounded() {
+        let mut patch = graph(|_, _| 0.0);
+        patch.points.as_flattened_mut().iter_mut().for_each(|point| point.y *= 10.0);
+        let query = DVec3::new(0.9, 5.0, 0.3);
+        let foot = Foot::at(&patch, query, DVec2::new(0.1, 0.5));
+        let bound = patch.convexity_distance(query, &foot);
+        assert!(bound <= 0.3 && bound > 0.28, "{bound}");
+    }
+
     /// The ranges of second derivatives hold those of all points, and are hardly wider where one term
     /// outweighs the others: each term is needed in full.
     #[test]

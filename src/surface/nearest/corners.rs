@@ -156,3 +156,26 @@ impl BlockCorners {
         squares
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The reach of a box of displacements is that of its farthest corner, in any direction.
+    #[test]
+    fn the_reach_of_displacements_is_exact() {
+        let bounds = Aabb { low: DVec3::new(-1.0, 0.25, -3.0), high: DVec3::new(0.5, 2.0, -1.0) };
+        let displacement = DisplacementBox::new(bounds);
+        let corner = |k: usize| {
+            let side = |axis: usize| if k >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] };
+            DVec3::new(side(0), side(1), side(2))
+        };
+        for k in 0..100 {
+            let t = f64::from(k);
+            let direction = DVec3::new(t.sin(), (2.0 * t).cos(), (3.0 * t).sin());
+            let reach = (0..8).map(|k| corner(k).dot(direction)).fold(f64::NEG_INFINITY, f64::max);
+            assert!((displacement.along(direction) - reach).abs() < 1e-12, "{direction}");
+        }
+        assert_eq!(displacement.max_length, DVec3::new(1.0, 2.0, 3.0).length());
+    }
+}

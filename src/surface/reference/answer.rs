@@ -1,10 +1,11 @@
-//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::surface::Surface`] must
-//! agree with: they have nothing in common but the patches.
+//! Answers of the paper's search: every cell that the mask leaves is halved until it is decided.
+//!
+//! An oracle for the index of [`crate::surface::Surface`]: they have nothing in common but the patches.
 
+use super::cell_mask::Scale;
 use super::diameter::Diameters;
 use super::object::{Object, Target, incidence};
-use super::scale::Scale;
-use super::search::{Goal, Options};
+use super::search::{Goal, SearchOptions};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::surface::cells::Cells;
@@ -12,10 +13,10 @@ use crate::surface::subdivision::Field;
 use crate::surface::{Patch, Place, Sheet, each_sheet};
 use glam::{DVec2, DVec3};
 
-/// Halvings of a cell before it is left as it is.
-const DEPTH: u32 = 40;
-/// Parts of a cell that are looked at: at the centre of a sphere all parts are as near as any other.
-const PARTS: usize = 1 << 16;
+/// Halvings of a cell before it is left undecided.
+const MAX_HALVINGS: u32 = 40;
+/// Parts of a cell that are examined: at the centre of a sphere all are equally near.
+const MAX_PARTS: usize = 1 << 16;
 
 /// The nearest point of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +29,8 @@ pub struct Nearest {
     pub bound: f64,
 }
 
-/// The nearest point of a sheet, task a). The scale of the nodes leaves few cells; each is halved as long as it may be nearer.
+/// The nearest point of a sheet, task a). The search by nodes leaves few cells; each is halved as long
+/// as it may be nearer.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].
@@ -40,21 +42,21 @@ pub fn closest(
     job: &Job<'_>,
 ) -> Result<Nearest> {
     check(tolerance)?;
-    let found = incidence(sheet, diameters, Object::Point(query), &Options::new(Goal::Least), job)?;
+    let found = incidence(sheet, diameters, Object::Point(query), &SearchOptions::new(Goal::Least), job)?;
     let (node, distance) = found.least;
     let [(row, u), (column, v)] = [0, 1].map(|k| {
         let last = sheet.cells()[k] - 1;
         if node[k] <= last { (node[k] as u32, 0.0) } else { (last as u32, 1.0) }
     });
     let mut best = Nearest { distance, place: Place { sheet: 0, cell: [row, column], u, v }, bound: distance };
-    for (k, [i, j]) in found.scale.cells().enumerate() {
+    for (k, [i, j]) in found.mask.cells().enumerate() {
         if k % 256 == 0 {
             job.step(0.5, "cells")?;
         }
         each_sheet!(sheet, cells => {
             let near = Cells::corner(cells, i, j).distance(query) - diameters.euclidean.get([i, j]);
             if near <= best.distance * (1.0 + 1e-12) {
-                approach(&Cells::patch(cells, i, j), query, [i, j], tolerance, &mut best);
+                refine(&Cells::patch(cells, i, j), query, [i, j], tolerance, &mut best);
             }
         });
     }
@@ -62,11 +64,11 @@ pub fn closest(
 }
 
 /// Looks for a nearer point in a patch.
-fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tolerance: f64, best: &mut Nearest) {
+fn refine<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tolerance: f64, best: &mut Nearest) {
     let mut parts = vec![(*patch, DVec2::ZERO, 1.0)];
-    let mut looked_at = 0;
+    let mut examined = 0;
     while let Some((part, from, size)) = parts.pop() {
-        looked_at += 1;
+        examined += 1;
         let middle = part.point(0.5, 0.5);
         let distance = middle.distance(query);
         if distance < best.distance {
@@ -78,7 +80,7 @@ fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], to
         let direction = (query - middle).normalize_or_zero();
         let along = part.points.as_flattened().iter().map(|&point| (query - point).dot(direction));
         let bound = along.fold(f64::INFINITY, f64::min).max(0.0);
-        if bound > best.distance - tolerance || size < 0.5_f64.powi(DEPTH as i32) || looked_at > PARTS {
+        if bound > best.distance - tolerance || size < 0.5_f64.powi(MAX_HALVINGS as i32) || examined > MAX_PARTS {
             best.bound = best.bound.min(bound);
             continue;
         }
@@ -93,7 +95,7 @@ fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], to
     }
 }
 
-/// The cells that have a point within a distance of an object: those of the scale of which not all parts can be shown to be
+/// The cells that have a point within a distance of an object: those of the mask of which not all parts can be shown to be
 /// farther. None is missing; one that is there too many comes within the tolerance of the distance, unless it was
 /// given up undecided.
 ///
@@ -109,10 +111,10 @@ pub fn cells_within(
     distance: f64,
     tolerance: f64,
     job: &Job<'_>,
-) -> Result<Scale> {
+) -> Result<CellMask> {
     check(tolerance)?;
     let target = object.target()?;
-    let left = incidence(sheet, diameters, object, &Options::new(Goal::Within(distance)), job)?.scale;
+    let left = incidence(sheet, diameters, object, &SearchOptions::new(Goal::Within(distance)), job)?.mask;
     let mut within = left.clone();
     for (k, cell) in left.cells().enumerate() {
         if k % 256 == 0 {
@@ -138,15 +140,15 @@ fn comes_near<const N: usize>(patch: &Patch<N>, target: &Target, distance: f64, 
     }
     let rounding = patch.points.as_flattened().iter().map(|&point| target.rounding(point)).fold(0.0, f64::max);
     let mut parts = vec![(coordinates, 0)];
-    let mut looked_at = 0;
+    let mut examined = 0;
     while let Some((fields, depth)) = parts.pop() {
-        looked_at += 1;
+        examined += 1;
         if target.gap_squared(&fields.map(|field| field.range())).sqrt() - rounding > distance {
             continue;
         }
         // A corner is a point of the surface.
         let corner = target.gap_squared(&fields.map(|field| [field.c[0][0]; 2])).sqrt();
-        if corner <= distance + tolerance || depth == DEPTH || looked_at > PARTS {
+        if corner <= distance + tolerance || depth == MAX_HALVINGS || examined > MAX_PARTS {
             return true;
         }
         let [x, y, z] = fields.map(|field| field.quarters());

@@ -13,7 +13,7 @@ use crate::surface::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 
 /// Halvings of a cell before its surface is taken for not regular.
-const DEPTH: u32 = 5;
+const MAX_HALVINGS: u32 = 5;
 
 /// K: no principal curvature of the sheet is greater in absolute terms. Infinite where the surface is not regular or nearly, as at
 /// poles: no bound holds there (erratum E4).
@@ -22,7 +22,7 @@ const DEPTH: u32 = 5;
 /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].
 pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
     fn of<const N: usize>(cells: &impl crate::surface::cells::Cells<N>, [i, j]: [usize; 2]) -> f64 {
-        cells.patch(i, j).curvature_bound(DEPTH)
+        cells.patch(i, j).curvature_bound(MAX_HALVINGS)
     }
     let bounds = by_cell(Lattice::of(sheet), job, |cell| each_sheet!(sheet, cells => of(cells, cell)))?;
     Ok(bounds.into_iter().fold(0.0, f64::max))

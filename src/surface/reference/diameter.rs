@@ -9,7 +9,7 @@
 //! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature need the intrinsic one.
 
 use super::lattice::Lattice;
-use super::sizes::Sizes;
+use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -17,9 +17,6 @@ use crate::par;
 use crate::surface::cells::Cells;
 use crate::surface::{Patch, Sheet, each_sheet};
 use glam::DVec3;
-
-/// By what bounds are enlarged for rounding.
-const PLAY: f64 = 1.0 + 1e-14;
 
 /// Rows of cells between two reports of progress.
 const ROWS: usize = 16;
@@ -73,7 +70,7 @@ fn of_cell<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usi
     let [[a, b], [c, d]] = patch.corners();
     let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen)).fold(0.0, f64::max);
     let intrinsic = patch.intrinsic_diameter();
-    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * PLAY)
+    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * ROUNDING_FACTOR)
 }
 
 impl<const N: usize> Patch<N> {

@@ -11,14 +11,14 @@ use crate::error::Result;
 
 /// The nodes that the literal rule leaves, of an open surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Literal {
+pub struct LiteralMask {
     columns: usize,
     nodes: Vec<bool>,
     /// How many nodes were looked at.
     pub evaluations: u64,
 }
 
-impl Literal {
+impl LiteralMask {
     /// True if a node is left.
     pub fn has_node(&self, [i, j]: [usize; 2]) -> bool {
         self.nodes[i * self.columns + j]
@@ -41,9 +41,9 @@ pub fn literal(
     d: f64,
     mut measure: impl FnMut([usize; 2]) -> f64,
     drop_lines: bool,
-) -> Result<Literal> {
+) -> Result<LiteralMask> {
     let [m, n] = lattice.cells;
-    let mut left = Literal { columns: n + 1, nodes: alloc::filled(true, (m + 1) * (n + 1))?, evaluations: 0 };
+    let mut left = LiteralMask { columns: n + 1, nodes: alloc::filled(true, (m + 1) * (n + 1))?, evaluations: 0 };
     // The lines that have not been dropped, of which the rule takes neighbours in the list for neighbours on the surface.
     let (mut rows, columns) = (alloc::collect(0..m + 1)?, alloc::collect(0..n + 1)?);
     let mut place = 0;

@@ -1,7 +1,7 @@
-//! What distances are measured from.
+//! Objects that distances are measured from: points, planes and lines, as boxes in axes of their own.
 
 use super::diameter::Diameters;
-use super::search::{Found, Options, search};
+use super::search::{SearchOptions, SearchOutcome, search};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::surface::Sheet;
@@ -101,9 +101,9 @@ pub fn incidence(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
     object: Object,
-    options: &Options,
+    options: &SearchOptions,
     job: &Job<'_>,
-) -> Result<Found> {
+) -> Result<SearchOutcome> {
     let target = object.target()?;
     search(&diameters.euclidean, |[i, j]| target.distance(sheet.corner(i, j)), options, job)
 }

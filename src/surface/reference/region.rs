@@ -1,7 +1,7 @@
 //! Cell regions: chains of cells, and the integer diameter (eqs. 3 to 6).
 
+use super::cell_mask::Scale;
 use super::lattice::{Lattice, Span};
-use super::scale::Scale;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
@@ -20,7 +20,7 @@ const CELLS: usize = 1 << 17;
 ///
 /// # Errors
 /// [`Error::NoSuch`] for an end that is not of the region, [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn chain(region: &Scale, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
+pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
     let lattice = region.lattice();
     for end in [from, to] {
         lattice.check(end)?;
@@ -56,7 +56,7 @@ pub fn chain(region: &Scale, from: [usize; 2], to: [usize; 2], job: &Job<'_>) ->
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn integer_diameter(region: &Scale, job: &Job<'_>) -> Result<Option<usize>> {
+pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize>> {
     let lattice = region.lattice();
     let Some(first) = region.cells().next() else { return Ok(Some(0)) };
     let count = region.count();
@@ -92,7 +92,7 @@ pub fn integer_diameter(region: &Scale, job: &Job<'_>) -> Result<Option<usize>> 
 ///
 /// # Errors
 /// [`Error::Cancelled`].
-pub fn euler_characteristic(region: &Scale, job: &Job<'_>) -> Result<i64> {
+pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
     let lattice = region.lattice();
     let [lines_u, lines_v] = lattice.lines();
     let on = |rows: Span, columns: Span| rows.indices().any(|i| columns.indices().any(|j| region.get([i, j])));
@@ -126,7 +126,7 @@ impl Walk {
         Ok(Walk { lattice, steps: alloc::filled(UNREACHED, lattice.len())?, order: Vec::new() })
     }
 
-    fn go(&mut self, region: &Scale, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
+    fn go(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
         let lattice = self.lattice;
         job.step(fraction, "chains")?;
         self.steps.fill(UNREACHED);

@@ -1,13 +1,16 @@
-//! The paper's search, corrected: nodes are looked at, and each excludes the block of cells round it that cannot hold what is
-//! looked for.
+//! The paper's search, corrected: each node evaluated excludes the block of cells round it that cannot
+//! hold the object (theorems T2 to T4 of the module).
+//!
+//! Invariant: the cells of the mask are all that may hold it. O(n / 64) for the mask and O(1) to
+//! O(J^2) for each node evaluated.
 
+use super::cell_mask::Scale;
 use super::lattice::{Lattice, Span};
-use super::scale::Scale;
 use super::sizes::{Sizes, Sum};
 use crate::error::{Error, Result};
 use crate::job::Job;
 
-/// What is looked for.
+/// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Goal {
     /// All that is no farther than this (theorem T2).
@@ -17,10 +20,10 @@ pub enum Goal {
     Least,
 }
 
-/// How it is looked for.
+/// Options of [`search`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// What is looked for.
+pub struct SearchOptions {
+    /// The goal.
     pub goal: Goal,
     /// How sizes of cells are summed.
     pub sum: Sum,
@@ -32,18 +35,18 @@ pub struct Options {
     pub drop_lines: bool,
 }
 
-impl Options {
+impl SearchOptions {
     /// Few nodes first, J d, lines dropped.
     pub fn new(goal: Goal) -> Self {
-        Options { goal, sum: Sum::Greatest, by_rows: false, drop_lines: true }
+        SearchOptions { goal, sum: Sum::Greatest, by_rows: false, drop_lines: true }
     }
 }
 
-/// What a search leaves.
+/// The outcome of a search.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct SearchOutcome {
     /// The cells that may hold what is looked for: none is missing.
-    pub scale: Scale,
+    pub mask: CellMask,
     /// How many nodes were looked at.
     pub evaluations: u64,
     /// How many blocks were excluded.
@@ -55,16 +58,16 @@ pub struct Found {
 }
 
 /// Looks for cells. `measure`: the distance of a node from the object, which must not rise faster than `sizes` allow: the distance
-/// in space with Euclidean diameters, the deviation of the normal from an angle with swings.
+/// in space with Euclidean diameters, the deviation of the normal from an angle with the variation of normals.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a goal that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn search(
     sizes: &Sizes,
     mut measure: impl FnMut([usize; 2]) -> f64,
-    options: &Options,
+    options: &SearchOptions,
     job: &Job<'_>,
-) -> Result<Found> {
+) -> Result<SearchOutcome> {
     if let Goal::Within(within) = options.goal
         && (within < 0.0 || within.is_nan())
     {
@@ -73,7 +76,7 @@ pub fn search(
     let lattice = sizes.lattice();
     let mut window = Window::new(lattice);
     let least = ([0, 0], f64::INFINITY);
-    let mut found = Found { scale: Scale::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
+    let mut found = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
     let widest = lines_u.max(lines_v).next_power_of_two();
     let mut stride = if options.by_rows { 1 } else { widest };
@@ -90,7 +93,7 @@ pub fn search(
             }
             let mut j = 0;
             while j < lines_v {
-                if stride == 1 && is_quiet(&found.scale, i, j) {
+                if stride == 1 && is_quiet(&found.mask, i, j) {
                     j += 62;
                     continue;
                 }
@@ -99,7 +102,7 @@ pub fn search(
                     && stride < widest
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
-                if !seen && lattice.round([i, j]).any(|cell| found.scale.get(cell)) {
+                if !seen && lattice.round([i, j]).any(|cell| found.mask.get(cell)) {
                     let cost = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
                     ticker.spend(cost, 0.0)?;
                 }
@@ -112,7 +115,14 @@ pub fn search(
 }
 
 /// Excludes what a node at distance `r` shows to be out. Returns the work done.
-fn visit(found: &mut Found, window: &mut Window, sizes: &Sizes, node: [usize; 2], r: f64, options: &Options) -> usize {
+fn visit(
+    found: &mut SearchOutcome,
+    window: &mut Window,
+    sizes: &Sizes,
+    node: [usize; 2],
+    r: f64,
+    options: &SearchOptions,
+) -> usize {
     found.evaluations += 1;
     if r < found.least.1 || (r == found.least.1 && node < found.least.0) {
         found.least = (node, r);
@@ -127,13 +137,13 @@ fn visit(found: &mut Found, window: &mut Window, sizes: &Sizes, node: [usize; 2]
     if steps == 0 {
         for cell in lattice.round(node) {
             if sizes.get(cell) < r - within {
-                found.scale.set(cell, false);
+                found.mask.set(cell, false);
             }
         }
         return 8;
     }
     let block = lattice.block(node, steps);
-    found.scale.clear(block);
+    found.mask.clear(block);
     found.blocks += 1;
     if options.drop_lines {
         found.dropped += window.drop_lines(block) as u64;
@@ -143,14 +153,14 @@ fn visit(found: &mut Found, window: &mut Window, sizes: &Sizes, node: [usize; 2]
 }
 
 /// True if none of the cells at the nodes j to j + 61 of line i has a 1, as far as they are in one row.
-fn is_quiet(scale: &Scale, i: usize, j: usize) -> bool {
-    let lattice = scale.lattice();
+fn is_quiet(mask: &CellMask, i: usize, j: usize) -> bool {
+    let lattice = mask.lattice();
     let width = lattice.cells[1];
     // At the ends, where closed rows begin again, nodes are looked at one by one.
     if j == 0 || j + 62 > width {
         return false;
     }
-    lattice.span(0, i, 1).indices().all(|row| scale.is_clear(row * width + j - 1, row * width + j + 62))
+    lattice.span(0, i, 1).indices().all(|row| mask.is_clear(row * width + j - 1, row * width + j + 62))
 }
 
 /// The part of the surface that is left when lines have been dropped: a surface itself.

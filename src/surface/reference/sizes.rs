@@ -1,7 +1,7 @@
-//! What is known of each cell: how far apart two of its points, or two of its normals, may be.
+//! Bounds of cells: the greatest distance of two points, or angle of two normals.
 
+use super::cell_mask::Scale;
 use super::lattice::Lattice;
-use super::scale::Scale;
 use crate::error::{Error, Result};
 
 /// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of them: the paper's d.
@@ -27,8 +27,8 @@ pub enum Sum {
     Rings,
 }
 
-/// By what sums of rounded bounds are enlarged.
-const PLAY: f64 = 1.0 + 1e-14;
+/// The factor that covers the rounding of bounds and of their sums.
+pub(super) const ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
 
 impl Sizes {
     /// One bound a cell, row after row; none is NaN or negative.
@@ -64,7 +64,7 @@ impl Sizes {
         let most = rows.max(columns);
         match sum {
             Sum::Greatest => {
-                let reach = |steps: usize| steps as f64 * self.greatest * PLAY;
+                let reach = |steps: usize| steps as f64 * self.greatest * ROUNDING_FACTOR;
                 if self.greatest == 0.0 {
                     return if limit > 0.0 { (most, 0.0) } else { (0, 0.0) };
                 }
@@ -78,7 +78,7 @@ impl Sizes {
             Sum::Rings => {
                 let (mut steps, mut reach) = (0, 0.0);
                 while steps < most {
-                    let next = reach + self.ring(node, steps + 1) * PLAY;
+                    let next = reach + self.ring(node, steps + 1) * ROUNDING_FACTOR;
                     if next >= limit {
                         break;
                     }
@@ -91,7 +91,7 @@ impl Sizes {
 
     /// R_J: how far from a node the block of 2 J x 2 J cells round it may reach.
     pub fn ring_sum(&self, node: [usize; 2], steps: usize) -> f64 {
-        (1..=steps).map(|k| self.ring(node, k)).sum::<f64>() * PLAY
+        (1..=steps).map(|k| self.ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
     }
 
     /// The greatest bound in the k-th ring of cells round a node: those that chains of k cells reach and shorter ones do not.
@@ -111,19 +111,19 @@ impl Sizes {
 
     /// The bound of a chain, the sum over its cells (2, 3).
     pub fn of_chain(&self, chain: &[[usize; 2]]) -> f64 {
-        chain.iter().map(|&cell| self.get(cell)).sum::<f64>() * PLAY
+        chain.iter().map(|&cell| self.get(cell)).sum::<f64>() * ROUNDING_FACTOR
     }
 
     /// The bound of a cell region whose integer diameter is known: I d, d the greatest bound of its cells (5).
     ///
     /// # Errors
     /// [`Error::SidesDiffer`] if the region is one of another sheet.
-    pub fn of_region(&self, region: &Scale, integer_diameter: usize) -> Result<f64> {
+    pub fn of_region(&self, region: &CellMask, integer_diameter: usize) -> Result<f64> {
         if region.lattice() != self.lattice {
             let [a, b] = [self.lattice.len(), region.lattice().len()];
             return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
         }
         let greatest = region.cells().map(|cell| self.get(cell)).fold(0.0, f64::max);
-        Ok(integer_diameter as f64 * greatest * PLAY)
+        Ok(integer_diameter as f64 * greatest * ROUNDING_FACTOR)
     }
 }

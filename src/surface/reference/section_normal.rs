@@ -14,12 +14,12 @@ use glam::DVec3;
 
 /// Lines that a section is drawn through.
 const LINES: usize = 4;
-/// How many cells to either side a crossing with a line is looked for.
-const REACH: usize = 8;
-/// How far lines go on beyond an open edge, in cells.
-const BEYOND: f64 = 0.5;
+/// Cells to either side in which a crossing with a line is sought.
+const MAX_CELLS_AWAY: usize = 8;
+/// Cells by which lines are extrapolated beyond an open edge.
+const EXTRAPOLATION: f64 = 0.5;
 /// Halvings of an edge before a crossing is taken as it is: to the last bit.
-const DEPTH: u32 = 60;
+const MAX_HALVINGS: u32 = 60;
 
 /// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections; on the side of S_u x S_v. 0 if
 /// there is none: a plane crosses fewer than two lines near the cell, or normals at its corners cancel out.
@@ -103,10 +103,10 @@ impl Section {
         let within = |place: usize, range: [f64; 2]| {
             let edge = edge(cells, lattice, direction, line, place);
             let field = edge.map(|control| (control - self.point).dot(self.across));
-            let root = first_root(over(field, range), DEPTH)?;
+            let root = first_root(over(field, range), MAX_HALVINGS)?;
             Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
         };
-        for offset in 0..=REACH {
+        for offset in 0..=MAX_CELLS_AWAY {
             let wrapped = |place: Option<usize>| match place {
                 Some(place) if place < count => Some(place),
                 _ if !closed || offset >= count => None,
@@ -122,8 +122,8 @@ impl Section {
             }
         }
         // Next to an open edge the crossing may be beyond it, where the line's last cubic goes on.
-        let ends = [(0, [-BEYOND, 0.0]), (count - 1, [1.0, 1.0 + BEYOND])];
-        let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= REACH;
+        let ends = [(0, [-EXTRAPOLATION, 0.0]), (count - 1, [1.0, 1.0 + EXTRAPOLATION])];
+        let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= MAX_CELLS_AWAY;
         ends.into_iter().filter(near).find_map(|(place, range)| within(place, range))
     }
 }

@@ -1,67 +1,70 @@
-//! Task b) of the paper: where the normal makes a given angle with a direction.
+//! Task b) of the paper: places where the normal makes a given angle with a direction.
 //!
-//! The normal plays the part of the point, angles that of distances: the deviation psi = |angle(N, direction) - alpha| does not
-//! rise faster than N turns (theorem T4; the paper has alpha = 0 only, erratum E4). How far normals of a cell may turn against each
-//! other, its *swing*, comes
-//! * from curvature, the paper's way: K times the intrinsic diameter, K a bound of both principal curvatures on the whole surface,
-//! * or from the cell's normal cone, which is tighter and needs no K.
+//! The normal plays the part of the point, angles that of distances: the deviation
+//! psi = |angle(N, direction) - alpha| does not rise faster than N turns (theorem T4; the paper has
+//! alpha = 0 only, erratum E4). The variation of normals over a cell, the greatest angle between two
+//! of them, is bounded
+//! * by curvature, the paper's way: K times the intrinsic diameter, K a bound of both principal
+//!   curvatures on the whole surface,
+//! * or by the cell's normal cone, which is tighter and needs no K.
 
 use super::diameter::{Diameters, by_cell};
 use super::lattice::Lattice;
-use super::search::{Found, Options, search};
+use super::search::{SearchOptions, SearchOutcome, search};
 use super::sizes::Sizes;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::binomial_row;
 use crate::job::Job;
 use crate::surface::cells::Cells;
+use crate::surface::normal::angle;
 use crate::surface::{MAX_DEGREE, Patch, Sheet, each_sheet};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// The angle between two directions, exact for small ones as well.
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    libm::atan2(a.cross(b).length(), a.dot(b))
-}
+/// An upper bound of the rounding of angles.
+const ANGLE_ROUNDING: f64 = 1e-13;
 
-/// What rounding adds to angles.
-const PLAY: f64 = 1e-13;
-
-/// Swings from normal cones: how far two normals of a cell may be apart; pi where there is no cone of less than a quarter turn, as
+/// The variation by normal cones; pi where there is no cone of less than a quarter turn, as
 /// where the surface is not regular.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn swings_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
+pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
     let lattice = Lattice::of(sheet);
     let cone = |cell: [usize; 2]| {
         let (axis, half) = each_sheet!(sheet, cells => cone(cells, cell))?;
         let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle(axis, node) };
         // Corners as the neighbours see them, where normals may jump.
         let corners = lattice.corners(cell).map(|node| reach(normal(sheet, node))).into_iter().fold(0.0, f64::max);
-        Some(2.0 * half.max(corners) + PLAY)
+        Some(2.0 * half.max(corners) + ANGLE_ROUNDING)
     };
-    Ok(Sizes::new(lattice, by_cell(lattice, job, |cell| cone(cell).map_or(PI, |swing| swing.min(PI)))?))
+    Ok(Sizes::new(lattice, by_cell(lattice, job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?))
 }
 
-/// Swings from curvature: K d, and what the normals of neighbours jump at corners. `curvature`: K, no principal curvature of the
+/// The variation by curvature: K d, and the jumps of normals at corners. `curvature`: K, no principal curvature of the
 /// surface is greater in absolute terms. That is the caller's promise; [`super::curvature_bound`] proves one.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a curvature that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
-pub fn swings_by_curvature(sheet: &Sheet<'_>, diameters: &Diameters, curvature: f64, job: &Job<'_>) -> Result<Sizes> {
+pub fn normal_variation_by_curvature(
+    sheet: &Sheet<'_>,
+    diameters: &Diameters,
+    curvature: f64,
+    job: &Job<'_>,
+) -> Result<Sizes> {
     if curvature < 0.0 || curvature.is_nan() {
         return Err(Error::OptionOutOfRange { option: "curvature", value: curvature });
     }
     let lattice = Lattice::of(sheet);
-    let swing = |cell: [usize; 2]| {
+    let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
         let seen = lattice.corners(cell).map(|node| normal(sheet, node));
         let jump = own.into_iter().zip(seen).map(|(a, b)| angle(a, b)).fold(0.0, f64::max);
         let regular = own.into_iter().chain(seen).all(|normal| normal != DVec3::ZERO);
-        let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + PLAY;
+        let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + ANGLE_ROUNDING;
         if regular { turn.min(PI) } else { PI }
     };
-    Ok(Sizes::new(lattice, by_cell(lattice, job, swing)?))
+    Ok(Sizes::new(lattice, by_cell(lattice, job, variation)?))
 }
 
 /// The unit normal at a node: that of the cell from there on, or of the last one; 0 if there is none.
@@ -74,7 +77,7 @@ fn normal(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
 
 /// Normals at an angle to a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slant {
+pub struct AngleTarget {
     /// Of any length but 0.
     pub direction: DVec3,
     /// From 0 to pi.
@@ -83,7 +86,7 @@ pub struct Slant {
     pub unsigned: bool,
 }
 
-impl Slant {
+impl AngleTarget {
     /// The same with a unit direction.
     ///
     /// # Errors
@@ -94,7 +97,7 @@ impl Slant {
         }
         let direction = Some(self.direction).filter(|direction| direction.is_finite()).and_then(DVec3::try_normalize);
         let value = self.direction.length();
-        Ok(Slant { direction: direction.ok_or(Error::OptionOutOfRange { option: "direction", value })?, ..self })
+        Ok(AngleTarget { direction: direction.ok_or(Error::OptionOutOfRange { option: "direction", value })?, ..self })
     }
 
     /// How far a unit normal is from the angle; 0 if there is no normal, which may be any.
@@ -110,10 +113,16 @@ impl Slant {
 /// The cells that may have a normal within a deviation of an angle, or the nearest to it, by the corrected search.
 ///
 /// # Errors
-/// Those of [`Slant::normalized`] and [`search`].
-pub fn slanted(sheet: &Sheet<'_>, swings: &Sizes, slant: Slant, options: &Options, job: &Job<'_>) -> Result<Found> {
-    let slant = slant.normalized()?;
-    search(swings, |node| slant.deviation(normal(sheet, node)), options, job)
+/// Those of [`AngleTarget::normalized`] and [`search`].
+pub fn angle_incidence(
+    sheet: &Sheet<'_>,
+    variation: &Sizes,
+    target: AngleTarget,
+    options: &SearchOptions,
+    job: &Job<'_>,
+) -> Result<SearchOutcome> {
+    let target = target.normalized()?;
+    search(variation, |node| target.deviation(normal(sheet, node)), options, job)
 }
 
 /// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier points of S_u x S_v. `None` for a

@@ -1,4 +1,5 @@
-//! The logical scale: a bit for each cell, 1 as long as the cell may hold what is looked for.
+//! Masks of cells, the paper's logical scale: a bit for each cell, 1 as long as the cell may hold the
+//! object.
 
 use super::lattice::{Lattice, Span};
 use crate::alloc;
@@ -6,12 +7,12 @@ use crate::error::{Error, Result};
 
 /// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of word k / 64.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Scale {
+pub struct CellMask {
     lattice: Lattice,
     words: Vec<u64>,
 }
 
-impl Scale {
+impl CellMask {
     /// With all bits 1, as every search begins.
     ///
     /// # Errors
@@ -21,7 +22,7 @@ impl Scale {
         if let (Some(last), used @ 1..) = (words.last_mut(), lattice.len() % 64) {
             *last = (1 << used) - 1;
         }
-        Ok(Scale { lattice, words })
+        Ok(CellMask { lattice, words })
     }
 
     /// With all bits 0.
@@ -29,7 +30,7 @@ impl Scale {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn empty(lattice: Lattice) -> Result<Self> {
-        Ok(Scale { lattice, words: alloc::filled(0, lattice.len().div_ceil(64))? })
+        Ok(CellMask { lattice, words: alloc::filled(0, lattice.len().div_ceil(64))? })
     }
 
     /// From words; bits beyond the last cell do not count.
@@ -37,13 +38,13 @@ impl Scale {
     /// # Errors
     /// [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
     pub fn from_words(lattice: Lattice, words: &[u64]) -> Result<Self> {
-        let mut scale = Scale::full(lattice)?;
-        if words.len() < scale.words.len() {
-            let (needed, given) = (8 * scale.words.len() as u64, 8 * words.len() as u64);
+        let mut mask = CellMask::full(lattice)?;
+        if words.len() < mask.words.len() {
+            let (needed, given) = (8 * mask.words.len() as u64, 8 * words.len() as u64);
             return Err(Error::ArrayTooShort { what: "words", needed, given });
         }
-        scale.words.iter_mut().zip(words).for_each(|(own, given)| *own &= given);
-        Ok(scale)
+        mask.words.iter_mut().zip(words).for_each(|(own, given)| *own &= given);
+        Ok(mask)
     }
 
     /// The cells and how they lie.
