@@ -1,4 +1,9 @@
-//! One direction of a grid: how the cubic over each interval follows from the nodes near it.
+//! One direction of a grid: the cubic over each interval as sums of six nodes.
+//!
+//! Hermite cubics with slopes by finite differences of fourth order, one-sided at open ends, or the
+//! paper's cubics through four nodes (study, 3.1). Weights are stored once for each place of an
+//! interval among its nodes; they sum to 1, and [`Axis::lebesgue`] bounds the sum of their absolute
+//! values, which all bounds of the index rest on.
 
 use crate::choice::choices;
 
@@ -10,12 +15,14 @@ pub(crate) const TAPS: usize = 6;
 /// How cubics are drawn through nodes that are one apart in the parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Scheme {
-    /// Cubic Hermite with slopes from five nodes: continuous tangents, fourth order with the constant 1/384, and third order in the
-    /// slopes. Slopes near an open end are taken from the five nodes there.
+    /// Cubic Hermite with slopes from five nodes: continuous tangents, fourth order with the
+    /// constant 1/384, and third order in the slopes. Slopes near an open end are taken from the
+    /// five nodes there.
     #[default]
     SixTap,
-    /// The cubic through the four nodes round the interval, as the paper has it ("crossings with the neighbouring curves"): continuous,
-    /// fourth order with the constant 3/128; tangents jump at nodes.
+    /// The cubic through the four nodes round the interval, as the paper has it ("crossings with
+    /// the neighbouring curves"): continuous, fourth order with the constant 3/128; tangents jump
+    /// at nodes.
     FourPoint,
 }
 
@@ -50,7 +57,8 @@ impl Axis {
         if closed { 4 } else { 2 }
     }
 
-    /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
+    /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one
+    /// again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
         let mut axis = Axis {
             lines,
@@ -91,7 +99,8 @@ impl Axis {
         self.is_smooth() && (self.closed || (cell > 0 && cell + 1 < self.cells()))
     }
 
-    /// The lines that interval `cell` depends on, and their weights; lines of weight 0 may repeat others.
+    /// The lines that interval `cell` depends on, and their weights; lines of weight 0 may repeat
+    /// others.
     pub(crate) fn taps(&self, cell: usize) -> ([usize; TAPS], &Weights) {
         let mut lines = [0; TAPS];
         if self.closed {
@@ -154,14 +163,15 @@ impl Axis {
         self.lebesgue
     }
 
-    /// The largest sum of the absolute values of those that it gives to others than the two at its ends.
+    /// The largest sum of the absolute values of those that it gives to others than the two at its
+    /// ends.
     pub(crate) fn outside(&self) -> f64 {
         self.outside
     }
 }
 
-/// The largest sum over some nodes of |w_k(t)|, 0 <= t <= 1, rounded up: over the sixteenths of the interval, each piece bounded by its
-/// Bézier points.
+/// The largest sum over some nodes of |w_k(t)|, 0 <= t <= 1, rounded up: over the sixteenths of the
+/// interval, each piece bounded by its Bézier points.
 fn most(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
     let mut worst = 0.0_f64;
     for piece in 0..16 {
@@ -184,8 +194,8 @@ fn most(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
     worst * (1.0 + 1e-12)
 }
 
-/// The weights of the interval from node `place` to `place + 1` of `nodes` nodes in a row: slopes from `five` nodes each, or the
-/// cubic through `four`, or as many as there are.
+/// The weights of the interval from node `place` to `place + 1` of `nodes` nodes in a row: slopes
+/// from `five` nodes each, or the cubic through `four`, or as many as there are.
 fn weights(place: usize, nodes: usize, five: usize, four: usize, scheme: Scheme) -> Weights {
     // The slope at node `at` of the polynomial through the nodes from `first` on.
     let slope = |at: usize, first: usize, count: usize| {

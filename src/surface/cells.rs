@@ -1,4 +1,8 @@
-//! What searches need to know of a sheet: its cells, their corners, their patches, and how far they are from flat.
+//! Cells of a sheet as searches see them: corners, patches, and bounds of what lies between.
+//!
+//! A cell's patch lies within its displacements from the bilinear patch through its corners, and
+//! its tangents within boxes of their control vectors: both follow from control nets, as Bernstein
+//! polynomials are convex combinations of their coefficients.
 
 use super::Patch;
 use super::subdivision::Field;
@@ -17,7 +21,8 @@ pub(crate) trait Cells<const N: usize>: Sync {
     /// The corner of cells at (i, j), a point of the surface.
     fn corner(&self, i: usize, j: usize) -> DVec3;
 
-    /// The corners of a row of cells of a block, from (i, j) on: those of `count` cells, then the last one again.
+    /// The corners of a row of cells of a block, from (i, j) on: those of `count` cells, then the
+    /// last one again.
     #[inline(always)]
     fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
         std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array())
@@ -37,8 +42,8 @@ pub(crate) trait Cells<const N: usize>: Sync {
         false
     }
 
-    /// For each block in rows of blocks, row after row, a box that contains S - B over all its cells: S the surface, B the bilinear patch
-    /// through the cell's corners, at equal parameters.
+    /// For each block in rows of blocks, row after row, a box that contains S - B over all its
+    /// cells: S the surface, B the bilinear patch through the cell's corners, at equal parameters.
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]);
 
     /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
@@ -46,8 +51,8 @@ pub(crate) trait Cells<const N: usize>: Sync {
 }
 
 impl<const N: usize> Patch<N> {
-    /// A bound of the distance from the bilinear patch through the corners, at equal parameters: that of the control nets, of which the
-    /// difference is the net.
+    /// A bound of the distance from the bilinear patch through the corners, at equal parameters:
+    /// that of the control nets, of which the difference is the net.
     #[allow(dead_code, reason = "for estimates of cells")]
     pub(crate) fn deviation(&self) -> f64 {
         let at = |k: usize| k as f64 / (N - 1) as f64;
@@ -62,7 +67,8 @@ impl<const N: usize> Patch<N> {
         worst.sqrt()
     }
 
-    /// A box of the differences from the bilinear patch through the corners, at equal parameters: those of the control nets.
+    /// A box of the differences from the bilinear patch through the corners, at equal parameters:
+    /// those of the control nets.
     pub(crate) fn displacements(&self) -> Aabb {
         let at = |k: usize| k as f64 / (N - 1) as f64;
         let [[p00, p01], [p10, p11]] = self.corners();

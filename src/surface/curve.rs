@@ -1,4 +1,7 @@
-//! Curves as surfaces: the paper has points for them where surfaces have curves, and arcs for cells.
+//! Curves through nodes, drawn by the schemes of surfaces, and coordinate curves of sheets.
+//!
+//! The paper takes curves as surfaces of one dimension less: points for coordinate curves, arcs for
+//! cells.
 
 use super::axis::{Axis, TAPS};
 use super::cells::Cells;
@@ -9,13 +12,14 @@ use crate::geom::bernstein::evaluate;
 use crate::outline::{Curve, CurveView};
 use glam::DVec3;
 
-/// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of fourth order.
+/// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of
+/// fourth order.
 ///
 /// `closed`: the last node is the first one again, and the curve goes on there.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four; [`Error::CurveNotClosed`];
-/// [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
+/// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four;
+/// [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
 pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Curve> {
     let limit = u64::from(u32::MAX / 3);
     if nodes.len() < Axis::least_lines(closed) {
@@ -59,8 +63,8 @@ fn joined<const N: usize>(segments: impl Iterator<Item = [DVec3; N]>, count: usi
 }
 
 impl Sheet<'_> {
-    /// The coordinate curve at u, which counts rows from 0 to the number of cells in u: a segment for each cell along it. Closed if
-    /// the sheet is closed in v.
+    /// The coordinate curve at u, which counts rows from 0 to the number of cells in u: a segment
+    /// for each cell along it. Closed if the sheet is closed in v.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`]. O(cells along the curve).

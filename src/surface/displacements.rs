@@ -1,13 +1,17 @@
-//! How far the surface through a grid may be from the bilinear patches of its cells, and to which side: from the nodes alone, without
-//! building patches.
+//! Boxes of the displacements of a grid's surface from the bilinear patches of its cells, from the
+//! nodes alone, without patches (study, 3.2).
 //!
-//! Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows; B = (1 - u) L_i(v) + u L_i+1(v), L_k the chord of C_k. So
-//! S - B = sum w_k (C_k - L_k) + (sum w_k L_k - B).
+//! Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows; B = (1 - u) L_i(v) + u
+//! L_i+1(v), L_k the chord of C_k. So S - B = sum w_k (C_k - L_k) + (sum w_k L_k - B).
 //!
-//! * C_k - L_k is b_1 d_1 + b_2 d_2: d the inner Bézier points from the thirds of the chord, b two Bernstein polynomials of degree 3, which sum to
-//!   3/4 at most. If all d are in a box, it is in 3/4 of the box, joined with 0. The sum of such with sum w_k = 1, sum |w_k| <= L is in that
-//!   box grown by (L - 1) / 2 of its size at both ends.
-//! * The second term is linear in v, and at the cell's two columns the same of the cubics across the rows.
+//! * C_k - L_k is b_1 d_1 + b_2 d_2: d the inner Bézier points from the thirds of the chord, b two
+//!   Bernstein polynomials of degree 3, which sum to 3/4 at most. If all d are in a box, it is in
+//!   3/4 of the box, joined with 0. A sum of such vectors with sum w_k = 1, sum |w_k| <= L is in
+//!   that box, enlarged by (L - 1) / 2 of its size at both ends.
+//! * The second term is linear in v, and at the cell's two columns the same of the cubics across
+//!   the rows.
+//!
+//! O(nodes), by the vector instructions of `sweep`.
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::BLOCK;
@@ -77,7 +81,8 @@ impl Displacements<'_> {
     }
 }
 
-/// What sums with weights that sum to 1, and whose absolute values sum to `lebesgue` at most, make of a box.
+/// What sums with weights that sum to 1, and whose absolute values sum to `lebesgue` at most, make
+/// of a box.
 pub(super) fn grown(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
     Aabb { low: bounds.low - more, high: bounds.high + more }

@@ -1,4 +1,7 @@
-//! How far a sheet is from what it stands for, and from flat.
+//! Estimates of interpolation errors, and bounds of flatness and creases.
+//!
+//! The error of a grid's surface is estimated by the quintic through six nodes in a row, against
+//! the scheme's cubic; flatness is bounded by control nets. O(cells), on the job's threads.
 
 use super::axis::{Axis, TAPS};
 use super::cells::Cells;
@@ -12,19 +15,22 @@ use glam::DVec3;
 use std::ops::Range;
 
 /// Rows of cells, or chunks of them, between two reports of progress.
-const ROUND: usize = 64;
+const ROWS_PER_STEP: usize = 64;
 /// Cells that a thread takes at a time, where they do not come by rows.
-const CHUNK: usize = 1 << 8;
+const CELLS_PER_TASK: usize = 1 << 8;
 
 impl Sheet<'_> {
-    /// For each cell, row after row, an estimate of how far a grid's surface is from the smooth one that its nodes were taken from, at equal
-    /// parameters: what the quintic through six nodes in a row says of the scheme's cubic, for rows and for columns, together. No bound: nodes
-    /// do not tell what is between them. Infinite for fewer than 5 nodes in a direction, which tell nothing; 0 for sheets whose patches are given.
+    /// For each cell, row after row, an estimate of how far a grid's surface is from the smooth one
+    /// that its nodes were taken from, at equal parameters: what the quintic through six nodes in a
+    /// row says of the scheme's cubic, for rows and for columns, together. No bound: nodes do not
+    /// tell what is between them. Infinite for fewer than 5 nodes in a direction, which tell
+    /// nothing; 0 for sheets whose patches are given.
     ///
     /// O(nodes).
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn interpolation_errors(&self, job: &Job<'_>) -> Result<Vec<f64>> {
         let [rows, columns] = self.cells();
         let Sheet::Grid(grid) = self else {
@@ -43,8 +49,9 @@ impl Sheet<'_> {
         })
     }
 
-    /// Bounds of how far the surface over the cell at (i, j) is from the bilinear patch through its corners, and from the two triangles that either
-    /// diagonal makes of them, both at equal parameters.
+    /// Bounds of how far the surface over the cell at (i, j) is from the bilinear patch through its
+    /// corners, and from the two triangles that either diagonal makes of them, both at equal
+    /// parameters.
     pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
         fn of<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
             let [[a, b], [c, d]] = patch.corners();
@@ -54,7 +61,8 @@ impl Sheet<'_> {
         each_sheet!(self, cells => of(&Cells::patch(cells, i, j)))
     }
 
-    /// Whether the sides u = 0 and u = 1 of the whole sheet, v = 0 and v = 1 are one point each. O(cells at the sides).
+    /// Whether the sides u = 0 and u = 1 of the whole sheet, v = 0 and v = 1 are one point each.
+    /// O(cells at the sides).
     pub fn poles(&self) -> [[bool; 2]; 2] {
         let [rows, columns] = self.cells();
         let u = |end: bool| (0..columns).all(|j| self.side_is_point(0, if end { rows - 1 } else { 0 }, j, end));
@@ -65,7 +73,8 @@ impl Sheet<'_> {
     /// [`Sheet::flatness`] for each cell, row after row. O(cells).
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn flatnesses(&self, job: &Job<'_>) -> Result<Vec<[f64; 2]>> {
         let [rows, columns] = self.cells();
         by_row(rows, columns, "bounding deviations", job, |i, bounds| {
@@ -73,11 +82,13 @@ impl Sheet<'_> {
         })
     }
 
-    /// The largest angle between the normals on both sides of borders between cells, at the corners and the middle of each border: 0, or
-    /// rounding, where the surface is smooth. Places without a normal do not count. O(cells).
+    /// The largest angle between the normals on both sides of borders between cells, at the corners
+    /// and the middle of each border: 0, or rounding, where the surface is smooth. Places without a
+    /// normal do not count. O(cells).
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn crease(&self, job: &Job<'_>) -> Result<f64> {
         each_sheet!(self, cells => crease_of(cells, self.is_closed(), job))
     }
@@ -87,7 +98,7 @@ impl Sheet<'_> {
 fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool; 2], job: &Job<'_>) -> Result<f64> {
     let [rows, columns] = cells.counts();
     let in_chunk = |range: Range<usize>| {
-        let mut worst = Apart::default();
+        let mut worst = CreaseAngle::default();
         let mut next = None;
         for (i, j) in range.map(|k| (k / columns, k % columns)) {
             let patch = next.take().unwrap_or_else(|| cells.patch(i, j));
@@ -104,35 +115,36 @@ fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool;
         worst.angle
     };
     let (count, mut worst) = (rows * columns, 0.0_f64);
-    for from in (0..count).step_by(ROUND * CHUNK) {
+    for from in (0..count).step_by(ROWS_PER_STEP * CELLS_PER_TASK) {
         job.step(from as f64 / count as f64, "comparing normals")?;
-        let round = (ROUND * CHUNK).min(count - from);
-        let parts = par::chunks(job.threads(), round, CHUNK, |range| in_chunk(from + range.start..from + range.end));
+        let round = (ROWS_PER_STEP * CELLS_PER_TASK).min(count - from);
+        let parts = par::chunks(job.threads(), round, CELLS_PER_TASK, |range| in_chunk(from + range.start..from + range.end));
         worst = parts.into_iter().fold(worst, f64::max);
     }
     Ok(worst)
 }
 
-/// The largest angle so far, and the square of the chord between its unit vectors, which rises with it and costs less.
+/// The largest angle so far, and the square of the chord between its unit vectors, which rises with
+/// it and costs less.
 #[derive(Default)]
-struct Apart {
+struct CreaseAngle {
     chord: f64,
     angle: f64,
 }
 
-impl Apart {
+impl CreaseAngle {
     /// Compares normals on both sides; those that are 0 do not count.
     fn join(&mut self, one: [DVec3; 3], other: [DVec3; 3]) {
         for (a, b) in one.into_iter().zip(other) {
             let chord = a.distance_squared(b);
             if chord > self.chord && a != DVec3::ZERO && b != DVec3::ZERO {
-                *self = Apart { chord, angle: self.angle.max(angle(a, b)) };
+                *self = CreaseAngle { chord, angle: self.angle.max(angle(a, b)) };
             }
         }
     }
 }
 
-/// What `work` adds for each row of cells, `each` of them.
+/// The values that `work` adds for each row of cells, `each` a row.
 fn by_row<T: Send>(
     rows: usize,
     each: usize,
@@ -141,7 +153,7 @@ fn by_row<T: Send>(
     work: impl Fn(usize, &mut Vec<T>) + Sync,
 ) -> Result<Vec<T>> {
     let mut all = alloc::with_capacity(rows.saturating_mul(each))?;
-    let round = (ROUND * CHUNK / each.max(1)).clamp(1, ROUND);
+    let round = (ROWS_PER_STEP * CELLS_PER_TASK / each.max(1)).clamp(1, ROWS_PER_STEP);
     for from in (0..rows).step_by(round) {
         job.step(from as f64 / rows as f64, stage)?;
         let parts = par::map(job.threads(), from..rows.min(from + round), |i| {
@@ -156,7 +168,8 @@ fn by_row<T: Send>(
     Ok(all)
 }
 
-/// The weights of the difference between the quintic and the scheme's cubic in each interval of an axis, at three parameters.
+/// The weights of the difference between the quintic and the scheme's cubic in each interval of an
+/// axis, at three parameters.
 struct Defects<'a> {
     axis: &'a Axis,
     /// By the place of the interval among its nodes; none if there are too few.

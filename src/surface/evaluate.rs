@@ -1,4 +1,6 @@
 //! Points, normals and curvatures at many places, and parameters of whole sheets.
+//!
+//! Curvatures follow from the two fundamental forms in an orthonormal basis of the tangent plane.
 
 use super::{Jet, Normal, NormalKind, Place, Sheet, Surface};
 use crate::alloc;
@@ -8,9 +10,9 @@ use crate::par;
 use glam::DVec3;
 
 /// Places that a thread takes at a time.
-const CHUNK: usize = 1 << 10;
-/// Chunks between two reports of progress.
-const ROUND: usize = 32;
+const PLACES_PER_TASK: usize = 1 << 10;
+/// Tasks between two reports of progress.
+const TASKS_PER_STEP: usize = 32;
 
 /// How a surface bends at a point, for its normal: positive where it bends towards the normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +27,7 @@ pub struct Curvatures {
     pub gaussian: f64,
 }
 
-/// What there is to know of a point of a surface.
+/// Derivatives, normal and curvatures at a point of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Local {
     /// The point and the derivatives, by the parameters of the cell.
@@ -37,7 +39,8 @@ pub struct Local {
 }
 
 impl Jet {
-    /// Principal curvatures and their directions, for the normal S_u x S_v; `None` where the surface is not regular.
+    /// Principal curvatures and their directions, for the normal S_u x S_v; `None` where the
+    /// surface is not regular.
     pub fn principal(&self) -> Option<Curvatures> {
         let normal = self.normal().try_normalize()?;
         // A basis of the tangent plane at right angles: e = a S_u, f = b S_u + c S_v.
@@ -72,8 +75,8 @@ impl Place {
 }
 
 impl Sheet<'_> {
-    /// The cell at parameters of the whole sheet, and the parameters within it: closed directions are counted round, what is beyond an open side is on
-    /// it. `None` for NaN and infinities.
+    /// The cell at parameters of the whole sheet, and the parameters within it: closed directions
+    /// are counted round, what is beyond an open side is on it. `None` for NaN and infinities.
     pub fn locate(&self, u: f64, v: f64) -> Option<([usize; 2], [f64; 2])> {
         let (counts, closed) = (self.cells(), self.is_closed());
         let (mut cell, mut at) = ([0; 2], [0.0; 2]);
@@ -91,8 +94,8 @@ impl Sheet<'_> {
 }
 
 impl Surface<'_> {
-    /// The place of parameters (u, v) of sheet `sheet`: node (i, j) has (i, j). Closed directions are counted round, what is beyond an open side is
-    /// on it.
+    /// The place of parameters (u, v) of sheet `sheet`: node (i, j) has (i, j). Closed directions
+    /// are counted round, what is beyond an open side is on it.
     ///
     /// # Errors
     /// [`Error::NoSuch`] if there is no such sheet, or the parameters are not finite.
@@ -112,7 +115,7 @@ impl Surface<'_> {
         }
     }
 
-    /// All that there is to know of a place, which the surface must have.
+    /// Derivatives, normal and curvatures at a place, which the surface must have.
     pub fn local(&self, place: Place) -> Local {
         let ([i, j], sheet) = (place.cell.map(|k| k as usize), self.sheet(place.sheet as usize));
         let jet = self.jet(place);
@@ -124,17 +127,18 @@ impl Surface<'_> {
     /// The same for many places. O(1) each, but O(cells of the side) at a collapsed side.
     ///
     /// # Errors
-    /// [`Error::NoSuch`] with the first place that there is not, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NoSuch`] with the first place that there is not, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<Local>> {
         if let Some(index) = places.iter().position(|place| !self.has(place)) {
             return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
         let mut all = alloc::with_capacity(places.len())?;
-        for round in places.chunks(CHUNK * ROUND) {
+        for round in places.chunks(PLACES_PER_TASK * TASKS_PER_STEP) {
             job.step(all.len() as f64 / places.len() as f64, "evaluating")?;
             let work =
                 |range: std::ops::Range<usize>| alloc::collect(round[range].iter().map(|&place| self.local(place)));
-            for part in par::chunks(job.threads(), round.len(), CHUNK, work) {
+            for part in par::chunks(job.threads(), round.len(), PLACES_PER_TASK, work) {
                 all.append(&mut part?);
             }
         }

@@ -2,8 +2,8 @@
 //!
 //! Along each direction the scheme of `axis` makes four Bézier points of six nodes; their tensor
 //! product makes the 16 of a patch from 6 x 6 nodes. Invariant: neighbours have the bits of their
-//! common side in common, as it follows from the same nodes by the same operations. O(1) a patch, and
-//! no memory but the nodes.
+//! common side in common, as it follows from the same nodes by the same operations. O(1) a patch,
+//! and no memory but the nodes.
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
@@ -33,8 +33,9 @@ impl<'a> Grid<'a> {
     /// and in v (columns).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three nodes and the repeated one;
-    /// [`Error::SidesApart`] if a closed direction does not end where it begins, with the place of the largest gap.
+    /// [`Error::NotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three
+    /// nodes and the repeated one; [`Error::SidesApart`] if a closed direction does not end where
+    /// it begins, with the place of the largest gap.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
         let (rows, columns) = (nodes.rows(), nodes.columns());
         let [closed_u, closed_v] = closed;
@@ -165,8 +166,8 @@ impl Cells<4> for Grid<'_> {
         Grid::patch(self, i, j)
     }
 
-    /// The same sums over heights of nodes in place of points: the first and the last of four Bézier
-    /// points are nodes.
+    /// The same sums over heights of nodes in place of points: the first and the last of four
+    /// Bézier points are nodes.
     fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
         let (from_row, from_column) = (self.u.place(i), self.v.place(j));

@@ -1,8 +1,9 @@
-//! Meshes of sheets, for whatever takes meshes.
+//! Meshes of sheets within a tolerance.
 //!
-//! All cells of a row have equally many parts in u, and all of a column in v, so that neighbours fit. A triangle with the sides a and b in the parameters
-//! is within (M_uu a^2 + 2 M_uv a b + M_vv b^2) / 8 of the surface, M bounds of the second derivatives (D. Filip, R. Magedson, R. Markot, *Surface algorithms
-//! using bounds on derivatives*, 1986); bounds come from control nets.
+//! All cells of a row have equally many parts in u, and all of a column in v, so that neighbours
+//! fit. A triangle with the sides a and b in the parameters is within (M_uu a^2 + 2 M_uv a b + M_vv
+//! b^2) / 8 of the surface, M bounds of the second derivatives (Filip, Magedson and Markot 1986,
+//! "Surface algorithms using bounds on derivatives"); bounds come from control nets.
 
 use super::cells::Cells;
 use super::{Patch, Place, Sheet, each_sheet};
@@ -15,7 +16,8 @@ use glam::DVec3;
 /// How a sheet becomes a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceMeshOptions {
-    /// How far triangles may be from the surface, at equal parameters; infinite for no demand. More than 0.
+    /// How far triangles may be from the surface, at equal parameters; infinite for no demand. More
+    /// than 0.
     pub tolerance: f64,
     /// The fewest parts of each cell in u and in v; 1 at least.
     pub least: [u32; 2],
@@ -33,14 +35,16 @@ impl Default for SurfaceMeshOptions {
 /// The mesh of a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMesh {
-    /// The mesh, with points of the surface; faces are counter-clockwise seen from where S_u x S_v points to. Seams of closed directions and poles are
-    /// closed. It has no faces where the sheet has no extent.
+    /// The mesh, with points of the surface; faces are counter-clockwise seen from where S_u x S_v
+    /// points to. Seams of closed directions and poles are closed. It has no faces where the sheet
+    /// has no extent.
     pub mesh: Mesh,
     /// For each vertex where it is; the sheet is 0.
     pub places: Vec<Place>,
     /// For each vertex the unit normal; 0 where there is none.
     pub normals: Vec<DVec3>,
-    /// A bound of the distance between the surface and the triangles, or either pair of triangles of quads, at equal parameters.
+    /// A bound of the distance between the surface and the triangles, or either pair of triangles
+    /// of quads, at equal parameters.
     pub deviation: f64,
 }
 
@@ -80,8 +84,10 @@ impl Bend {
 impl Sheet<'_> {
     /// A mesh of points of the sheet. O(cells + vertices).
     ///
-    /// # Errors [`Error::OptionOutOfRange`] for a tolerance that is not more than 0, or no parts; [`Error::TooLarge`] for more than 2^32 - 2 corners,
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a tolerance that is not more than 0, or no parts;
+    /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
         if options.tolerance.is_nan() || options.tolerance <= 0.0 {
             return Err(Error::OptionOutOfRange { option: "tolerance", value: options.tolerance });
@@ -129,7 +135,8 @@ impl<'a> Lattice<'a> {
                 bends.push(bend);
             }
         }
-        // A quarter of the tolerance goes to S_uu and to S_vv each; twists may need more than these have asked for.
+        // A quarter of the tolerance goes to S_uu and to S_vv each; twists may need more than these
+        // have asked for.
         let mut deviation = 0.0_f64;
         for (k, bend) in bends.iter().enumerate() {
             let (i, j) = (k / columns, k % columns);

@@ -1,11 +1,16 @@
-//! Surfaces: curve nets on smooth surfaces, and questions about the surfaces.
+//! Smooth surfaces and questions about them.
 //!
-//! After V. A. Leus, *Carcasses on smooth surfaces* (1976): a surface is known by a net of coordinate curves, and searches on it are cut
-//! short by bounds of the diameters of cells.
+//! After V. A. Leus, *Carcasses on smooth surfaces* (1976). The paper's carcass is a surface that
+//! is known by a net of coordinate curves, whose searches bounds of the diameters of cells cut
+//! short; here it is a [`Surface`]: sheets with their nets and a hierarchical index.
 //!
-//! * [`Sheet`]: a piece of surface, a [`Grid`] of nodes or [`Patches`]. [`Patch`]: the surface over one cell.
-//! * [`Surface`]: sheets and their index, which answers. [`Paths`]: curves on a surface.
-//! * [`meet`]: where two surfaces intersect.
+//! * [`Sheet`]: a piece of surface, a [`Grid`] of nodes or [`Patches`]. [`Patch`]: the surface over
+//!   one cell. [`Jet`], [`Normal`], [`Curvatures`]: its derivatives, normals and curvatures.
+//! * [`Surface`]: sheets and their index, which answers: nearest points (task a), normals at an
+//!   angle (task b), [`line_intersection`] (task c), plane sections and other contours
+//!   ([`contour`], task d), [`surface_intersection`] (task e). [`Paths`]: curves on a surface.
+//! * [`construct`]: sheets from curves, splines and tangents. [`SurfaceMesh`]: sheets as meshes.
+//! * [`mod@reference`]: the paper's own search, to compare with.
 
 mod axis;
 mod cells;

@@ -1,4 +1,4 @@
-//! A surface: sheets of a surface, with an index for questions.
+//! Surfaces: sheets with their index.
 
 use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
@@ -21,10 +21,11 @@ pub struct Place {
     pub v: f64,
 }
 
-/// The greatest absolute coordinate that a sheet of a surface may have: boxes are in single precision.
+/// The greatest absolute coordinate that a sheet of a surface may have: boxes are in single
+/// precision.
 pub const LARGEST_COORDINATE: f64 = 1e37;
-/// The least that the greatest absolute coordinate of a sheet of a surface may be, if it is not 0: boxes of smaller surfaces would be far
-/// larger than these.
+/// The least that the greatest absolute coordinate of a sheet of a surface may be, if it is not 0:
+/// boxes of smaller surfaces would be far larger than these.
 pub const SMALLEST_COORDINATE: f64 = 1e-30;
 
 /// A surface and its index. Immutable: any number of threads may ask.
@@ -36,14 +37,16 @@ pub struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are proved; `None`: 1e-9 of the diagonal of the
-    /// surface's box.
+    /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are
+    /// proved; `None`: 1e-9 of the diagonal of the surface's box.
     ///
-    /// The greatest absolute coordinate of each sheet is from [`SMALLEST_COORDINATE`] to [`LARGEST_COORDINATE`], or 0.
+    /// The greatest absolute coordinate of each sheet is from [`SMALLEST_COORDINATE`] to
+    /// [`LARGEST_COORDINATE`], or 0.
     ///
     /// # Errors
-    /// [`Error::EmptyMesh`] without sheets, [`Error::SheetOutOfRange`], [`Error::OptionOutOfRange`] for a tolerance that is negative or not
-    /// finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::EmptyMesh`] without sheets, [`Error::SheetOutOfRange`], [`Error::OptionOutOfRange`]
+    /// for a tolerance that is negative or not finite, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         let mut indexed = alloc::with_capacity(sheets.len())?;
         let mut bounds = Aabb::EMPTY;
@@ -135,8 +138,8 @@ impl<'a> Surface<'a> {
         self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64).iter().product::<u64>()).sum()
     }
 
-    /// Builds the cones of normals that questions about angles are answered with, if there are none yet: else the first such question does. They
-    /// take about 2/3 of a byte a node. O(nodes).
+    /// Builds the cones of normals that questions about angles are answered with, if there are none
+    /// yet: else the first such question does. They take about 2/3 of a byte a node. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -150,9 +153,10 @@ impl<'a> Surface<'a> {
         each_sheet!(sheet, cells => index.cones(cells, job))
     }
 
-    /// A cone that contains all unit normals of a block of a sheet, limits at poles too. Block (r, c) of level k has the cells from row 4 r 2^k and
-    /// column 4 c 2^k on, 4 * 2^k of each or as many as there are. `None` if there is no such block, or cones were not built; the last level has two rows
-    /// and columns of blocks at most.
+    /// A cone that contains all unit normals of a block of a sheet, limits at poles too. Block (r,
+    /// c) of level k has the cells from row 4 r 2^k and column 4 c 2^k on, 4 * 2^k of each or as
+    /// many as there are. `None` if there is no such block, or cones were not built; the last level
+    /// has two rows and columns of blocks at most.
     pub fn normal_cone(&self, sheet: usize, level: usize, [r, c]: [usize; 2]) -> Option<NormalCone> {
         self.sheets.get(sheet)?.1.known_cones()?.get(level, r, c)
     }

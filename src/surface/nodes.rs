@@ -113,7 +113,8 @@ impl<'a> Nodes<'a> {
         if columns[TAPS - 1] == columns[0] + TAPS - 1 { self.packed(i, columns[0]) } else { None }
     }
 
-    /// Nodes by row and column, each as four numbers for vector instructions: the fourth is padding.
+    /// Nodes by row and column, each as four numbers for vector instructions: the fourth is
+    /// padding.
     #[inline(always)]
     pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
         let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);

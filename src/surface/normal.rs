@@ -1,7 +1,8 @@
 //! Unit normals, also where the tangents do not give one.
 //!
-//! Where S_u x S_v = 0, as where a side of a patch is one point, the normal is the limit along the coordinate lines into the patch. Along such a line S_u
-//! and S_v are polynomials, and so is their product; the direction of its first coefficient that is not 0 is the limit. From different lines
+//! Where S_u x S_v = 0, as where a side of a patch is one point, the normal is the limit along the
+//! coordinate lines into the patch. Along such a line S_u and S_v are polynomials, and so is their
+//! product; the direction of its first coefficient that is not 0 is the limit. From different lines
 //! the limits may differ, as at the tip of a cone: that is their spread.
 
 use super::cells::Cells;
@@ -28,8 +29,9 @@ pub struct Normal {
     pub direction: DVec3,
     /// Where it is from.
     pub kind: NormalKind,
-    /// Of limits: the largest angle to the limits along other coordinate lines to the same point of the sheet. Small for a pole of a smooth
-    /// surface, where it is an error of the interpolant; large for the tip of a cone, which has no normal.
+    /// Of limits: the largest angle to the limits along other coordinate lines to the same point of
+    /// the sheet. Small for a pole of a smooth surface, where it is an error of the interpolant;
+    /// large for the tip of a cone, which has no normal.
     pub spread: f64,
 }
 
@@ -58,7 +60,8 @@ impl<const N: usize> Patch<N> {
 
     /// True if S_u x S_v cannot be told from 0 anywhere, as of a patch that is a curve or a point.
     ///
-    /// Its control vectors are sums of products of those of S_u and S_v, with the products of their binomials as weights.
+    /// Its control vectors are sums of products of those of S_u and S_v, with the products of their
+    /// binomials as weights.
     pub(super) fn has_no_area(&self) -> bool {
         let p = &self.points;
         let step_u = |a: usize, b: usize| p[a + 1][b] - p[a][b];
@@ -98,7 +101,8 @@ impl<const N: usize> Patch<N> {
         }
     }
 
-    /// The unit normals at the ends and the middle of a side: u = 0, or 1 if `end`; if `across` v = 0, or 1. 0 where there is none.
+    /// The unit normals at the ends and the middle of a side: u = 0, or 1 if `end`; if `across` v =
+    /// 0, or 1. 0 where there is none.
     pub(super) fn normals_at_side(&self, across: bool, end: bool) -> [DVec3; 3] {
         let net = if across { self.transposed() } else { *self };
         let (side, next) = if end { (N - 1, N - 2) } else { (0, 1) };
@@ -113,7 +117,8 @@ impl<const N: usize> Patch<N> {
         })
     }
 
-    /// The limit of the unit normal along the line of constant v, from the side with more room; 0 if the normal is 0 all along it.
+    /// The limit of the unit normal along the line of constant v, from the side with more room; 0
+    /// if the normal is 0 all along it.
     fn limit(&self, u: f64, v: f64, noise: f64) -> DVec3 {
         let across = self.points.map(|row| evaluate_with_slope(&row, v));
         let (down, from) = (u > 0.5, if u > 0.5 { 1.0 - u } else { u });
@@ -145,8 +150,8 @@ impl<const N: usize> Patch<N> {
 }
 
 impl Sheet<'_> {
-    /// The unit normal, S_u x S_v, at parameters (u, v) of the cell at (i, j), or its limit along the coordinate line where a side of the cell
-    /// is one point; 0 if there is none.
+    /// The unit normal, S_u x S_v, at parameters (u, v) of the cell at (i, j), or its limit along
+    /// the coordinate line where a side of the cell is one point; 0 if there is none.
     pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> DVec3 {
         each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v)).direction
     }
@@ -189,7 +194,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// True if a side of a cell is one point: across u (direction 0: u = 0, or 1 if `end`) or across v.
+    /// True if a side of a cell is one point: across u (direction 0: u = 0, or 1 if `end`) or
+    /// across v.
     pub(crate) fn side_is_point(&self, direction: usize, i: usize, j: usize, end: bool) -> bool {
         each_sheet!(self, cells => {
             let patch = Cells::patch(cells, i, j);

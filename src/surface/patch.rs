@@ -1,4 +1,4 @@
-//! A tensor Bézier patch: what the surface is over one cell.
+//! Tensor-product Bézier patches: points, derivatives and subdivision by de Casteljau's algorithm.
 
 use crate::geom::bernstein::{halves, reduce};
 use glam::DVec3;
@@ -27,7 +27,8 @@ pub struct Jet {
     pub vv: DVec3,
 }
 
-/// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last three points.
+/// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last
+/// three points.
 fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
     let mut work = *points;
     reduce(&mut work, t, 3);
@@ -54,7 +55,8 @@ impl<const N: usize> Patch<N> {
         Jet { point, u: u1, v: v1, uu, uv, vv }
     }
 
-    /// The control points, over v, of the curve at u and of its first two derivatives by u: as [`curve`], column by column.
+    /// The control points, over v, of the curve at u and of its first two derivatives by u: as
+    /// [`curve`], column by column.
     #[inline(always)]
     fn across(&self, u: f64) -> [[DVec3; N]; 3] {
         let mut work = self.points;
@@ -112,8 +114,9 @@ impl Jet {
         self.u.cross(self.v)
     }
 
-    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not. Tangents that are nothing but rounding, as at a
-    /// pole, pass for such: [`super::Surface::normal`] knows better.
+    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not.
+    /// Tangents that are nothing but rounding, as at a pole, pass for such:
+    /// [`super::Surface::normal`] knows better.
     pub fn unit_normal(&self) -> Option<DVec3> {
         self.regular_normal(0.0)
     }
@@ -124,7 +127,8 @@ impl Jet {
         regular_normal(self.u, self.v, noise)
     }
 
-    /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not regular.
+    /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not
+    /// regular.
     pub fn curvatures(&self) -> Option<(f64, f64)> {
         let normal = self.normal().try_normalize()?;
         let [e, f, g] = [self.u.dot(self.u), self.u.dot(self.v), self.v.dot(self.v)];

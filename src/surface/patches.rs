@@ -1,4 +1,4 @@
-//! A sheet whose patches are given.
+//! Sheets of given Bézier patches.
 
 use super::Patch;
 use super::cells::{BLOCK, Cells};
@@ -13,7 +13,8 @@ use std::sync::Arc;
 /// The greatest degree of a patch.
 pub const MAX_DEGREE: usize = 7;
 
-/// `rows x columns` Bézier patches of degree N - 1, row after row; neighbours share their sides, or nearly.
+/// `rows x columns` Bézier patches of degree N - 1, row after row; neighbours share their sides, or
+/// nearly.
 #[derive(Debug, Clone)]
 pub struct Patches<const N: usize> {
     /// Not a slice: that would be a copy of what may be gigabytes.
@@ -24,12 +25,13 @@ pub struct Patches<const N: usize> {
 }
 
 impl<const N: usize> Patches<N> {
-    /// From control nets, one after the other: each `(degree_u + 1) * (degree_v + 1)` points, u by u; lower degrees are raised to N - 1, which
-    /// changes nothing but for rounding.
+    /// From control nets, one after the other: each `(degree_u + 1) * (degree_v + 1)` points, u by
+    /// u; lower degrees are raised to N - 1, which changes nothing but for rounding.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a degree of 0 or above N - 1, [`Error::EmptyMesh`] without patches, [`Error::ArrayTooShort`],
-    /// [`Error::TooLarge`], [`Error::NotFinite`] with the control point, [`Error::OutOfMemory`].
+    /// [`Error::OptionOutOfRange`] for a degree of 0 or above N - 1, [`Error::EmptyMesh`] without
+    /// patches, [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the
+    /// control point, [`Error::OutOfMemory`].
     pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
         for degree in degrees {
             if !(1..N).contains(&degree) {
@@ -74,7 +76,8 @@ impl<const N: usize> Patches<N> {
         [self.rows, self.columns]
     }
 
-    /// Whether it is closed in u and in v: three cells at least, and the control points of the last side are those of the first one.
+    /// Whether it is closed in u and in v: three cells at least, and the control points of the last
+    /// side are those of the first one.
     pub fn is_closed(&self) -> [bool; 2] {
         self.closed
     }
@@ -120,7 +123,8 @@ impl<const N: usize> Cells<N> for Patches<N> {
             for i in r * BLOCK..self.rows.min((r + 1) * BLOCK) {
                 for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
                     let patch = self.get(i, j);
-                    // From the bilinear patch through the corners that searches see, which are a neighbour's where sides differ.
+                    // From the bilinear patch through the corners that searches see, which are a
+                    // neighbour's where sides differ.
                     let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
                     let [[a, b], [c, d]] = patch.corners();
                     let mut gap = Aabb::EMPTY;

@@ -1,4 +1,4 @@
-//! Curves on a surface: what sections, contours and intersections are given as.
+//! Curves on a surface: the form of sections, contours and intersections.
 
 use super::Place;
 use glam::DVec3;
@@ -16,11 +16,13 @@ pub struct Paths {
     pub points: Vec<DVec3>,
     /// The unit normals there; 0 where there is none.
     pub normals: Vec<DVec3>,
-    /// By path: which of the planes, levels or angles asked for it belongs to; 0 if there was one.
+    /// By path: the number of its plane, level or angle among those of the query; 0 if there was
+    /// one.
     pub levels: Vec<u32>,
     /// Of intersections of two surfaces: where the points are on the other one; else empty.
     pub others: Vec<Place>,
-    /// Cells in which something may be that could not be resolved: tangency, or pieces smaller than the tolerance.
+    /// Cells in which something may be that could not be resolved: tangency, or pieces smaller than
+    /// the tolerance.
     pub unresolved: Vec<Place>,
 }
 

@@ -1,4 +1,4 @@
-//! What ranges of the components of vectors say of their products and angles.
+//! Interval arithmetic of vectors: cross products, and angles with an axis.
 
 /// Ranges of the components of the cross product of vectors whose components are within ranges.
 pub(crate) fn cross(u: [[f64; 2]; 3], v: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
@@ -16,15 +16,16 @@ fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [low(low(all[0], all[1]), low(all[2], all[3])), high(high(all[0], all[1]), high(all[2], all[3]))]
 }
 
-/// The least and the greatest angle between the third axis and vectors whose components are within ranges.
+/// The least and the greatest angle between the third axis and vectors whose components are within
+/// ranges.
 pub(crate) fn angles(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
     let [first, second, along] = ranges.map(|[low, high]| [low - noise, high + noise]);
     let least = |[low, high]: [f64; 2]| if low > 0.0 { low } else { (-high).max(0.0) };
     let most = |[low, high]: [f64; 2]| high.max(-low);
     let length = |x: f64, y: f64| (x * x + y * y).sqrt();
     let (near, far) = (length(least(first), least(second)), length(most(first), most(second)));
-    // Away from the axis means a greater angle in front and a smaller one behind. At 0, where the range of a pole's normals may end, all
-    // but the zero vector are at right angles.
+    // Away from the axis means a greater angle in front and a smaller one behind. At 0, where the
+    // range of a pole's normals may end, all but the zero vector are at right angles.
     let low = libm::atan2(if along[1] > 0.0 { near } else { far }, along[1]);
     let high = libm::atan2(if along[0] >= 0.0 { far } else { near }, along[0]);
     [low - 1e-12, high + 1e-12]

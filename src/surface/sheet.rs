@@ -1,4 +1,4 @@
-//! The kinds of sheets.
+//! The kinds of sheets, and the macro that treats them alike.
 
 use super::cells::Cells;
 use super::{Grid, Jet, Patch, Patches};

@@ -1,5 +1,7 @@
-//! Sums of six nodes of a line, along all rows of a grid or across them, and the ranges of their coordinates: what is known of a surface from
-//! the nodes alone, without building patches.
+//! Ranges of sums of six nodes of a line, along all rows of a grid or across them.
+//!
+//! The sums are Bézier points or differences of them, whose ranges bound the surface without its
+//! patches. Whole rows at once, by vector instructions chosen at run time. O(nodes).
 
 use super::axis::{Axis, TAPS, Weights};
 use super::nodes::Nodes;
@@ -88,7 +90,8 @@ impl<const K: usize> Sweep<'_, K> {
     /// Widens the ranges of cells by the sums along a row.
     pub(super) fn along(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
         let cells = self.v.cells();
-        // All that have the same weights, six nodes from their place on; the row goes on at both ends if it is closed.
+        // All that have the same weights, six nodes from their place on; the row goes on at both
+        // ends if it is closed.
         let inner = if self.v.is_closed() { 0..cells } else { 2.min(cells)..cells.saturating_sub(2).max(2.min(cells)) };
         let node = |j: usize| self.nodes.get(row, j).to_array();
         line.clear();

@@ -1,9 +1,11 @@
-//! Boxes of the tangents S_u and S_v of the surface through a grid: from the nodes alone, without building patches.
+//! Boxes of the tangents S_u and S_v of a grid's surface, from the nodes alone, without patches.
 //!
-//! Over a cell S = sum w_l(v) C_l(u), C_l the cubics along six lines, so S_u = sum w_l(v) C_l'(u), and C_l' is within the hull of its three control
-//! vectors 3 (b_k+1 - b_k), sums of six nodes each. Let those of the block's own lines be in a box B, and those of the lines beside it, on which
-//! its cells depend too, no farther than e from B. The weights w_l sum to 1, their absolute values to L at most, and those of the lines
-//! that are not the cell's own two to O at most. So S_u is in B, grown by (L - 1) / 2 of its size at both ends, and by O e.
+//! Over a cell S = sum w_l(v) C_l(u), C_l the cubics along six lines, so S_u = sum w_l(v) C_l'(u),
+//! and C_l' is within the hull of its three control vectors 3 (b_k+1 - b_k), sums of six nodes
+//! each. Let those of the block's own lines be in a box B, and those of the lines beside it, on
+//! which its cells depend too, no farther than e from B. The weights w_l sum to 1, their absolute
+//! values to L at most, and those of the lines that are not the cell's own two to O at most. So S_u
+//! is in B, enlarged by (L - 1) / 2 of its size at both ends, and by O e.
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::BLOCK;
@@ -104,7 +106,8 @@ mod tests {
     use crate::surface::{Grid, Patch, Scheme};
     use glam::DVec3;
 
-    /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their sides somewhere, or the boxes were too large.
+    /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their
+    /// sides somewhere, or the boxes were too large.
     #[test]
     fn tangents_are_in_their_boxes() {
         let mut state = 7_u64;

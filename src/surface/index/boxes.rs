@@ -1,9 +1,9 @@
 //! Boxes that contain the surface, in single precision round an origin near it.
 //!
-//! Axis-aligned boxes are rounded outwards. Oriented boxes (Gottschalk, Lin and Manocha 1996) are made
-//! for their axes as rounded, and enlarged by what these are off a right angle: 1e-7. Invariant: a box
-//! contains whatever it was made around, so that its distance is a lower bound. 96 bytes for four
-//! axis-aligned boxes, 48 for an oriented one.
+//! Axis-aligned boxes are rounded outwards. Oriented boxes (Gottschalk, Lin and Manocha 1996) are
+//! made for their axes as rounded, and enlarged by what these are off a right angle: 1e-7.
+//! Invariant: a box contains whatever it was made around, so that its distance is a lower bound. 96
+//! bytes for four axis-aligned boxes, 48 for an oriented one.
 
 use crate::geom::aabb::Aabb;
 use glam::{DMat3, DVec3};
@@ -59,8 +59,8 @@ impl ChildBoxes {
         (0..4).map(|child| self.get(child)).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// The least and the greatest products of points of the four boxes with a direction that is not 0;
-    /// of empty ones, the least is infinite.
+    /// The least and the greatest products of points of the four boxes with a direction that is not
+    /// 0; of empty ones, the least is infinite.
     #[inline(always)]
     pub(crate) fn along(&self, direction: DVec3) -> [[f64; 2]; 4] {
         let mut ranges = [[0.0; 2]; 4];
@@ -91,7 +91,8 @@ impl ChildBoxes {
 }
 
 impl ChildBoxes {
-    /// As [`ChildBoxes::distances_squared`] in single precision: right to a few units in the last place for the rounded point.
+    /// As [`ChildBoxes::distances_squared`] in single precision: right to a few units in the last
+    /// place for the rounded point.
     #[inline(always)]
     pub(crate) fn single_distances_squared(&self, point: [f32; 3]) -> [f32; 4] {
         // Without regard to NaN, unlike `f32::max`, it is one instruction.
@@ -109,12 +110,12 @@ impl ChildBoxes {
 }
 
 impl OrientedBox {
-    /// A box round points, each displaced by any vector of `by`, with axes along two directions of the
-    /// surface.
+    /// A box round points, each displaced by any vector of `by`, with axes along two directions of
+    /// the surface.
     pub(crate) fn around(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> OrientedBox {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
-        // The product of nearly parallel directions, as round a block that closes, is rounding and not
-        // at right angles to them.
+        // The product of nearly parallel directions, as round a block that closes, is rounding and
+        // not at right angles to them.
         let first = along_u.try_normalize().unwrap_or(DVec3::X);
         let across = along_v.try_normalize().map_or(DVec3::ZERO, |second| first.cross(second));
         let normal = if across.length() > 1e-4 { across.normalize() } else { first.any_orthonormal_vector() };
@@ -160,7 +161,8 @@ impl OrientedBox {
         outside.length_squared() * (1.0 - 1e-6)
     }
 
-    /// False if a line misses the box: seen along the line, the box is within the sum of its half axes across each direction.
+    /// False if a line misses the box: seen along the line, the box is within the sum of its half
+    /// axes across each direction.
     #[inline(always)]
     pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
         let single = |v: &[f32; 3]| DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]));
@@ -170,7 +172,8 @@ impl OrientedBox {
         let half = half + 1e-6 * from.abs().element_sum();
         let from = DVec3::new(from.dot(first), from.dot(second), from.dot(third));
         let along = DVec3::new(direction.dot(first), direction.dot(second), direction.dot(third));
-        // The axes of separation of a line and a box: the line's direction crossed with the box's axes.
+        // The axes of separation of a line and a box: the line's direction crossed with the box's
+        // axes.
         let (distance, size) = (from.cross(along).abs(), along.abs());
         let reach = DVec3::new(
             half.y * size.z + half.z * size.y,
@@ -212,7 +215,8 @@ impl OrientedBox {
     pub(crate) fn edges(&self) -> (DVec3, [DVec3; 3]) {
         let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
         // The box is where products with the axes are small. The inverse of a matrix that is
-        // orthonormal to 1e-7 is its transpose, to 1e-6: of the longest edge, however short another is.
+        // orthonormal to 1e-7 is its transpose, to 1e-6: of the longest edge, however short another
+        // is.
         let half = DVec3::from_array(self.half.map(f64::from));
         let [x, y, z] = (half + 1e-6 * half.length()).to_array();
         (self.centre(), [x * first, y * second, z * first.cross(second)])
@@ -247,7 +251,8 @@ mod tests {
         assert_eq!((round_down(1e39), round_up(1e39)), (f32::MAX, f32::INFINITY));
     }
 
-    /// A box in single precision holds the one in double precision, and no distance from it is greater.
+    /// A box in single precision holds the one in double precision, and no distance from it is
+    /// greater.
     #[test]
     fn child_boxes_hold_their_boxes() {
         let mut boxes = ChildBoxes::EMPTY;
@@ -266,7 +271,8 @@ mod tests {
         assert_eq!(boxes.distances_squared(DVec3::ZERO)[3], f64::INFINITY);
     }
 
-    /// However thin it is: points that the box is made round are within the edges that stand for it.
+    /// However thin it is: points that the box is made round are within the edges that stand for
+    /// it.
     #[test]
     fn edges_hold_the_box() {
         let mut state = 1_u64;
@@ -291,7 +297,8 @@ mod tests {
         }
     }
 
-    /// Whatever the directions, zero and nearly parallel ones too, the axes are at right angles, and the box is round the points.
+    /// Whatever the directions, zero and nearly parallel ones too, the axes are at right angles,
+    /// and the box is round the points.
     #[test]
     fn boxes_hold_their_points() {
         let points: Vec<DVec3> =

@@ -1,11 +1,11 @@
 //! Cones that contain the unit normals of blocks.
 //!
-//! The paper bounds the angle of normals over a region by curvature times diameter; cones (Shirman and
-//! Abi-Ezzi 1993) are tighter and need no bound of the curvature. Of a block, boxes of S_u and S_v
-//! are known (`tangents`). In a frame whose third axis is nearly the product of their middles, ranges
-//! of their components give ranges of those of N = S_u x S_v, and these the greatest angle of N with
-//! the axis; above, each cone is one round four. Invariant: rounding only widens a cone. O(n) to
-//! build, 8 bytes a block.
+//! The paper bounds the angle of normals over a region by curvature times diameter; cones (Shirman
+//! and Abi-Ezzi 1993) are tighter and need no bound of the curvature. Of a block, boxes of S_u and
+//! S_v are known (`tangents`). In a frame whose third axis is nearly the product of their middles,
+//! ranges of their components give ranges of those of N = S_u x S_v, and these the greatest angle
+//! of N with the axis; above, each cone is one round four. Invariant: rounding only widens a cone.
+//! O(n) to build, 8 bytes a block.
 
 use super::super::cells::{BLOCK, Cells};
 use super::super::ranges::{angles, cross};
@@ -18,8 +18,8 @@ use crate::par;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is known,
-/// as at poles.
+/// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is
+/// known, as at poles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct PackedCone {
     axis: [i16; 3],

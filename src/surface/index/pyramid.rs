@@ -138,15 +138,15 @@ impl Pyramid {
         &self.levels
     }
 
-    /// An upper bound of the distances of the surface from the bilinear patches of the cells of block
-    /// (r, c), at equal parameters.
+    /// An upper bound of the distances of the surface from the bilinear patches of the cells of
+    /// block (r, c), at equal parameters.
     #[inline(always)]
     pub(crate) fn deviation(&self, r: usize, c: usize) -> f64 {
         self.displacements[r * self.levels[0].columns + c].max_length.into()
     }
 
-    /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface, at
-    /// equal parameters.
+    /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface,
+    /// at equal parameters.
     #[inline(always)]
     pub(crate) fn displacement(&self, r: usize, c: usize) -> Aabb {
         self.displacements[r * self.levels[0].columns + c].unpack()

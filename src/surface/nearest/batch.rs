@@ -1,9 +1,9 @@
 //! Nearest points of many queries.
 //!
-//! Queries are sorted along the curve of G. M. Morton (1966), so that consecutive ones read the same
-//! blocks of the index from the cache, and shared out among threads. Each is answered on its own:
-//! the order and the number of threads do not change a bit. O(n log n) for the sort, whose memory
-//! is limited to [`SORTED_QUERIES`] keys.
+//! Queries are sorted along the curve of G. M. Morton (1966), so that consecutive ones read the
+//! same blocks of the index from the cache, and shared out among threads. Each is answered on its
+//! own: the order and the number of threads do not change a bit. O(n log n) for the sort, whose
+//! memory is limited to [`SORTED_QUERIES`] keys.
 
 use super::closest::Closest;
 use super::query::unusable_coordinate;

@@ -56,8 +56,8 @@ impl Block {
     }
 }
 
-/// The blocks of the lowest level whose bounds are within a fixed limit. Without an upper bound that
-/// falls, their order does not matter: depth first.
+/// The blocks of the lowest level whose bounds are within a fixed limit. Without an upper bound
+/// that falls, their order does not matter: depth first.
 pub(super) fn blocks_within(index: &Pyramid, query: DVec3, limit: f64) -> impl Iterator<Item = Block> {
     let mut stack = vec![Block::root(index)];
     std::iter::from_fn(move || {

@@ -58,8 +58,8 @@ impl<const N: usize> Patch<N> {
         (foot.distance * foot.distance - gain).max(0.0).sqrt()
     }
 
-    /// The ranges of the second derivatives of |S - q|^2 / 2 over the patch, from the derivatives at
-    /// one of its points.
+    /// The ranges of the second derivatives of |S - q|^2 / 2 over the patch, from the derivatives
+    /// at one of its points.
     ///
     /// H_ab = S_a . S_b + (S - q) . S_ab. From the place x on, |S_u - S_u(x)| <= |du| max |S_uu| +
     /// |dv| max |S_uv|, and |S - S(x)| is at most the greatest distance r of a control point from
@@ -122,8 +122,8 @@ impl HessianRange {
         is_definite.then(|| determinant / (u + v))
     }
 
-    /// True if some direction goes down from every point where the gradient is 0. Second derivatives
-    /// may be off by `rounding`.
+    /// True if some direction goes down from every point where the gradient is 0. Second
+    /// derivatives may be off by `rounding`.
     pub(super) fn is_nowhere_definite(&self, rounding: f64) -> bool {
         let [low, high] = self.uv;
         let mixed = if low <= 0.0 && high >= 0.0 { 0.0 } else { (low.abs().min(high.abs()) - rounding).max(0.0) };
@@ -183,7 +183,8 @@ mod tests {
         })
     }
 
-    /// Against points of the patch: none is nearer than a lower bound, or farther than the upper one.
+    /// Against points of the patch: none is nearer than a lower bound, or farther than the upper
+    /// one.
     #[test]
     fn bounds_hold() {
         for (seed, query) in (0..20).flat_map(|seed| queries().map(move |query| (seed, query))) {
@@ -233,7 +234,8 @@ mod tests {
         assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
-    /// Away from the nearest point, where the second derivatives are 1 and 100: the lesser one counts.
+    /// Away from the nearest point, where the second derivatives are 1 and 100: the lesser one
+    /// counts.
     #[test]
     fn the_remaining_gain_is_bounded() {
         let mut patch = graph(|_, _| 0.0);
@@ -244,8 +246,8 @@ mod tests {
         assert!(bound <= 0.3 && bound > 0.28, "{bound}");
     }
 
-    /// The ranges of second derivatives hold those of all points, and are hardly wider where one term
-    /// outweighs the others: each term is needed in full.
+    /// The ranges of second derivatives hold those of all points, and are hardly wider where one
+    /// term outweighs the others: each term is needed in full.
     #[test]
     fn ranges_of_second_derivatives_hold_and_are_tight() {
         const STEEP: f64 = 40.0;

@@ -1,8 +1,8 @@
 //! Corners of a block's cells, and lower bounds of the distances of all its cells at once.
 //!
-//! A cell's surface is its bilinear patch, which lies in the hull of the four corners, plus a vector
-//! of the block's [`DisplacementBox`]. So each bound is one of the corners, less the reach of that
-//! box. All run over arrays of fixed size, one axis after the other, without branches.
+//! A cell's surface is its bilinear patch, which lies in the hull of the four corners, plus a
+//! vector of the block's [`DisplacementBox`]. So each bound is one of the corners, less the reach
+//! of that box. All run over arrays of fixed size, one axis after the other, without branches.
 
 use crate::geom::aabb::Aabb;
 use crate::surface::cells::{BLOCK, Cells};
@@ -32,8 +32,8 @@ impl DisplacementBox {
     }
 }
 
-/// The corners of a block's cells relative to the query, axis by axis, for vector instructions; in a
-/// block that the sheet's edge cuts off the last ones are repeated.
+/// The corners of a block's cells relative to the query, axis by axis, for vector instructions; in
+/// a block that the sheet's edge cuts off the last ones are repeated.
 pub(super) struct BlockCorners {
     axes: [[[f64; BLOCK + 1]; BLOCK + 1]; 3],
 }
@@ -83,8 +83,9 @@ impl BlockCorners {
         (x * x + y * y + z * z).sqrt()
     }
 
-    /// Lower bounds of the distances of the cells by half-spaces across a direction towards the query,
-    /// along which the surface reaches beyond the bilinear patches by `displacement` at most.
+    /// Lower bounds of the distances of the cells by half-spaces across a direction towards the
+    /// query, along which the surface reaches beyond the bilinear patches by `displacement` at
+    /// most.
     #[inline(always)]
     pub(super) fn half_spaces(&self, direction: DVec3, displacement: f64) -> [[f64; BLOCK]; BLOCK] {
         let [x, y, z] = &self.axes;
@@ -132,8 +133,8 @@ impl BlockCorners {
         squares
     }
 
-    /// The squares of the distances of boxes round the cells: the boxes of their corners, enlarged by
-    /// that of the displacements.
+    /// The squares of the distances of boxes round the cells: the boxes of their corners, enlarged
+    /// by that of the displacements.
     #[inline(always)]
     pub(super) fn box_squares(&self, displacement: &DisplacementBox) -> [[f64; BLOCK]; BLOCK] {
         let mut squares = [[0.0; BLOCK]; BLOCK];

@@ -1,9 +1,9 @@
 //! Descent to a place of a patch where the distance is locally least.
 //!
-//! Minimises |S - q|^2 / 2 over 0 <= u, v <= 1 by projected Newton steps (Bertsekas 1982, "Projected
-//! Newton methods for optimization problems with simple constraints"), Gauss-Newton steps where the
-//! Hessian is not positive definite, and backtracking. Invariant: the distance falls with each step.
-//! Nothing is proved: `bounds` does that. At most [`MAX_STEPS`] steps.
+//! Minimises |S - q|^2 / 2 over 0 <= u, v <= 1 by projected Newton steps (Bertsekas 1982,
+//! "Projected Newton methods for optimization problems with simple constraints"), Gauss-Newton
+//! steps where the Hessian is not positive definite, and backtracking. Invariant: the distance
+//! falls with each step. Nothing is proved: `bounds` does that. At most [`MAX_STEPS`] steps.
 
 use crate::surface::{Jet, Patch};
 use glam::{DMat2, DVec2, DVec3};
@@ -107,7 +107,8 @@ fn newton_step(gradient: DVec2, hessian: DMat2, jet: &Jet, free: [bool; 2]) -> O
     let single = || {
         let of = |k: usize, along: DVec3| {
             let (slope, square) = (gradient[k], along.length_squared());
-            // The descent it promises, within the patch: rounding in place of a tangent promises none.
+            // The descent it promises, within the patch: rounding in place of a tangent promises
+            // none.
             let step = slope / square;
             (free[k] && square > 0.0).then_some((slope.abs() * step.abs().min(1.0), step.clamp(-1.0, 1.0)))
         };

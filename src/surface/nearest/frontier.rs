@@ -1,8 +1,8 @@
 //! Best-first branch and bound: a queue of tasks by lower bound, and the loop that opens them.
 //!
-//! Invariant: whatever has been neither settled nor excluded is in the queue, under a lower bound of
-//! all its distances. When the loop ends early, the bound of the first task left is therefore one of
-//! them all. O(log n) a task.
+//! Invariant: whatever has been neither settled nor excluded is in the queue, under a lower bound
+//! of all its distances. When the loop ends early, the bound of the first task left is therefore
+//! one of them all. O(log n) a task.
 
 use crate::error::Error;
 use std::cmp::Ordering;

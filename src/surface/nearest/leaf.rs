@@ -1,8 +1,9 @@
 //! Cells of a block that may hold the nearest point, by their corners and displacements alone.
 //!
-//! Corners are points of the surface, and so is the point next to the nearest one of a bilinear patch:
-//! both lower the upper bound before any patch is built. The bounds of `corners` then exclude most
-//! cells; those left become candidates with a lower bound and a start for the descent. O(1).
+//! Corners are points of the surface, and so is the point next to the nearest one of a bilinear
+//! patch: both lower the upper bound before any patch is built. The bounds of `corners` then
+//! exclude most cells; those left become candidates with a lower bound and a start for the descent.
+//! O(1).
 
 use super::corners::{BlockCorners, DisplacementBox, min};
 use super::incumbent::UpperBound;
@@ -31,8 +32,9 @@ pub(super) struct Leaf<'a, C> {
 }
 
 impl<C> Leaf<'_, C> {
-    /// Lowers the upper bound, and adds the cells that may hold the nearest point to the candidates.
-    /// `direction`: the unit vector from the nearest answer to the query, or 0. The block's extent.
+    /// Lowers the upper bound, and adds the cells that may hold the nearest point to the
+    /// candidates. `direction`: the unit vector from the nearest answer to the query, or 0. The
+    /// block's extent.
     pub(super) fn find_candidates<const N: usize>(
         &self,
         query: DVec3,
@@ -101,8 +103,8 @@ impl<C> Leaf<'_, C> {
     }
 }
 
-/// True if the hull of four corners is farther from the origin than `limit`, by the half-space across
-/// the direction of their middle: the sharpest test for cells far away.
+/// True if the hull of four corners is farther from the origin than `limit`, by the half-space
+/// across the direction of their middle: the sharpest test for cells far away.
 #[inline(always)]
 fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
     let [a, b, c, d] = *corners;
@@ -140,8 +142,8 @@ fn nearest_on_bilinear(corners: &[DVec3; 4]) -> NearestOnBilinear {
         let place = inner.map(|x| x / area);
         (value(place), place)
     } else {
-        // On a side beyond which the nearest point of the plane lies; of a degenerate parallelogram,
-        // on any.
+        // On a side beyond which the nearest point of the plane lies; of a degenerate
+        // parallelogram, on any.
         let clamped_ratio = |above: f64, below: f64| if below > 0.0 { (above / below).clamp(-0.5, 0.5) } else { 0.0 };
         let mut best = (f64::INFINITY, [0.0; 2]);
         let mut consider = |place: [f64; 2]| {

@@ -1,9 +1,9 @@
 //! All places where the distance from a point is locally least, the nearest first.
 //!
 //! Best first over blocks of all sheets; each cell reached gives the minima of its patch
-//! (`patch_minima`), and sides across which tangents may jump give theirs. A minimum on a side or at
-//! a corner counts if no cell that meets the point has a way down from there. Invariant: a minimum
-//! that is missing is no nearer than the bound at which the search ended.
+//! (`patch_minima`), and sides across which tangents may jump give theirs. A minimum on a side or
+//! at a corner counts if no cell that meets the point has a way down from there. Invariant: a
+//! minimum that is missing is no nearer than the bound at which the search ended.
 
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
@@ -24,9 +24,9 @@ use glam::{DVec2, DVec3};
 /// Places where the distance from a point is locally least.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Minima {
-    /// The nearest first. Of each, `bound` is about the surface next to it; if `proven` is false, it
-    /// is not certain that it is a minimum: the distance is nearly the same all round, as at a focus,
-    /// or on a whole curve of places; for all such cells that touch there is one.
+    /// The nearest first. Of each, `bound` is about the surface next to it; if `proven` is false,
+    /// it is not certain that it is a minimum: the distance is nearly the same all round, as at a
+    /// focus, or on a whole curve of places; for all such cells that touch there is one.
     pub points: Vec<Closest>,
     /// False if the search gave up: there may be others, none nearer than `bound`.
     pub complete: bool,
@@ -50,12 +50,12 @@ struct FoundMinimum {
 }
 
 impl Surface<'_> {
-    /// The places where the distance from `query` is locally least, no farther than `limit`: all, or
-    /// the `most` nearest; the nearest first.
+    /// The places where the distance from `query` is locally least, no farther than `limit`: all,
+    /// or the `most` nearest; the nearest first.
     ///
     /// None is missed: a place where it cannot be proved that there is a minimum, or that there is
-    /// none, is given too, with `proven` false. With `most`, cells farther than the last one are not
-    /// searched; without, all cells within the limit are.
+    /// none, is given too, with `proven` false. With `most`, cells farther than the last one are
+    /// not searched; without, all cells within the limit are.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
@@ -90,7 +90,8 @@ struct MinimaSearch<'a> {
     most: usize,
     found: Vec<FoundMinimum>,
     undecided: Vec<FoundMinimum>,
-    /// Among equal bounds by sheet, level, row and column: so the answer does not depend on the queue.
+    /// Among equal bounds by sheet, level, row and column: so the answer does not depend on the
+    /// queue.
     frontier: Frontier<(usize, Block), [usize; 4]>,
     blocks: usize,
     job: &'a Job<'a>,
@@ -254,7 +255,8 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
     Ok(())
 }
 
-/// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of grids.
+/// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of
+/// grids.
 fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
     undecided.sort_by_key(|found| (found.sheet, found.cell));
     let mut groups = DisjointSets::new(undecided.len())?;

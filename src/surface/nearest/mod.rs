@@ -1,4 +1,5 @@
-//! Task a) of the paper: nearest points, local minima of the distance, and the cells within a radius.
+//! Task a) of the paper: nearest points, local minima of the distance, and the cells within a
+//! radius.
 //!
 //! The paper's search by diameters is an incidence test, which for a nearest point needs an upper
 //! bound (the study's erratum E3); with one it is branch and bound (Land and Doig 1960; best first

@@ -62,7 +62,8 @@ impl<const N: usize> PatchPart<N> {
         }
     }
 
-    /// With the bounds that need no descent: the box's, and that of the half-space through the middle.
+    /// With the bounds that need no descent: the box's, and that of the half-space through the
+    /// middle.
     pub(super) fn bounded(mut self, query: DVec3) -> PatchPart<N> {
         let [[a, b], [c, d]] = self.patch.corners();
         let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();

@@ -18,8 +18,8 @@ use crate::geom::bernstein::halves;
 use crate::surface::Patch;
 use glam::{DVec2, DVec3};
 
-/// The same of a patch without area: no part of a line has a definite Hessian, so that splitting only
-/// excludes.
+/// The same of a patch without area: no part of a line has a definite Hessian, so that splitting
+/// only excludes.
 const MAX_PARTS_WITHOUT_AREA: usize = 12;
 /// Parts of a side that are examined before the rest is taken as it is.
 const MAX_PARTS_OF_SIDE: usize = 4 * MAX_PARTS;
@@ -107,9 +107,9 @@ fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) ->
 /// Bounds of computed slopes of |S - q|^2 / 2 where the true ones are 0, if the place is off by
 /// `step`.
 ///
-/// The slope (S - q) . S_u is off by |S_u| times the rounding of S - q, and by |S - q| times that of
-/// S_u, which is not small beside S_u where this vanishes, as on a fold. Over a step it grows by the
-/// second derivative, |S_u|^2 + (S - q) . S_uu, of which only the last part is left there.
+/// The slope (S - q) . S_u is off by |S_u| times the rounding of S - q, and by |S - q| times that
+/// of S_u, which is not small beside S_u where this vanishes, as on a fold. Over a step it grows by
+/// the second derivative, |S_u|^2 + (S - q) . S_uu, of which only the last part is left there.
 fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
     let size = foot.jet.point.abs().max(query.abs()).max_element();
     let noise = patch.noise();
@@ -198,8 +198,8 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
     }
 }
 
-/// The parameter of the least distance along a curve whose distance is convex: Newton's method on its
-/// slope, with bisection where a step leaves the bracket.
+/// The parameter of the least distance along a curve whose distance is convex: Newton's method on
+/// its slope, with bisection where a step leaves the bracket.
 fn convex_minimum<const N: usize>(points: &[DVec3; N], query: DVec3) -> f64 {
     let (mut low, mut high, mut t) = (0.0, 1.0, 0.5);
     let line = Patch { points: [*points; N] };

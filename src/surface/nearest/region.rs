@@ -1,8 +1,8 @@
 //! The cells that have a point within a distance: the paper's region of task a), as bits and as a
 //! list.
 //!
-//! Blocks are excluded by their boxes, cells by the search of their patches. No upper bound falls, so
-//! that the order does not matter. O(blocks and cells that come within the distance).
+//! Blocks are excluded by their boxes, cells by the search of their patches. No upper bound falls,
+//! so that the order does not matter. O(blocks and cells that come within the distance).
 
 use super::block::blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
@@ -24,8 +24,8 @@ pub struct Region {
     pub cells: Vec<[u32; 3]>,
     /// By cell of the list: true if all of it is within the distance.
     pub whole: Vec<bool>,
-    /// A bit for each cell of all sheets, the lowest of the first word first: that of cell (i, j) of
-    /// sheet k is `first[k] + i * columns + j`.
+    /// A bit for each cell of all sheets, the lowest of the first word first: that of cell (i, j)
+    /// of sheet k is `first[k] + i * columns + j`.
     pub mask: Vec<u64>,
     /// By sheet: its first bit; then the number of bits.
     pub first: Vec<u64>,
@@ -43,8 +43,8 @@ impl Region {
 
 impl Surface<'_> {
     /// The cells that have a point no farther than `radius` from `query`: all of those, and none
-    /// whose points are all farther than the radius by more than the tolerance, unless that cannot be
-    /// proved.
+    /// whose points are all farther than the radius by more than the tolerance, unless that cannot
+    /// be proved.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::NotFinite`],

@@ -1,14 +1,14 @@
 //! The nearest point of a surface.
 //!
-//! Sheets are searched depth first, nearest blocks first: no queue, boxes in single precision, and a
-//! good answer soon. A search that turns out long leaves what is left to the frontier: blocks, cells
-//! and parts of cells by rising lower bounds, until no bound is below the answer by more than the
-//! tolerance. Invariant: every point of the surface is no nearer than the upper bound less the
+//! Sheets are searched depth first, nearest blocks first: no queue, boxes in single precision, and
+//! a good answer soon. A search that turns out long leaves what is left to the frontier: blocks,
+//! cells and parts of cells by rising lower bounds, until no bound is below the answer by more than
+//! the tolerance. Invariant: every point of the surface is no nearer than the upper bound less the
 //! tolerance, or than `settled`, or is in a task that waits.
 //!
 //! At a centre of curvature all of a patch is equally near, and no bound tells its parts apart: the
-//! search ends without proof at [`MAX_EVALUATIONS`] patches, or at [`MIN_EVALUATIONS`] once there has
-//! been no gain for long and little is left to gain. Memory: O(patches examined).
+//! search ends without proof at [`MAX_EVALUATIONS`] patches, or at [`MIN_EVALUATIONS`] once there
+//! has been no gain for long and little is left to gain. Memory: O(patches examined).
 
 use super::block::Block;
 use super::bounds::lower_bound;
@@ -23,24 +23,25 @@ use crate::surface::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use std::convert::Infallible;
 
-/// Patches, and blocks of cells, that are examined depth first before the rest waits in the frontier.
+/// Patches, and blocks of cells, that are examined depth first before the rest waits in the
+/// frontier.
 const MAX_DEPTH_FIRST_PATCHES: usize = 64;
 const MAX_DEPTH_FIRST_BLOCKS: usize = 1 << 10;
-/// Patches and parts that are examined before a search may end without proof, half of them since the
-/// last gain, if the gap to the lower bound is small.
+/// Patches and parts that are examined before a search may end without proof, half of them since
+/// the last gain, if the gap to the lower bound is small.
 const MIN_EVALUATIONS: usize = 1 << 12;
 /// Patches and parts that are examined at most.
 const MAX_EVALUATIONS: usize = 100_000;
-/// The gap, as part of the distance, that counts as small. Below it are the foci of coarse surfaces,
-/// whose parts do not tell near from nearest.
+/// The gap, as part of the distance, that counts as small. Below it are the foci of coarse
+/// surfaces, whose parts do not tell near from nearest.
 const SMALL_RELATIVE_GAP: f64 = 1e-3;
 /// Candidates that are gathered before they are examined.
 const MAX_CANDIDATES: usize = 64;
 /// Steps from cell to cell in the final descent.
 const MAX_CELL_STEPS: usize = 256;
 
-/// A block on the depth-first stack: where it is, and a lower bound of the square of its distance in
-/// single precision (see [`SinglePrecisionQuery`]).
+/// A block on the depth-first stack: where it is, and a lower bound of the square of its distance
+/// in single precision (see [`SinglePrecisionQuery`]).
 #[derive(Debug, Clone, Copy, Default)]
 struct StackedBlock {
     bound: f32,
@@ -65,8 +66,8 @@ impl SinglePrecisionQuery {
         SinglePrecisionQuery { local, single: local.to_array().map(|x| x as f32), rounding }
     }
 
-    /// The square that those of boxes farther than `limit` exceed. Sums of three squares are right to
-    /// 2^-22.
+    /// The square that those of boxes farther than `limit` exceed. Sums of three squares are right
+    /// to 2^-22.
     #[inline(always)]
     fn threshold(&self, limit: f64) -> f32 {
         let distance = (limit + self.rounding) * (1.0 + 2e-6);

@@ -1,8 +1,9 @@
 //! Answers of the paper's search: every cell that the mask leaves is halved until it is decided.
 //!
-//! An oracle for the index of [`crate::surface::Surface`]: they have nothing in common but the patches.
+//! An oracle for the index of [`crate::surface::Surface`]: they have nothing in common but the
+//! patches.
 
-use super::cell_mask::Scale;
+use super::cell_mask::CellMask;
 use super::diameter::Diameters;
 use super::object::{Object, Target, incidence};
 use super::search::{Goal, SearchOptions};
@@ -25,12 +26,13 @@ pub struct Nearest {
     pub distance: f64,
     /// Where it is; the sheet is 0.
     pub place: Place,
-    /// No point of the sheet is nearer than this: the distance less the tolerance, or less where there is no proof.
+    /// No point of the sheet is nearer than this: the distance less the tolerance, or less where
+    /// there is no proof.
     pub bound: f64,
 }
 
-/// The nearest point of a sheet, task a). The search by nodes leaves few cells; each is halved as long
-/// as it may be nearer.
+/// The nearest point of a sheet, task a). The search by nodes leaves few cells; each is halved as
+/// long as it may be nearer.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].
@@ -95,12 +97,13 @@ fn refine<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tole
     }
 }
 
-/// The cells that have a point within a distance of an object: those of the mask of which not all parts can be shown to be
-/// farther. None is missing; one that is there too many comes within the tolerance of the distance, unless it was
-/// given up undecided.
+/// The cells that have a point within a distance of an object: those of the mask of which not all
+/// parts can be shown to be farther. None is missing; one that is there too many comes within the
+/// tolerance of the distance, unless it was given up undecided.
 ///
-/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d). Loops inside a cell count, and
-/// sides that are crossed twice: signs at nodes show neither (erratum E7).
+/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d).
+/// Loops inside a cell count, and sides that are crossed twice: signs at nodes show neither
+/// (erratum E7).
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].

@@ -1,11 +1,12 @@
-//! Masks of cells, the paper's logical scale: a bit for each cell, 1 as long as the cell may hold the
-//! object.
+//! Masks of cells, the paper's logical scale: a bit for each cell, 1 as long as the cell may hold
+//! the object.
 
 use super::lattice::{Lattice, Span};
 use crate::alloc;
 use crate::error::{Error, Result};
 
-/// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of word k / 64.
+/// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of
+/// word k / 64.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CellMask {
     lattice: Lattice,

@@ -1,9 +1,10 @@
 //! A bound of the principal curvatures, from control nets.
 //!
-//! The curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv) / |a S_u + b S_v|^2. With a^2 + b^2 = 1
-//! the first is no more than the greater eigenvalue of the matrix of |S_uu|, |S_uv|, |S_vv|, and |a S_u + b S_v| no less than the
-//! smaller singular value of the mean (S_u, S_v), less what the two are away from their means. Parameters are scaled so that the
-//! means are units.
+//! The curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv) / |a S_u
+//! + b S_v|^2. With a^2 + b^2 = 1 the first is no more than the greater eigenvalue of the matrix of
+//! |S_uu|, |S_uv|, |S_vv|, and |a S_u + b S_v| no less than the smaller singular value of the mean
+//! (S_u, S_v), less what the two are away from their means. Parameters are scaled so that the means
+//! are units.
 
 use super::diameter::by_cell;
 use super::lattice::Lattice;
@@ -15,8 +16,8 @@ use glam::DVec3;
 /// Halvings of a cell before its surface is taken for not regular.
 const MAX_HALVINGS: u32 = 5;
 
-/// K: no principal curvature of the sheet is greater in absolute terms. Infinite where the surface is not regular or nearly, as at
-/// poles: no bound holds there (erratum E4).
+/// K: no principal curvature of the sheet is greater in absolute terms. Infinite where the surface
+/// is not regular or nearly, as at poles: no bound holds there (erratum E4).
 ///
 /// # Errors
 /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].

@@ -1,12 +1,15 @@
 //! Diameters of cells, from control nets.
 //!
-//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and half the perimeter bounds
-//! nothing but the edge (erratum E6). Of patches it can:
-//! * *Euclidean*: a patch lies in the hull of its control points, whose diameter is that of the points.
-//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <= 1, which is convex in a and b:
-//!   no more than the greater of |S_u + S_v| and |S_u - S_v|, or than |S_u| + |S_v|, each bounded by its Bézier points.
+//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and
+//! half the perimeter bounds nothing but the edge (erratum E6). Of patches it can:
+//! * *Euclidean*: a patch lies in the hull of its control points, whose diameter is that of the
+//!   points.
+//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <=
+//!   1, which is convex in a and b: no more than the greater of |S_u + S_v| and |S_u - S_v|, or
+//!   than |S_u| + |S_v|, each bounded by its Bézier points.
 //!
-//! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature need the intrinsic one.
+//! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature
+//! need the intrinsic one.
 
 use super::lattice::Lattice;
 use super::sizes::{ROUNDING_FACTOR, Sizes};
@@ -96,7 +99,8 @@ impl<const N: usize> Patch<N> {
         let pairs = || along_u.points.as_flattened().iter().zip(along_v.points.as_flattened());
         let sum = longest(&mut pairs().map(|(u, v)| *u + *v));
         let difference = longest(&mut pairs().map(|(u, v)| *u - *v));
-        // The slopes as they are, not raised: their points are farther from each other, but the sum may be less.
+        // The slopes as they are, not raised: their points are farther from each other, but the sum
+        // may be less.
         let degree = (N - 1) as f64;
         let own = |patch: &Patch<N>| {
             let steps = (1..N).flat_map(|a| (0..N).map(move |b| (a, b)));
@@ -113,7 +117,8 @@ impl<const N: usize> Patch<N> {
         for a in 0..N {
             let share = a as f64 / degree;
             for b in 0..N {
-                // P'_a = a / n P_a-1 + (1 - a / n) P_a: at the ends one of them has no weight and does not exist.
+                // P'_a = a / n P_a-1 + (1 - a / n) P_a: at the ends one of them has no weight and
+                // does not exist.
                 let before = if a > 0 { share * step(a - 1, b) } else { DVec3::ZERO };
                 let after = if a + 1 < N { (1.0 - share) * step(a, b) } else { DVec3::ZERO };
                 slope.points[a][b] = before + after;

@@ -5,8 +5,9 @@ use crate::surface::Sheet;
 
 /// Rows and columns of cells, and which directions are closed.
 ///
-/// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j), as far as they exist. Cells that have a node in common are
-/// neighbours, across corners too: chains of cells take the moves of the king on a chessboard.
+/// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j), as far as they exist. Cells that
+/// have a node in common are neighbours, across corners too: chains of cells take the moves of the
+/// king on a chessboard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Lattice {
     /// The numbers of cells in u and in v.
@@ -105,7 +106,8 @@ impl Lattice {
         Span::new(line + count - steps, 2 * steps, count)
     }
 
-    /// The rows and columns of the block of 2 J x 2 J cells round a node: all that chains of J cells from the node reach.
+    /// The rows and columns of the block of 2 J x 2 J cells round a node: all that chains of J
+    /// cells from the node reach.
     pub(crate) fn block(&self, [i, j]: [usize; 2], steps: usize) -> [Span; 2] {
         [self.span(0, i, steps), self.span(1, j, steps)]
     }

@@ -1,8 +1,10 @@
-//! The paper's search to the letter, with a bit for each NODE. It loses answers: it is here to show that it does.
+//! The paper's search to the letter, with a bit for each NODE. It loses answers: it is here to show
+//! that it does.
 //!
-//! At a node with r > d: J = floor(r / d), and all nodes of the block of 2 J x 2 J cells are zeroed. But a node on the rim of the
-//! block is a corner of cells outside it as well (erratum E1), the block may touch what is looked for (E2), the nearest node is
-//! excluded by itself if it is farther than d (E3), and lines dropped in the middle leave two surfaces taken for one (E5). Use
+//! At a node with r > d: J = floor(r / d), and all nodes of the block of 2 J x 2 J cells are
+//! zeroed. But a node on the rim of the block is a corner of cells outside it as well (erratum E1),
+//! the block may touch what is looked for (E2), the nearest node is excluded by itself if it is
+//! farther than d (E3), and lines dropped in the middle leave two surfaces taken for one (E5). Use
 //! [`super::search`], or the index of [`crate::surface::Surface`].
 
 use super::lattice::Lattice;
@@ -30,9 +32,9 @@ impl LiteralMask {
     }
 }
 
-/// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if 2 J exceeds a dimension, the
-/// lines within the ball are left out altogether, as the rest is a surface too, only smaller". Lines of a closed direction are
-/// taken as those of an open one.
+/// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if
+/// 2 J exceeds a dimension, the lines within the ball are left out altogether, as the rest is a
+/// surface too, only smaller". Lines of a closed direction are taken as those of an open one.
 ///
 /// # Errors
 /// [`crate::Error::OutOfMemory`].
@@ -44,7 +46,8 @@ pub fn literal(
 ) -> Result<LiteralMask> {
     let [m, n] = lattice.cells;
     let mut left = LiteralMask { columns: n + 1, nodes: alloc::filled(true, (m + 1) * (n + 1))?, evaluations: 0 };
-    // The lines that have not been dropped, of which the rule takes neighbours in the list for neighbours on the surface.
+    // The lines that have not been dropped, of which the rule takes neighbours in the list for
+    // neighbours on the surface.
     let (mut rows, columns) = (alloc::collect(0..m + 1)?, alloc::collect(0..n + 1)?);
     let mut place = 0;
     while place < rows.len() * columns.len() {
@@ -70,7 +73,8 @@ pub fn literal(
             for i in rows.drain(block_rows) {
                 left.nodes[i * (n + 1)..(i + 1) * (n + 1)].fill(false);
             }
-            // From the first node that is left again: what has been looked at is looked at once more.
+            // From the first node that is left again: what has been looked at is looked at once
+            // more.
             place = 0;
         }
     }

@@ -1,9 +1,9 @@
 //! Task b) of the paper: places where the normal makes a given angle with a direction.
 //!
-//! The normal plays the part of the point, angles that of distances: the deviation
-//! psi = |angle(N, direction) - alpha| does not rise faster than N turns (theorem T4; the paper has
-//! alpha = 0 only, erratum E4). The variation of normals over a cell, the greatest angle between two
-//! of them, is bounded
+//! The normal plays the part of the point, angles that of distances: the deviation psi = |angle(N,
+//! direction) - alpha| does not rise faster than N turns (theorem T4; the paper has alpha = 0 only,
+//! erratum E4). The variation of normals over a cell, the greatest angle between two of them, is
+//! bounded
 //! * by curvature, the paper's way: K times the intrinsic diameter, K a bound of both principal
 //!   curvatures on the whole surface,
 //! * or by the cell's normal cone, which is tighter and needs no K.
@@ -41,11 +41,13 @@ pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Siz
     Ok(Sizes::new(lattice, by_cell(lattice, job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?))
 }
 
-/// The variation by curvature: K d, and the jumps of normals at corners. `curvature`: K, no principal curvature of the
-/// surface is greater in absolute terms. That is the caller's promise; [`super::curvature_bound`] proves one.
+/// The variation by curvature: K d, and the jumps of normals at corners. `curvature`: K, no
+/// principal curvature of the surface is greater in absolute terms. That is the caller's promise;
+/// [`super::curvature_bound`] proves one.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a curvature that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a curvature that is no number or negative,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normal_variation_by_curvature(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
@@ -67,7 +69,8 @@ pub fn normal_variation_by_curvature(
     Ok(Sizes::new(lattice, by_cell(lattice, job, variation)?))
 }
 
-/// The unit normal at a node: that of the cell from there on, or of the last one; 0 if there is none.
+/// The unit normal at a node: that of the cell from there on, or of the last one; 0 if there is
+/// none.
 fn normal(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
     let cells = sheet.cells();
     let of = |k: usize| if node[k] < cells[k] { (node[k], 0.0) } else { (cells[k] - 1, 1.0) };
@@ -110,7 +113,8 @@ impl AngleTarget {
     }
 }
 
-/// The cells that may have a normal within a deviation of an angle, or the nearest to it, by the corrected search.
+/// The cells that may have a normal within a deviation of an angle, or the nearest to it, by the
+/// corrected search.
 ///
 /// # Errors
 /// Those of [`AngleTarget::normalized`] and [`search`].
@@ -125,8 +129,9 @@ pub fn angle_incidence(
     search(variation, |node| target.deviation(normal(sheet, node)), options, job)
 }
 
-/// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier points of S_u x S_v. `None` for a
-/// quarter turn or more. Where a side is one point, the cone has the limits of the normals there.
+/// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier
+/// points of S_u x S_v. `None` for a quarter turn or more. Where a side is one point, the cone has
+/// the limits of the normals there.
 fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DVec3, f64)> {
     let normals = cells.patch(i, j).normal_points();
     // What rounding leaves where the normal is 0 is no direction.
@@ -138,7 +143,8 @@ fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DV
 }
 
 impl<const N: usize> Patch<N> {
-    /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: of products, sums of products by binomial weights.
+    /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: of products, sums of
+    /// products by binomial weights.
     fn normal_points(&self) -> Vec<DVec3> {
         let (degree, width) = (N - 1, 2 * N - 2);
         let (lower, full) = (binomial_row::<N>(degree - 1), binomial_row::<N>(degree));

@@ -1,4 +1,5 @@
-//! Objects that distances are measured from: points, planes and lines, as boxes in axes of their own.
+//! Objects that distances are measured from: points, planes and lines, as boxes in axes of their
+//! own.
 
 use super::diameter::Diameters;
 use super::search::{SearchOptions, SearchOutcome, search};
@@ -24,8 +25,8 @@ pub enum Object {
     Line(Line),
 }
 
-/// An object as a box, perhaps infinite, in orthonormal axes: it is where all the coordinates along them are within their
-/// intervals.
+/// An object as a box, perhaps infinite, in orthonormal axes: it is where all the coordinates along
+/// them are within their intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     pub(super) origin: DVec3,
@@ -77,7 +78,8 @@ impl Target {
         (0..self.count).map(|k| gap(k) * gap(k)).sum()
     }
 
-    /// By what coordinates of a point may be rounded; those of a point along the axes of space are not, but for the last bit.
+    /// By what coordinates of a point may be rounded; those of a point along the axes of space are
+    /// not, but for the last bit.
     pub(super) fn rounding(&self, from: DVec3) -> f64 {
         if self.axes[0] == DVec3::X && self.count == 3 {
             0.0
@@ -93,7 +95,8 @@ impl Target {
     }
 }
 
-/// The cells that may have a point within a distance of an object, or the nearest one, by the corrected search.
+/// The cells that may have a point within a distance of an object, or the nearest one, by the
+/// corrected search.
 ///
 /// # Errors
 /// Those of [`Object::target`] and [`search`].

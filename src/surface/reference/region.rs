@@ -1,6 +1,6 @@
 //! Cell regions: chains of cells, and the integer diameter (eqs. 3 to 6).
 
-use super::cell_mask::Scale;
+use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
 use crate::alloc;
 use crate::error::{Element, Error, Result};
@@ -12,14 +12,15 @@ const UNREACHED: u32 = u32::MAX;
 /// Cells between two looks at the job.
 const CELLS: usize = 1 << 17;
 
-/// A shortest chain of cells of a region from one to another, both included; consecutive ones have a node in common. `None` if
-/// there is none.
+/// A shortest chain of cells of a region from one to another, both included; consecutive ones have
+/// a node in common. `None` if there is none.
 ///
-/// Its number of cells is its integer length; the sum of their diameters bounds the distance of any point of the first cell from
-/// any of the last one, within the chain (3).
+/// Its number of cells is its integer length; the sum of their diameters bounds the distance of any
+/// point of the first cell from any of the last one, within the chain (3).
 ///
 /// # Errors
-/// [`Error::NoSuch`] for an end that is not of the region, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::NoSuch`] for an end that is not of the region, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
     let lattice = region.lattice();
     for end in [from, to] {
@@ -45,14 +46,16 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
     Ok(Some(cells))
 }
 
-/// The integer diameter I of a region (4): the number of cells of the longest of the shortest chains between its cells; 0 for no
-/// cells. `None` if the region is in several parts.
+/// The integer diameter I of a region (4): the number of cells of the longest of the shortest
+/// chains between its cells; 0 for no cells. `None` if the region is in several parts.
 ///
-/// Then D <= I d (5). For a whole surface of m x n cells I = max {m, n} (6); half of it, and one, in a closed direction.
+/// Then D <= I d (5). For a whole surface of m x n cells I = max {m, n} (6); half of it, and one,
+/// in a closed direction.
 ///
-/// Not all pairs are looked at: with c a cell amid the region, a chain of more than 2 k steps has an end that is more than k steps
-/// from c, so that cells are tried in the order of their steps from c, the farthest first, until no longer chain is left. O(cells)
-/// for each cell tried: few for compact regions, all for the worst.
+/// Not all pairs are looked at: with c a cell amid the region, a chain of more than 2 k steps has
+/// an end that is more than k steps from c, so that cells are tried in the order of their steps
+/// from c, the farthest first, until no longer chain is left. O(cells) for each cell tried: few for
+/// compact regions, all for the worst.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -87,8 +90,9 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
     Ok(Some(longest as usize + 1))
 }
 
-/// Vertices less edges plus cells of a region with its edge: 1 for a region without holes that is in one part, the paper's simply
-/// connected one, if it is not all of a surface closed both ways. O(cells).
+/// Vertices less edges plus cells of a region with its edge: 1 for a region without holes that is
+/// in one part, the paper's simply connected one, if it is not all of a surface closed both ways.
+/// O(cells).
 ///
 /// # Errors
 /// [`Error::Cancelled`].

@@ -1,10 +1,10 @@
-//! The paper's search, corrected: each node evaluated excludes the block of cells round it that cannot
-//! hold the object (theorems T2 to T4 of the module).
+//! The paper's search, corrected: each node evaluated excludes the block of cells round it that
+//! cannot hold the object (theorems T2 to T4 of the module).
 //!
 //! Invariant: the cells of the mask are all that may hold it. O(n / 64) for the mask and O(1) to
 //! O(J^2) for each node evaluated.
 
-use super::cell_mask::Scale;
+use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
 use super::sizes::{Sizes, Sum};
 use crate::error::{Error, Result};
@@ -15,8 +15,8 @@ use crate::job::Job;
 pub enum Goal {
     /// All that is no farther than this (theorem T2).
     Within(f64),
-    /// The least: farther than the nearest node so far is out (theorem T3; by the paper's rule the answer itself would be, erratum
-    /// E3).
+    /// The least: farther than the nearest node so far is out (theorem T3; by the paper's rule the
+    /// answer itself would be, erratum E3).
     Least,
 }
 
@@ -27,11 +27,12 @@ pub struct SearchOptions {
     pub goal: Goal,
     /// How sizes of cells are summed.
     pub sum: Sum,
-    /// True: every node in the order of rows, as in the paper. False: first a few nodes far apart, then those between: fewer in
-    /// all.
+    /// True: every node in the order of rows, as in the paper. False: first a few nodes far apart,
+    /// then those between: fewer in all.
     pub by_rows: bool,
-    /// Whether lines at the edge are left out when a block covers them from side to side: the rest is a smaller surface. Blocks
-    /// that do not reach an edge, or not from side to side, leave none (erratum E5).
+    /// Whether lines at the edge are left out when a block covers them from side to side: the rest
+    /// is a smaller surface. Blocks that do not reach an edge, or not from side to side, leave none
+    /// (erratum E5).
     pub drop_lines: bool,
 }
 
@@ -57,11 +58,13 @@ pub struct SearchOutcome {
     pub least: ([usize; 2], f64),
 }
 
-/// Looks for cells. `measure`: the distance of a node from the object, which must not rise faster than `sizes` allow: the distance
-/// in space with Euclidean diameters, the deviation of the normal from an angle with the variation of normals.
+/// Looks for cells. `measure`: the distance of a node from the object, which must not rise faster
+/// than `sizes` allow: the distance in space with Euclidean diameters, the deviation of the normal
+/// from an angle with the variation of normals.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a goal that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a goal that is no number or negative, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn search(
     sizes: &Sizes,
     mut measure: impl FnMut([usize; 2]) -> f64,
@@ -131,7 +134,8 @@ fn visit(
         Goal::Within(within) => within,
         Goal::Least => found.least.1,
     };
-    // What is no farther than `within` stays (erratum E2: the paper's rule has the block touch what is looked for).
+    // What is no farther than `within` stays (erratum E2: the paper's rule has the block touch what
+    // is looked for).
     let (steps, _) = sizes.steps(node, r - within, options.sum);
     let lattice = sizes.lattice();
     if steps == 0 {
@@ -152,7 +156,8 @@ fn visit(
     if options.sum == Sum::Rings { cleared + block[0].len * block[1].len } else { cleared }
 }
 
-/// True if none of the cells at the nodes j to j + 61 of line i has a 1, as far as they are in one row.
+/// True if none of the cells at the nodes j to j + 61 of line i has a 1, as far as they are in one
+/// row.
 fn is_quiet(mask: &CellMask, i: usize, j: usize) -> bool {
     let lattice = mask.lattice();
     let width = lattice.cells[1];
@@ -180,12 +185,14 @@ impl Window {
         self.spans.iter().any(|span| span.len == 0)
     }
 
-    /// Drops the lines of cells that a block covers from side to side and that are at the edge; how many.
+    /// Drops the lines of cells that a block covers from side to side and that are at the edge; how
+    /// many.
     fn drop_lines(&mut self, block: [Span; 2]) -> usize {
         (0..2).map(|k| if block[1 - k].covers(self.spans[1 - k]) { self.shorten(k, block[k]) } else { 0 }).sum()
     }
 
-    /// Takes a part away from the span in direction k, if it is at its edge: a ring has none, and becomes a strip.
+    /// Takes a part away from the span in direction k, if it is at its edge: a ring has none, and
+    /// becomes a strip.
     fn shorten(&mut self, k: usize, part: Span) -> usize {
         let (span, count) = (self.spans[k], self.lattice.cells[k]);
         if span.len == 0 {

@@ -1,9 +1,10 @@
 //! The paper's approximate normal: from two plane sections through the lines of the surface.
 //!
-//! Both planes pass through the point and are parallel to b, the mean of the four normals at the cell's corners; they are
-//! orthogonal to each other. Each crosses the coordinate curves near the cell. A cubic through four crossings approximates the
-//! section, and the tangents of the two span the tangent plane. Third order in the size of cells, as the derivative of a cubic
-//! through four points is.
+//! Both planes pass through the point and are parallel to b, the mean of the four normals at the
+//! cell's corners; they are orthogonal to each other. Each crosses the coordinate curves near the
+//! cell. A cubic through four crossings approximates the section, and the tangents of the two span
+//! the tangent plane. Third order in the size of cells, as the derivative of a cubic through four
+//! points is.
 
 use super::lattice::Lattice;
 use crate::error::{Error, Result};
@@ -21,10 +22,12 @@ const EXTRAPOLATION: f64 = 0.5;
 /// Halvings of an edge before a crossing is taken as it is: to the last bit.
 const MAX_HALVINGS: u32 = 60;
 
-/// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections; on the side of S_u x S_v. 0 if
-/// there is none: a plane crosses fewer than two lines near the cell, or normals at its corners cancel out.
+/// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections;
+/// on the side of S_u x S_v. 0 if there is none: a plane crosses fewer than two lines near the
+/// cell, or normals at its corners cancel out.
 ///
-/// It uses the lines of the surface only; [`Sheet::normal`] is of third order as well, with a smaller constant, and faster.
+/// It uses the lines of the surface only; [`Sheet::normal`] is of third order as well, with a
+/// smaller constant, and faster.
 ///
 /// # Errors
 /// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] for parameters outside 0 to 1.
@@ -64,7 +67,8 @@ struct Section {
 }
 
 impl Section {
-    /// The slope at the point of the cubic through the crossings with the lines of one direction round a cell.
+    /// The slope at the point of the cubic through the crossings with the lines of one direction
+    /// round a cell.
     fn slope<const N: usize>(
         &self,
         cells: &impl Cells<N>,
@@ -146,7 +150,8 @@ fn edge<const N: usize>(
     }
 }
 
-/// A polynomial in Bernstein form over another interval: its blossom at as many of the one end and of the other.
+/// A polynomial in Bernstein form over another interval: its blossom at as many of the one end and
+/// of the other.
 fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     std::array::from_fn(|ends| {
         let mut work = field;
@@ -158,7 +163,8 @@ fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     })
 }
 
-/// The first root of a polynomial in Bernstein form: halves whose coefficients have one sign have none.
+/// The first root of a polynomial in Bernstein form: halves whose coefficients have one sign have
+/// none.
 fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
     if field.iter().all(|&x| x > 0.0) || field.iter().all(|&x| x < 0.0) {
         return None;
@@ -174,7 +180,8 @@ fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
     first.or_else(|| first_root(high, depth - 1).map(|t| 0.5 + 0.5 * t))
 }
 
-/// The slope at 0 of the polynomial through points (s, h); not finite if two of them have the same s.
+/// The slope at 0 of the polynomial through points (s, h); not finite if two of them have the same
+/// s.
 fn slope_at_origin(points: &[[f64; 2]]) -> f64 {
     let mut slope = 0.0;
     for (k, &[s, h]) in points.iter().enumerate() {

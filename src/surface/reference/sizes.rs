@@ -1,14 +1,16 @@
 //! Bounds of cells: the greatest distance of two points, or angle of two normals.
 
-use super::cell_mask::Scale;
+use super::cell_mask::CellMask;
 use super::lattice::Lattice;
 use crate::error::{Error, Result};
 
-/// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of them: the paper's d.
+/// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of
+/// them: the paper's d.
 ///
-/// A cell's set holds its corners as its neighbours see them too, so that consecutive cells of a chain have an element in common
-/// even where patches meet only nearly. Then (theorem T1) an element x of a cell that a chain of J cells joins to node A is no
-/// farther from A than the sum of the J bounds: J d, or R_J(A), the sum over k of the greatest bound in the k-th ring of cells
+/// A cell's set holds its corners as its neighbours see them too, so that consecutive cells of a
+/// chain have an element in common even where patches meet only nearly. Then (theorem T1) an
+/// element x of a cell that a chain of J cells joins to node A is no farther from A than the sum of
+/// the J bounds: J d, or R_J(A), the sum over k of the greatest bound in the k-th ring of cells
 /// round A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizes {
@@ -57,8 +59,9 @@ impl Sizes {
         self.greatest
     }
 
-    /// The largest J such that the block of 2 J x 2 J cells round a node stays nearer to the node than `limit`, and the bound of
-    /// how far it reaches. J is at most the greater number of rows or columns: no chain need be longer (6).
+    /// The largest J such that the block of 2 J x 2 J cells round a node stays nearer to the node
+    /// than `limit`, and the bound of how far it reaches. J is at most the greater number of rows
+    /// or columns: no chain need be longer (6).
     pub fn steps(&self, node: [usize; 2], limit: f64, sum: Sum) -> (usize, f64) {
         let [rows, columns] = self.lattice.cells;
         let most = rows.max(columns);
@@ -68,7 +71,8 @@ impl Sizes {
                 if self.greatest == 0.0 {
                     return if limit > 0.0 { (most, 0.0) } else { (0, 0.0) };
                 }
-                // ceil(limit / d) - 1 but for rounding (erratum E2); a quotient that is NaN or negative gives 0.
+                // ceil(limit / d) - 1 but for rounding (erratum E2); a quotient that is NaN or
+                // negative gives 0.
                 let mut steps = ((limit / self.greatest).ceil() as usize).min(most);
                 while steps > 0 && reach(steps) >= limit {
                     steps -= 1;
@@ -94,7 +98,8 @@ impl Sizes {
         (1..=steps).map(|k| self.ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
     }
 
-    /// The greatest bound in the k-th ring of cells round a node: those that chains of k cells reach and shorter ones do not.
+    /// The greatest bound in the k-th ring of cells round a node: those that chains of k cells
+    /// reach and shorter ones do not.
     fn ring(&self, node: [usize; 2], k: usize) -> f64 {
         let ([rows, columns], inner) = (self.lattice.block(node, k), self.lattice.block(node, k - 1));
         let mut greatest = 0.0_f64;
@@ -114,7 +119,8 @@ impl Sizes {
         chain.iter().map(|&cell| self.get(cell)).sum::<f64>() * ROUNDING_FACTOR
     }
 
-    /// The bound of a cell region whose integer diameter is known: I d, d the greatest bound of its cells (5).
+    /// The bound of a cell region whose integer diameter is known: I d, d the greatest bound of its
+    /// cells (5).
     ///
     /// # Errors
     /// [`Error::SidesDiffer`] if the region is one of another sheet.
