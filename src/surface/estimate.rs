@@ -118,7 +118,8 @@ fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool;
     for from in (0..count).step_by(ROWS_PER_STEP * CELLS_PER_TASK) {
         job.step(from as f64 / count as f64, "comparing normals")?;
         let round = (ROWS_PER_STEP * CELLS_PER_TASK).min(count - from);
-        let parts = par::chunks(job.threads(), round, CELLS_PER_TASK, |range| in_chunk(from + range.start..from + range.end));
+        let parts =
+            par::chunks(job.threads(), round, CELLS_PER_TASK, |range| in_chunk(from + range.start..from + range.end));
         worst = parts.into_iter().fold(worst, f64::max);
     }
     Ok(worst)

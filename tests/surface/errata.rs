@@ -4,8 +4,8 @@ use crate::shapes::{Random, torus};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::reference::{
-    Diameters, SearchOutcome, Goal, Lattice, Object, SearchOptions, AngleTarget, cells_within, curvature_bound, incidence, literal,
-    angle_incidence, normal_variation_by_curvature,
+    AngleTarget, Diameters, Goal, Lattice, Object, SearchOptions, SearchOutcome, angle_incidence, cells_within,
+    curvature_bound, incidence, literal, normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::line_intersection::{HitSelection, Line};
-use gusset::surface::reference::{Diameters, Lattice, Object, CellMask, cells_within, closest};
+use gusset::surface::reference::{CellMask, Diameters, Lattice, Object, cells_within, closest};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
 use std::path::{Path, PathBuf};
 

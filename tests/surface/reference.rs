@@ -4,8 +4,9 @@ use crate::shapes::{Random, SHAPES, grid, rough};
 use glam::DVec3;
 use gusset::surface::line_intersection::Line;
 use gusset::surface::reference::{
-    Diameters, Goal, Lattice, Object, SearchOptions, CellMask, Sizes, AngleTarget, Sum, chain, curvature_bound, euler_characteristic,
-    incidence, integer_diameter, normal_by_sections, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature,
+    AngleTarget, CellMask, Diameters, Goal, Lattice, Object, SearchOptions, Sizes, Sum, angle_incidence, chain,
+    curvature_bound, euler_characteristic, incidence, integer_diameter, normal_by_sections, normal_variation_by_cones,
+    normal_variation_by_curvature,
 };
 use gusset::surface::{Grid, MAX_DEGREE, Nodes, Patches, Scheme, Sheet};
 use gusset::{Element, Error, Job, Progress};

@@ -9,8 +9,9 @@ use crate::ffi::surface::sheet::gusset_sheet;
 use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
-    Diameters, SearchOutcome, Goal, Lattice, Object, SearchOptions, CellMask, AngleTarget, Sum, chain, curvature_bound, euler_characteristic,
-    incidence, integer_diameter, normal_by_sections, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature,
+    AngleTarget, CellMask, Diameters, Goal, Lattice, Object, SearchOptions, SearchOutcome, Sum, angle_incidence, chain,
+    curvature_bound, euler_characteristic, incidence, integer_diameter, normal_by_sections, normal_variation_by_cones,
+    normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
 use glam::DVec3;
@@ -143,7 +144,13 @@ impl gusset_reference_task {
         Ok(incidence(sheet, &diameters, object, &options, &job.part(0.5, 1.0))?)
     }
 
-    fn angle_incidence(&self, sheet: &Sheet<'_>, target: AngleTarget, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
+    fn angle_incidence(
+        &self,
+        sheet: &Sheet<'_>,
+        target: AngleTarget,
+        options: &SearchOptions,
+        job: &Job<'_>,
+    ) -> Result<SearchOutcome, Failure> {
         let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 0.6));
         let variation = if self.curvature == 0.0 {
             normal_variation_by_cones(sheet, &second)?
