@@ -1,10 +1,11 @@
 //! Outlines: Bézier curves through given points.
 //!
-//! The inverse problem of Bézier curves: the points of an outline are given, and the control points are sought (Nadopta, 2008).
+//! The inverse problem of Bézier curves: the points of an outline are given, and the control points
+//! are sought (Nadopta, 2008).
 //!
 //! * curve: [`CurveView`], [`Curve`], piecewise Bézier curves of any degrees.
-//! * identify: [`fit`](fit()) for whole outlines, by the [`Mode`]s; [`sections`](sections()) for points by themselves, by the
-//!   [`Method`]s.
+//! * identify: [`fit`](fit()) for whole outlines, by the [`Mode`]s; [`sections`](sections()) for
+//!   points by themselves, by the [`Method`]s.
 //! * [`ops`]: measures, queries and constructions of curves.
 //! * [`frame`]: curves across and along a body, through a grid of nodes.
 //!

@@ -1,6 +1,7 @@
 //! Piecewise Bézier curves: the data that all of this module reads and makes.
 //!
-//! * here: [`CurveView`], borrowed control points, and [`Curve`], owned ones. Segments of any degrees, one after another.
+//! * here: [`CurveView`], borrowed control points, and [`Curve`], owned ones. Segments of any
+//!   degrees, one after another.
 //! * segment: one segment by its control points.
 //! * unit_frame: coordinates in which a curve is near the origin and of size about 1.
 
@@ -13,8 +14,8 @@ use glam::DVec3;
 
 pub use segment::MAX_DEGREE;
 
-/// A borrowed curve: segment k has the control points `ends[k]..=ends[k + 1]`, so that each begins with the last control
-/// point of the one before. A plane curve has z = 0 everywhere.
+/// A borrowed curve: segment k has the control points `ends[k]..=ends[k + 1]`, so that each begins
+/// with the last control point of the one before. A plane curve has z = 0 everywhere.
 #[derive(Debug, Clone, Copy)]
 pub struct CurveView<'a> {
     points: &'a [DVec3],
@@ -47,11 +48,14 @@ impl Place {
 }
 
 impl<'a> CurveView<'a> {
-    /// `ends`: 0, then the place of the last control point of each segment, which is `points.len() - 1` for the last one.
-    /// `closed`: the last control point is the first one again.
+    /// `ends`: 0, then the place of the last control point of each segment, which is
+    /// `points.len() - 1` for the last one. `closed`: the last control point is the first one
+    /// again.
     ///
-    /// # Errors [`Error::BadOffsets`] (they do not start at 0, do not rise, or end elsewhere), [`Error::OptionOutOfRange`] (a
-    /// degree above [`MAX_DEGREE`]), [`Error::NotFinite`], [`Error::CurveNotClosed`].
+    /// # Errors
+    /// [`Error::BadOffsets`] (they do not start at 0, do not rise, or end elsewhere),
+    /// [`Error::OptionOutOfRange`] (a degree above [`MAX_DEGREE`]), [`Error::NotFinite`],
+    /// [`Error::CurveNotClosed`].
     pub fn new(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Result<Self> {
         let bad =
             |entry: usize| Error::BadOffsets { entry: entry as u32, value: ends.get(entry).copied().unwrap_or(0) };

@@ -29,7 +29,8 @@ fn horner(controls: &[DVec3], t: f64) -> DVec3 {
     if point.is_finite() { point } else { scaled_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
 }
 
-/// The sum of the terms times `unit`, by a scheme like Horner's from the nearer end, so that no power overflows its binomial.
+/// The sum of the terms times `unit`, by a scheme like Horner's from the nearer end, so that no
+/// power overflows its binomial.
 fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     let n = controls.len() - 1;
     let backwards = t > 0.5;
@@ -81,7 +82,8 @@ impl SegmentBuffer {
         buffer
     }
 
-    /// Replaces the control points by those of the derivative, n (B_(i+1) - B_i); a constant leaves none.
+    /// Replaces the control points by those of the derivative, n (B_(i+1) - B_i); a constant leaves
+    /// none.
     pub(crate) fn derive(&mut self) {
         self.len = bernstein::derive(&mut self.controls[..self.len]);
     }
@@ -100,7 +102,8 @@ impl SegmentBuffer {
         front
     }
 
-    /// The part between two parameters, `from < to`; ends that are ends of the segment stay as they are.
+    /// The part between two parameters, `from < to`; ends that are ends of the segment stay as they
+    /// are.
     pub(crate) fn part(mut self, from: f64, to: f64) -> Self {
         let mut end = to;
         if from > 0.0 {

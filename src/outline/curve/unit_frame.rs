@@ -1,7 +1,7 @@
 //! The unit frame of a curve: coordinates in which it is near the origin and of size about 1.
 //!
-//! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the centre o cannot overflow, then
-//! the extent does. Powers of 2 change no digits.
+//! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the
+//! centre o cannot overflow, then the extent does. Powers of 2 change no digits.
 
 use super::segment::SegmentBuffer;
 use glam::DVec3;
@@ -14,7 +14,8 @@ pub(crate) struct UnitFrame {
     fine: f64,
 }
 
-/// The power of 2 that brings `x` to 1/2 or more but below 1, or as near to that as a normal number can.
+/// The power of 2 that brings `x` to 1/2 or more but below 1, or as near to that as a normal number
+/// can.
 fn power_to_one(x: f64) -> f64 {
     let (_, exponent) = libm::frexp(x);
     libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))

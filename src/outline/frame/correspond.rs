@@ -1,8 +1,9 @@
 //! The nodes of a frame: which points of one section belong to which of the next.
 //!
-//! Each correspondence gives every section the same number of nodes: the points themselves, equal parts of the arc length, the
-//! intersections with half-planes through an axis, or equal parts between landmarks. One fit and, but for the points
-//! themselves, one length of each section; O(columns log segments) more, with angles O(columns x segments).
+//! Each correspondence gives every section the same number of nodes: the points themselves, equal
+//! parts of the arc length, the intersections with half-planes through an axis, or equal parts
+//! between landmarks. One fit and, but for the points themselves, one length of each section;
+//! O(columns log segments) more, with angles O(columns x segments).
 
 use crate::outline::curve::{CurveView, Place};
 
@@ -81,8 +82,8 @@ impl SectionNodes {
         alloc::reserve(&mut self.nodes, count as usize)
     }
 
-    /// Adds the intersection of a section with the half-plane from the axis through `point` towards `ray`, the farthest from the
-    /// axis.
+    /// Adds the intersection of a section with the half-plane from the axis through `point` towards
+    /// `ray`, the farthest from the axis.
     fn add_farthest(
         &mut self,
         curve: &CurveView<'_>,
@@ -145,7 +146,8 @@ fn turn_of(sections: &Outlines<'_>, k: usize) -> DVec3 {
     area.normalize_or_zero()
 }
 
-/// Adds `columns` nodes that divide a curve evenly: a closed one from a place on all round, an open one from there to its end.
+/// Adds `columns` nodes that divide a curve evenly: a closed one from a place on all round, an open
+/// one from there to its end.
 fn add_even(
     curve: &CurveView<'_>,
     from: Place,

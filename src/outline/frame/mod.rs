@@ -1,7 +1,8 @@
 //! The frame of outlines: curves across and curves along a body, through a common grid of nodes.
 //!
-//! The paper's application: a body is described by its cross sections, closed outlines one behind another, and by curves along
-//! it. Both families pass the same nodes, so they meet there. From the curves along come cross sections at any plane.
+//! The paper's application: a body is described by its cross sections, closed outlines one behind
+//! another, and by curves along it. Both families pass the same nodes, so they meet there. From the
+//! curves along come cross sections at any plane.
 //!
 //! * options: [`Correspondence`] of points, and the options of the curves.
 //! * correspond: the nodes; which points of one section belong to which of the next.
@@ -44,7 +45,8 @@ pub struct NodeGrid {
     pub turned: Vec<u8>,
     /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
     pub ambiguous: Vec<u32>,
-    /// The largest distance between the two curves at a node, relative to the size of the nodes' box.
+    /// The largest distance between the two curves at a node, relative to the size of the nodes'
+    /// box.
     pub max_gap: f64,
     /// The smallest sine of the angle at which two curves cross at a node.
     pub min_sine: f64,
@@ -63,10 +65,12 @@ pub struct Frame {
 
 /// Makes the frame of some sections, closed or open, one behind another.
 ///
-/// # Errors Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3 in a ring;
-/// columns: fewer than 2, or than 3 of closed sections; landmarks: not as many for each section, or not in order; axis,
-/// reference), [`Error::SectionsDiffer`], [`Error::NoNode`] (a section that a half-plane does not meet, or that is no curve).
-/// Time and memory: those of the fits; with angles O(columns x segments) for each section.
+/// # Errors
+/// Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3
+/// in a ring; columns: fewer than 2, or than 3 of closed sections; landmarks: not as many for each
+/// section, or not in order; axis, reference), [`Error::SectionsDiffer`], [`Error::NoNode`] (a
+/// section that a half-plane does not meet, or that is no curve). Time and memory: those of the
+/// fits; with angles O(columns x segments) for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
     let (rows, columns) = (found.rows, found.columns);
@@ -124,7 +128,8 @@ fn curves(nodes: &[DVec3], width: usize, closed: bool, options: &Options, job: &
     fit(&Outlines { points, offsets: Some(&offsets), closed, constraints: &[] }, options, job)
 }
 
-/// Where the curves pass their points, and in which direction, put at the places that `place` gives to the points.
+/// Where the curves pass their points, and in which direction, put at the places that `place` gives
+/// to the points.
 fn at_nodes(
     fit: &Fit,
     width: usize,

@@ -8,14 +8,14 @@ use glam::DVec3;
 pub enum Correspondence<'a> {
     /// The points themselves, by their places: all sections have equally many.
     Given,
-    /// Equal parts of the arc length of each section from its first point on; a section that runs the other way round than
-    /// the first one is taken backwards.
+    /// Equal parts of the arc length of each section from its first point on; a section that runs
+    /// the other way round than the first one is taken backwards.
     ArcLength {
         /// The number of nodes in a section.
         columns: usize,
     },
-    /// Equal angles round an axis: nodes where the half-planes from the axis meet each section, the farthest where there are
-    /// several.
+    /// Equal angles round an axis: nodes where the half-planes from the axis meet each section, the
+    /// farthest where there are several.
     Angle {
         /// The number of nodes in a section.
         columns: usize,
@@ -26,9 +26,11 @@ pub enum Correspondence<'a> {
         /// Towards the nodes of column 0; any vector not along the axis.
         reference: DVec3,
     },
-    /// Landmarks: points of each section that belong together, and equal parts of the arc length between them.
+    /// Landmarks: points of each section that belong together, and equal parts of the arc length
+    /// between them.
     Landmarks {
-        /// For each section its landmarks in order, as places among its own points; as many for each.
+        /// For each section its landmarks in order, as places among its own points; as many for
+        /// each.
         points: &'a [u32],
         /// How many parts there are from each landmark to the next.
         parts: usize,

@@ -19,11 +19,13 @@ pub struct Slice {
     pub ambiguous: Vec<u32>,
 }
 
-/// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve through the crossings in the
-/// order of the columns, `closed` or not. O(segments) for crossings.
+/// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve
+/// through the crossings in the order of the columns, `closed` or not. O(segments) for crossings.
 ///
-/// # Errors [`Error::OptionOutOfRange`] (the normal), [`Error::NotFinite`] (point 0 is `point`, 1 is `normal`),
-/// [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of [`fit`](crate::outline::fit()).
+/// # Errors
+/// [`Error::OptionOutOfRange`] (the normal), [`Error::NotFinite`] (point 0 is `point`, 1 is
+/// `normal`), [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of
+/// [`fit`](crate::outline::fit()).
 pub fn slice(
     along: &Fit,
     point: DVec3,
@@ -57,14 +59,16 @@ pub fn slice(
 pub struct Measure {
     /// Its length: of a closed section all round.
     pub girth: f64,
-    /// The area within, seen from where it is largest; that of an open section is closed by its chord.
+    /// The area within, seen from where it is largest; that of an open section is closed by its
+    /// chord.
     pub area: f64,
     /// The mean of its points by arc length.
     pub centre: DVec3,
 }
 
 impl Measure {
-    /// Measures a curve. The centre is that of 16 points of each segment at equal steps of the parameter, weighted by length.
+    /// Measures a curve. The centre is that of 16 points of each segment at equal steps of the
+    /// parameter, weighted by length.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -96,7 +100,8 @@ impl Measure {
 /// The chords of a segment by which its centre is measured.
 const CHORDS_PER_SEGMENT: u32 = 16;
 
-/// Measures the sections of a frame by planes through some points across `normal`: girth and area along a body.
+/// Measures the sections of a frame by planes through some points across `normal`: girth and area
+/// along a body.
 ///
 /// # Errors
 /// Those of [`slice`](slice()); the section of [`Error::NoNode`] is the place of the plane.

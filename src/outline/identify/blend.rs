@@ -1,19 +1,21 @@
-//! Blended sections: from point to point, between the section of the one and the section of the other.
+//! Blended sections: from point to point, between the section of the one and the section of the
+//! other.
 //!
-//! From P_i to P_(i+1) run a part of section i, the quadratic (P_i, X, P_(i+1)), and a part of section i + 1, (P_i, Y,
-//! P_(i+1)). Blended linearly, (1 - u) F + u G, they are the cubic
+//! From P_i to P_(i+1) run a part of section i, the quadratic (P_i, X, P_(i+1)), and a part of
+//! section i + 1, (P_i, Y, P_(i+1)). Blended linearly, (1 - u) F + u G, they are the cubic
 //!
 //! P_i, (P_i + 2 X) / 3, (2 Y + P_(i+1)) / 3, P_(i+1),
 //!
-//! which with the bisector is the centripetal Catmull-Rom spline and with the median the uniform one. Blended by w = 3 u^2 -
-//! 2 u^3, whose derivative is 0 at both ends, the curve has at each point the first and second derivatives of its section, on
-//! both sides: a quintic, C2 in the knots of the method's exponent.
+//! which with the bisector is the centripetal Catmull-Rom spline and with the median the uniform
+//! one. Blended by w = 3 u^2 - 2 u^3, whose derivative is 0 at both ends, the curve has at each
+//! point the first and second derivatives of its section, on both sides: a quintic, C2 in the knots
+//! of the method's exponent.
 //!
-//! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic that takes the place of the
-//! missing section. O(n).
+//! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic
+//! that takes the place of the missing section. O(n).
 //!
-//! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear blend; C. Yuksel, 2020, for
-//! blends that keep second derivatives, there trigonometric.
+//! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
+//! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
 use super::curve_builder::CurveBuilder;
 use super::method::{Method, through};

@@ -1,14 +1,18 @@
-//! Cubic splines: segments from point to point, with continuous first and second derivatives in the knots.
+//! Cubic splines: segments from point to point, with continuous first and second derivatives in the
+//! knots.
 //!
-//! Knot intervals are h_i = |P_(i+1) - P_i|^alpha: uniform, centripetal (the bisector's) or by chord length. With the slopes
-//! d_i = (P_(i+1) - P_i) / h_i the derivatives D_i at the points obey
+//! Knot intervals are h_i = |P_(i+1) - P_i|^alpha: uniform, centripetal (the bisector's) or by
+//! chord length. With the slopes d_i = (P_(i+1) - P_i) / h_i the derivatives D_i at the points obey
 //!
-//! l_i D_(i-1) + 2 D_i + m_i D_(i+1) = 3 (l_i d_(i-1) + m_i d_i), l_i = h_i / (h_(i-1) + h_i), m_i = 1 - l_i,
+//! l_i D_(i-1) + 2 D_i + m_i D_(i+1) = 3 (l_i d_(i-1) + m_i d_i), l_i = h_i / (h_(i-1) + h_i),
+//! m_i = 1 - l_i,
 //!
-//! and segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1). Free ends have the
-//! derivative of the parabola through their three points; a given tangent is taken at the speed of the chord. O(n).
+//! and segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1).
+//! Free ends have the derivative of the parabola through their three points; a given tangent is
+//! taken at the speed of the chord. O(n).
 //!
-//! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter IV; Bessel's end condition).
+//! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
+//! IV; Bessel's end condition).
 
 use super::curve_builder::CurveBuilder;
 use super::method::power;

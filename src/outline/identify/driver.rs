@@ -1,7 +1,8 @@
-//! The identification of outlines: each is brought near the origin, cut into subcurves, solved, measured and brought back.
+//! The identification of outlines: each is brought near the origin, cut into subcurves, solved,
+//! measured and brought back.
 //!
-//! Outlines are independent: batches of them go to threads, and the results are joined in the order of the outlines, so that
-//! they are the same for any number of threads.
+//! Outlines are independent: batches of them go to threads, and the results are joined in the order
+//! of the outlines, so that they are the same for any number of threads.
 
 use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
@@ -33,14 +34,17 @@ const MAX_SAFE_SIZE: f64 = 1e200;
 
 /// Finds the curves through the points of outlines.
 ///
-/// Each outline is brought near the origin and to a size near 1; neighbours that repeat each other become one point; it is cut
-/// into subcurves at corners and tangents, and each subcurve is solved. Every point lies on the curve, or its status says why not.
+/// Each outline is brought near the origin and to a size near 1; neighbours that repeat each other
+/// become one point; it is cut into subcurves at corners and tangents, and each subcurve is solved.
+/// Every point lies on the curve, or its status says why not.
 ///
-/// Composite, blended and cubic curves take linear time and memory. Memory beyond the result is allocated once for each thread.
+/// Composite, blended and cubic curves take linear time and memory. Memory beyond the result is
+/// allocated once for each thread.
 ///
-/// # Errors [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::NotFinite`], [`Error::TooLarge`],
-/// [`Error::BadConstraint`] (a constraint names a point that there is not, or is out of order), [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// # Errors
+/// [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::NotFinite`], [`Error::TooLarge`],
+/// [`Error::BadConstraint`] (a constraint names a point that there is not, or is out of order),
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 ///
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
@@ -57,7 +61,8 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
             whole.identify_all(batch.clone())?;
         }
     } else {
-        // The workers' memory is used again from round to round; between rounds the host can cancel.
+        // The workers' memory is used again from round to round; between rounds the host can
+        // cancel.
         let idle = Mutex::new(Vec::new());
         let work = |batch: Range<usize>| -> Result<Worker<'_>> {
             let waiting = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
@@ -217,7 +222,8 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Finds the composite curve of a closed outline without cuts, and writes it where the outline is.
+    /// Finds the composite curve of a closed outline without cuts, and writes it where the outline
+    /// is.
     fn identify_smooth(&mut self, span: &Range<usize>, first: usize, mut report: Report) -> Result<()> {
         let placement = self.nodes.placement;
         let (sub, results) = self.nodes.whole(self.options);
@@ -239,7 +245,8 @@ impl<'a> Worker<'a> {
         } else {
             let mut taken = 0;
             for (i, &node) in self.nodes.node_of.iter().enumerate() {
-                // Nodes ascend; one that comes again repeats its neighbour, or at the end the first point.
+                // Nodes ascend; one that comes again repeats its neighbour, or at the end the first
+                // point.
                 let repeats = i > 0 && node < taken;
                 taken = taken.max(node + 1);
                 let status = self.nodes.results[node as usize].status;

@@ -81,8 +81,8 @@ impl Fit {
         &self.ends
     }
 
-    /// Where the control points and the ends of each curve begin in [`Fit::points`] and [`Fit::ends`]; one more than there are
-    /// outlines.
+    /// Where the control points and the ends of each curve begin in [`Fit::points`] and
+    /// [`Fit::ends`]; one more than there are outlines.
     pub fn starts(&self) -> &[[usize; 2]] {
         &self.starts
     }

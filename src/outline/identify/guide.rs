@@ -1,10 +1,11 @@
 //! Guides: the lines through the points of an outline that control points are sought on.
 //!
-//! The guide of a point is that of its triangle with the two neighbours: the bisector, the median, the normal of the chord, or
-//! in general the line to the foot that divides the chord as t^2 to (1 - t)^2. Guides need a plane; for one outline the plane
-//! through its farthest points is tried.
+//! The guide of a point is that of its triangle with the two neighbours: the bisector, the median,
+//! the normal of the chord, or in general the line to the foot that divides the chord as t^2 to
+//! (1 - t)^2. Guides need a plane; for one outline the plane through its farthest points is tried.
 //!
-//! Source: Nadopta, the methods of the normal, bisector and median. O(1) for a guide, O(n) for the plane.
+//! Source: Nadopta, the methods of the normal, bisector and median. O(1) for a guide, O(n) for the
+//! plane.
 
 use super::method::Method;
 use super::report::PointStatus;
@@ -41,10 +42,11 @@ pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.size).then_some(normal)
 }
 
-/// The direction of the guide of a triangle in a plane, with the corners `u` and `w` before and after the point: from the
-/// foot to the point.
+/// The direction of the guide of a triangle in a plane, with the corners `u` and `w` before and
+/// after the point: from the foot to the point.
 ///
-/// The bisector is also across the difference of the directions of the legs, which is better known if the triangle is flat.
+/// The bisector is also across the difference of the directions of the legs, which is better known
+/// if the triangle is flat.
 pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> Result<DVec3, PointStatus> {
     let chord = w - u;
     let t = method.parameter(u, DVec3::ZERO, w)?;
@@ -87,7 +89,8 @@ mod tests {
     #[test]
     fn guides_of_triangles() {
         let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
-        // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83, not at 6.20 as printed.
+        // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83,
+        // not at 6.20 as printed.
         let bisector = guide(Method::Bisector, u, w, DVec3::Z).unwrap();
         let foot = 3.0 - 4.0 * bisector.x / bisector.y;
         assert!((foot - 10.0 * 5.0 / (5.0 + 65f64.sqrt())).abs() < 1e-14, "{foot}");

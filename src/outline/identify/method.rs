@@ -1,13 +1,16 @@
-//! The methods: the parameter of a given point on its section, and with it the section's control point.
+//! The methods: the parameter of a given point on its section, and with it the section's control
+//! point.
 //!
-//! A section is the quadratic (A, B, C) through P. With the guide through P and the foot S = A + s (C - A) of the chord, the
-//! curve crosses the guide at t = sqrt(s) / (sqrt(s) + sqrt(1 - s)) wherever on the guide B is (let f be affine and 0 on the
-//! guide: f of the curve does not contain B). So each method is a choice of t, and then
+//! A section is the quadratic (A, B, C) through P. With the guide through P and the foot S = A + s
+//! (C - A) of the chord, the curve crosses the guide at t = sqrt(s) / (sqrt(s) + sqrt(1 - s))
+//! wherever on the guide B is (let f be affine and 0 on the guide: f of the curve does not contain
+//! B). So each method is a choice of t, and then
 //!
 //! B = (P - (1 - t)^2 A - t^2 C) / (2 t (1 - t)).
 //!
-//! Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms instead of the stepping, and vectors
-//! instead of slopes and angles. The foot of the bisector divides the chord by K / (1 + K), not by K as printed.
+//! Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms instead
+//! of the stepping, and vectors instead of slopes and angles. The foot of the bisector divides the
+//! chord by K / (1 + K), not by K as printed.
 
 use super::report::PointStatus;
 use crate::choice::choices;
@@ -16,17 +19,19 @@ use glam::DVec3;
 /// How a section's control point is found.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
-    /// On the bisector of the angle at P: t by the square roots of the chords, the centripetal parameter. For all points.
+    /// On the bisector of the angle at P: t by the square roots of the chords, the centripetal
+    /// parameter. For all points.
     #[default]
     Bisector,
     /// On the median of triangle APC: t = 1/2. For all points.
     Median,
-    /// On the normal of the chord AC through P; only for feet between A and C. Elsewhere the bisector stands in.
+    /// On the normal of the chord AC through P; only for feet between A and C. Elsewhere the
+    /// bisector stands in.
     Normal,
     /// On the symmedian: t by the lengths of the chords. For all points.
     Symmedian,
-    /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1: 0 is the median, 1/2 the bisector, 1 the
-    /// symmedian.
+    /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1: 0 is the
+    /// median, 1/2 the bisector, 1 the symmedian.
     Alpha(f64),
 }
 
@@ -74,8 +79,9 @@ impl Method {
 
     /// The section from A through P to C.
     ///
-    /// # Errors [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal; [`PointStatus::Repeated`] if P
-    /// is A or C and the parameter would be 0 or 1.
+    /// # Errors
+    /// [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal;
+    /// [`PointStatus::Repeated`] if P is A or C and the parameter would be 0 or 1.
     pub fn section(self, a: DVec3, p: DVec3, c: DVec3) -> Result<Section, PointStatus> {
         through(a, p, c, self.parameter(a, p, c)?)
     }
@@ -100,7 +106,8 @@ pub(super) fn through(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, P
         return Err(PointStatus::Repeated);
     }
     let s = 1.0 - t;
-    // From P on, so that nothing is lost where A, P and C are near each other and far from the origin.
+    // From P on, so that nothing is lost where A, P and C are near each other and far from the
+    // origin.
     Ok(Section { control: p - (a - p) * (0.5 * s / t) - (c - p) * (0.5 * t / s), t })
 }
 
@@ -118,11 +125,13 @@ fn normal_parameter(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
     }
 }
 
-/// The section from A with the tangent `tau` there, through P, to C: t = sqrt((tau x V) / (tau x W)) for V = P - A, W = C -
-/// A, and B = A + mu tau. All in one plane.
+/// The section from A with the tangent `tau` there, through P, to C: t = sqrt((tau x V) / (tau x
+/// W)) for V = P - A, W = C - A, and B = A + mu tau. All in one plane.
 ///
-/// # Errors [`PointStatus::TangentSeparates`] (the tangent runs between P and C), [`PointStatus::TangentBeyond`] (P is
-/// farther from the tangent than C is), [`PointStatus::TangentBackward`] (the curve would have to leave A backwards),
+/// # Errors
+/// [`PointStatus::TangentSeparates`] (the tangent runs between P and C),
+/// [`PointStatus::TangentBeyond`] (P is farther from the tangent than C is),
+/// [`PointStatus::TangentBackward`] (the curve would have to leave A backwards),
 /// [`PointStatus::OutOfPlane`].
 pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let (v, w) = (p - a, c - a);
@@ -155,7 +164,8 @@ pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Res
     Ok(Section { control: a + tau * mu, t })
 }
 
-/// The section from A through P to C with the tangent `tau`, the direction in which it arrives, at C.
+/// The section from A through P to C with the tangent `tau`, the direction in which it arrives, at
+/// C.
 ///
 /// # Errors
 /// Those of [`section_by_start_tangent`], seen from C.
@@ -164,11 +174,13 @@ pub fn section_by_end_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Resul
     Ok(Section { t: 1.0 - mirrored.t, ..mirrored })
 }
 
-/// The section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P), t = sqrt|h(A)| / (sqrt|h(A)| +
-/// sqrt|h(C)|). All in one plane.
+/// The section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P), t =
+/// sqrt|h(A)| / (sqrt|h(A)| + sqrt|h(C)|). All in one plane.
 ///
-/// # Errors [`PointStatus::TangentSeparates`] (A and C are on different sides of the tangent, or on it),
-/// [`PointStatus::TangentBackward`] (the curve passes P the other way), [`PointStatus::OutOfPlane`].
+/// # Errors
+/// [`PointStatus::TangentSeparates`] (A and C are on different sides of the tangent, or on it),
+/// [`PointStatus::TangentBackward`] (the curve passes P the other way),
+/// [`PointStatus::OutOfPlane`].
 pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let length = tau.length();
     if length.is_nan() || length <= 0.0 {

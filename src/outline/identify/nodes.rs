@@ -1,4 +1,5 @@
-//! The nodes of an outline: its points near the origin, freed of repeats, and cut at corners and tangents. O(n log n).
+//! The nodes of an outline: its points near the origin, freed of repeats, and cut at corners and
+//! tangents. O(n log n).
 
 use super::options::{Ends, Options};
 use super::outlines::{Constraint, Outlines, PointConstraint};
@@ -14,8 +15,8 @@ use std::ops::Range;
 /// The nodes of one outline; the memory is used again for the next.
 #[derive(Default)]
 pub(super) struct Nodes {
-    /// The points that differ from their neighbours. A closed outline that is cut begins at its first cut, and ends with that
-    /// point once more.
+    /// The points that differ from their neighbours. A closed outline that is cut begins at its
+    /// first cut, and ends with that point once more.
     pub(super) points: Vec<DVec3>,
     /// For each point of the outline its node.
     pub(super) node_of: Vec<u32>,
@@ -213,8 +214,8 @@ fn direction(tangent: DVec3) -> Option<DVec3> {
     (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
 }
 
-/// Gives the free ends of a subcurve the directions perpendicular to the first and the last chord, in the planes of the first
-/// and the last three points.
+/// Gives the free ends of a subcurve the directions perpendicular to the first and the last chord,
+/// in the planes of the first and the last three points.
 fn set_perpendicular_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
     let last = sub.len() - 1;
     for (end, sign) in [(0, 1.0), (1, -1.0)] {

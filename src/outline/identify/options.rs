@@ -10,13 +10,17 @@ pub enum Mode {
     /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
     #[default]
     Composite,
-    /// One Bézier curve of degree n through n + 1 points; each tangent at an end raises the degree by one. Closed: begins and
-    /// ends at the first point, with the tangent of that point's own section. Beyond degree 10 or so control points may lie
-    /// far out ([`IllConditioned`](super::FitStatus::IllConditioned)); beyond [`MAX_DEGREE`](crate::outline::MAX_DEGREE) the curve is composite.
+    /// One Bézier curve of degree n through n + 1 points; each tangent at an end raises the degree
+    /// by one. Closed: begins and ends at the first point, with the tangent of that point's own
+    /// section. Beyond degree 10 or so control points may lie far out
+    /// ([`IllConditioned`](super::FitStatus::IllConditioned)); beyond
+    /// [`MAX_DEGREE`](crate::outline::MAX_DEGREE) the curve is composite.
     Single,
-    /// The sections of neighbouring points blended linearly: cubic segments from point to point, C1 (G1 with the normal).
+    /// The sections of neighbouring points blended linearly: cubic segments from point to point, C1
+    /// (G1 with the normal).
     BlendC1,
-    /// The sections of neighbouring points blended smoothly: quintic segments from point to point, C2 (G2 with the normal).
+    /// The sections of neighbouring points blended smoothly: quintic segments from point to point,
+    /// C2 (G2 with the normal).
     BlendC2,
     /// Cubic segments from point to point, C2 in the knots of the method's exponent.
     CubicC2,
@@ -37,15 +41,17 @@ impl Mode {
 /// The condition that ties the section of a point to the data, in composite and single curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Lock {
-    /// The parameter of the point is that of the method on the data's own triangle. Always solvable.
+    /// The parameter of the point is that of the method on the data's own triangle. Always
+    /// solvable.
     #[default]
     Parameter,
-    /// The parameter is that of the method on the section's own triangle (its joints and the point). With the normal there may be
-    /// several solutions; which one is found depends on the solver. A foot of the normal
-    /// outside the chord counts as the chord's end. Single curves have no sections, and take [`Lock::DataGuide`].
+    /// The parameter is that of the method on the section's own triangle (its joints and the
+    /// point). With the normal there may be several solutions; which one is found depends on the
+    /// solver. A foot of the normal outside the chord counts as the chord's end. Single curves have
+    /// no sections, and take [`Lock::DataGuide`].
     SelfConsistent,
-    /// The control point lies on the guide of the data's triangle; outlines in a plane, any plane, only. Points whose section
-    /// does not cross the guide fall back to [`Lock::Parameter`].
+    /// The control point lies on the guide of the data's triangle; outlines in a plane, any plane,
+    /// only. Points whose section does not cross the guide fall back to [`Lock::Parameter`].
     DataGuide,
 }
 
@@ -59,16 +65,19 @@ impl Lock {
     }
 }
 
-/// The joint parameter: where the joint of two sections divides the line between their control points.
+/// The joint parameter: where the joint of two sections divides the line between their control
+/// points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum JointParameter {
     /// In the middle, as the implied points of TrueType contours.
     #[default]
     Half,
-    /// By the chords to the power of the method's exponent, as in a quadratic B-spline: C1 in those knots.
+    /// By the chords to the power of the method's exponent, as in a quadratic B-spline: C1 in those
+    /// knots.
     Knot,
-    /// So that the curvature is continuous where the control polygon turns one way, and changes its sign only elsewhere.
-    /// Slow, and for dense and even points hardly determined ([`NotConverged`](super::PointStatus::NotConverged)).
+    /// So that the curvature is continuous where the control polygon turns one way, and changes its
+    /// sign only elsewhere. Slow, and for dense and even points hardly determined
+    /// ([`NotConverged`](super::PointStatus::NotConverged)).
     G2,
 }
 
@@ -88,8 +97,8 @@ pub enum Solver {
     /// By closed forms and Newton's method.
     #[default]
     Fast,
-    /// The paper's: sweeps over the points, with steps along the guide, refined tenfold where the deviation changes its sign.
-    /// Where there is no guide to keep, along the deviation.
+    /// The paper's: sweeps over the points, with steps along the guide, refined tenfold where the
+    /// deviation changes its sign. Where there is no guide to keep, along the deviation.
     Step,
 }
 
@@ -99,7 +108,8 @@ pub enum Ends {
     /// As the first and last sections have it.
     #[default]
     Free,
-    /// Perpendicular to the first and the last chord: from the first point to the third, and from the last but two to the last.
+    /// Perpendicular to the first and the last chord: from the first point to the third, and from
+    /// the last but two to the last.
     Perpendicular,
 }
 
@@ -127,14 +137,16 @@ pub struct Options {
     pub solver: Solver,
     /// The ends of open outlines; the constraints come first.
     pub ends: Ends,
-    /// The parameter of a point is kept within this and 1 less this; 0.001 <= `parameter_limit` < 1/2.
+    /// The parameter of a point is kept within this and 1 less this; 0.001 <= `parameter_limit` <
+    /// 1/2.
     pub parameter_limit: f64,
     /// Neighbours nearer than this, times the size of the outline, are one point. At least 0.
     pub repeat_tolerance: f64,
-    /// Where the polygon of the points turns by more than this angle, in radians, is a corner; pi or more for none.
+    /// Where the polygon of the points turns by more than this angle, in radians, is a corner; pi
+    /// or more for none.
     pub corner_angle: f64,
-    /// Iterations end when nothing moves by more than this, times the size of the outline. What is then left to the solution may be
-    /// some times as much where an iteration converges slowly.
+    /// Iterations end when nothing moves by more than this, times the size of the outline. What is
+    /// then left to the solution may be some times as much where an iteration converges slowly.
     pub tolerance: f64,
     /// The most sweeps or iterations; at least 1.
     pub max_sweeps: u32,
@@ -142,7 +154,7 @@ pub struct Options {
     pub max_steps: u32,
     /// Its first step, times the size of the outline.
     pub first_step: f64,
-    /// What a step is divided by where the deviation changes its sign; greater than 1.
+    /// The divisor of a step where the deviation changes its sign; greater than 1.
     pub step_divisor: f64,
 }
 

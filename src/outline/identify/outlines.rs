@@ -1,12 +1,13 @@
-//! The input of an identification: points as they lie in the host's memory, outlines of them, and constraints.
+//! The input of an identification: points as they lie in the host's memory, outlines of them, and
+//! constraints.
 
 use crate::error::{Error, Result};
 use crate::outline::curve::check_finite;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any alignment. Plane points have
-/// z = 0.
+/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any
+/// alignment. Plane points have z = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Points<'a> {
     bytes: &'a [u8],
@@ -19,8 +20,8 @@ impl<'a> Points<'a> {
     /// `dimension`: 2 or 3; `stride`: in bytes, 0 for points without gaps.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
-    /// [`Error::ArrayTooShort`].
+    /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
+    /// [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, dimension: usize) -> Result<Self> {
         let needed = Self::bytes_needed(stride, count, dimension)?;
         if bytes.len() < needed {
@@ -107,7 +108,8 @@ impl<'a> From<&'a [[f64; 3]]> for Points<'a> {
     }
 }
 
-/// The largest number of points in one call: 2^30, so that control points can be counted in 32 bits.
+/// The largest number of points in one call: 2^30, so that control points can be counted in 32
+/// bits.
 pub const MAX_POINTS: usize = 1 << 30;
 
 /// Outlines: all their points one after another.
@@ -115,11 +117,13 @@ pub const MAX_POINTS: usize = 1 << 30;
 pub struct Outlines<'a> {
     /// The points of all outlines.
     pub points: Points<'a>,
-    /// Outline k has the points `offsets[k]..offsets[k + 1]`; `None` for a single outline of all points.
+    /// Outline k has the points `offsets[k]..offsets[k + 1]`; `None` for a single outline of all
+    /// points.
     pub offsets: Option<&'a [u32]>,
     /// Whether they are closed: from the last point back to the first.
     pub closed: bool,
-    /// In ascending order of the points, at most one for each. Of points that are merged the first constraint holds.
+    /// In ascending order of the points, at most one for each. Of points that are merged the first
+    /// constraint holds.
     pub constraints: &'a [Constraint],
 }
 
@@ -132,7 +136,7 @@ pub struct Constraint {
     pub kind: PointConstraint,
 }
 
-/// What is required of the curve where it passes a point.
+/// The requirement on the curve where it passes a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PointConstraint {
     /// The curve may turn sharply: it is made of two that meet there.

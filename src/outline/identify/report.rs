@@ -9,8 +9,8 @@ pub enum PointStatus {
     Ok = 0,
     /// Its parameter was brought within the limits.
     ClampedParameter = 1,
-    /// It repeats a point before it (or the first one, at the end of a closed outline), and was left out: the curve passes that
-    /// one, which is within the tolerance for repeats.
+    /// It repeats a point before it (or the first one, at the end of a closed outline), and was
+    /// left out: the curve passes that one, which is within the tolerance for repeats.
     Merged = 2,
     /// It repeats the first or last point of its section, which has no control point then.
     Repeated = 3,
@@ -36,7 +36,8 @@ pub enum PointStatus {
     FellBack = 13,
     /// The iteration ended before it was still.
     NotConverged = 14,
-    /// The curve misses it: the outline has too few different points, or its equations have no solution.
+    /// The curve misses it: the outline has too few different points, or its equations have no
+    /// solution.
     Missed = 15,
 }
 
@@ -55,7 +56,8 @@ pub enum FitStatus {
     Diverged = 3,
     /// The equations are so nearly singular that control points lie far outside the outline.
     IllConditioned = 4,
-    /// Fewer than two different points, or three of a closed outline: there is no curve, or what two points give.
+    /// Fewer than two different points, or three of a closed outline: there is no curve, or what
+    /// two points give.
     TooFewPoints = 5,
     /// A single curve of more than [`MAX_DEGREE`](crate::outline::MAX_DEGREE).
     DegreeTooHigh = 6,
@@ -76,7 +78,8 @@ pub struct Report {
     pub max_residual: f64,
     /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
     pub max_joint_sine: f64,
-    /// The farthest move of a control point in the last iteration, or the largest change of a joint parameter by curvatures.
+    /// The farthest move of a control point in the last iteration, or the largest change of a joint
+    /// parameter by curvatures.
     pub last_move: f64,
     /// How many points have a status other than [`PointStatus::Ok`].
     pub not_ok: u32,

@@ -6,7 +6,8 @@ use super::subcurve::PointResult;
 use crate::outline::curve::segment;
 use glam::DVec3;
 
-/// Measures the curve of an outline near the origin; the joint of a closed curve's end and start counts too. O(segments).
+/// Measures the curve of an outline near the origin; the joint of a closed curve's end and start
+/// counts too. O(segments).
 pub(super) fn measure(
     nodes: &[DVec3],
     results: &[PointResult],
@@ -47,7 +48,8 @@ pub(super) struct MaxJointSine {
 }
 
 impl MaxJointSine {
-    /// Adds the joint between the legs `u`, which ends there, and `v`, which begins there. Legs without length are passed over.
+    /// Adds the joint between the legs `u`, which ends there, and `v`, which begins there. Legs
+    /// without length are passed over.
     #[inline]
     pub(super) fn add(&mut self, u: DVec3, v: DVec3) {
         let (across, lengths) = (u.cross(v).length_squared(), u.length_squared() * v.length_squared());

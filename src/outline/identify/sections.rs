@@ -19,8 +19,9 @@ const POINTS_PER_REPORT: usize = 1 << 16;
 /// The sections of outlines, one for each point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sections {
-    /// The control point of each section; the section of point i is the quadratic from point i - 1 over it to point i + 1. At
-    /// the ends of open outlines, which have no section, the point itself.
+    /// The control point of each section; the section of point i is the quadratic from point i - 1
+    /// over it to point i + 1. At the ends of open outlines, which have no section, the point
+    /// itself.
     pub controls: Vec<DVec3>,
     /// The parameter of the point on its section; 0 and 1 at the ends of open outlines.
     pub parameters: Vec<f64>,
@@ -30,9 +31,10 @@ pub struct Sections {
 
 /// Finds the section of each point with its two neighbours.
 ///
-/// A tangent constraint at a point makes its section pass in that direction; one at the first or last point of an open
-/// outline is that of its neighbour's section there. Where the tangent or the normal cannot be had, the method (the bisector
-/// instead of the normal) takes its place, and the status says so. Corners mean nothing here. O(n); memory for the result.
+/// A tangent constraint at a point makes its section pass in that direction; one at the first or
+/// last point of an open outline is that of its neighbour's section there. Where the tangent or the
+/// normal cannot be had, the method (the bisector instead of the normal) takes its place, and the
+/// status says so. Corners mean nothing here. O(n); memory for the result.
 ///
 /// # Errors
 /// Those of [`fit`](super::fit()), but for the constraints' corners.
@@ -117,8 +119,8 @@ fn constrained(
     (Section { control: section.control / scale, ..section }, status)
 }
 
-/// The sections of some points of a closed outline without constraints, by a method with an exponent: each chord is measured
-/// once.
+/// The sections of some points of a closed outline without constraints, by a method with an
+/// exponent: each chord is measured once.
 fn unconstrained(
     points: &Points<'_>,
     outline: &Range<usize>,
@@ -146,7 +148,8 @@ fn unconstrained(
     }
 }
 
-/// A power of two that brings coordinates near 1 if squares of them could overflow or vanish; else 1.
+/// A power of two that brings coordinates near 1 if squares of them could overflow or vanish; else
+/// 1.
 fn scale(outlines: &Outlines<'_>) -> Result<f64> {
     let mut largest = 0.0f64;
     for i in 0..outlines.points.len() {
@@ -169,7 +172,8 @@ fn tangent(constraints: &[Constraint], point: usize) -> Option<DVec3> {
     }
 }
 
-/// The section through three points; tangents at the first, the middle and the last one, the middle one first of all.
+/// The section through three points; tangents at the first, the middle and the last one, the middle
+/// one first of all.
 #[inline]
 fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], method: Method) -> (Section, PointStatus) {
     let wanted = match tangents {

@@ -1,11 +1,13 @@
-//! The unknowns of a piecewise curve, one of each for every point of a subcurve, and the memory to solve for them in.
+//! The unknowns of a piecewise curve, one of each for every point of a subcurve, and the memory to
+//! solve for them in.
 
 use super::subcurve::Subcurve;
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// Parameters, joint parameters and control points of a composite curve; other curves use the lists for their own unknowns.
+/// Parameters, joint parameters and control points of a composite curve; other curves use the lists
+/// for their own unknowns.
 #[derive(Default)]
 pub(super) struct Solution {
     /// The parameter of each point on its section.
@@ -36,7 +38,8 @@ impl Solution {
         alloc::reset(&mut self.beta, n, 0.5)
     }
 
-    /// beta_i, the joint parameter behind section `i`: 0 and 1 where a section itself begins or ends the subcurve.
+    /// beta_i, the joint parameter behind section `i`: 0 and 1 where a section itself begins or
+    /// ends the subcurve.
     #[inline]
     pub(super) fn joint_parameter(&self, sub: &Subcurve<'_>, i: usize) -> f64 {
         let outer = !sub.closed && (i == 0 || i + 2 == sub.len());

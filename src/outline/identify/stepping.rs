@@ -1,8 +1,10 @@
-//! The paper's search for a control point: steps along a direction, refined tenfold where the deviation changes its sign.
+//! The paper's search for a control point: steps along a direction, refined tenfold where the
+//! deviation changes its sign.
 //!
-//! Unlike the paper's, a step is along the unit vector of the guide, not in y, as a guide may be level; it has the sign of the
-//! deviation, and may go down; and the search ends when the step or the deviation is small, not at the first change of sign.
-//! O(log(1 / tolerance)) steps once the sign has changed, first_step apart before.
+//! Unlike the paper's, a step is along the unit vector of the guide, not in y, as a guide may be
+//! level; it has the sign of the deviation, and may go down; and the search ends when the step or
+//! the deviation is small, not at the first change of sign. O(log(1 / tolerance)) steps once the
+//! sign has changed, first_step apart before.
 //!
 //! Source: Nadopta, points 4 to 6 of the method of the normal.
 
@@ -11,10 +13,11 @@ use super::options::Options;
 use super::report::PointStatus;
 use glam::DVec3;
 
-/// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the steps are used up. The
-/// deviation falls with x.
+/// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the
+/// steps are used up. The deviation falls with x.
 pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64, steps: &mut u64) -> Option<f64> {
-    // The deviation has a slope of 0.28 to 1 in all uses: the error of an offset is that much more than the deviation.
+    // The deviation has a slope of 0.28 to 1 in all uses: the error of an offset is that much more
+    // than the deviation.
     let tolerance = (options.tolerance * 0.125).max(f64::EPSILON) * size;
     let (mut x, mut step) = (0.0f64, options.first_step * size);
     let mut flag = 0.0;
@@ -40,9 +43,9 @@ pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64,
     None
 }
 
-/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from P along the guide, until
-/// the curve crosses the guide at P. It crosses it at the same parameter wherever B is, as the paper observes of the normal
-/// and as holds for all guides.
+/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from
+/// P along the guide, until the curve crosses the guide at P. It crosses it at the same parameter
+/// wherever B is, as the paper observes of the normal and as holds for all guides.
 ///
 /// # Errors
 /// Those of [`Method::section`]; [`PointStatus::NotConverged`] if the steps are used up.
@@ -57,7 +60,8 @@ pub fn step_section(
     let s = 1.0 - t;
     let (u, w) = (a - p, c - p);
     let size = u.abs().max_element().max(w.abs().max_element()).max((c - a).abs().max_element());
-    // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. A point that is the foot has nowhere to go.
+    // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. A point that is
+    // the foot has nowhere to go.
     let still = u * (s * s) + w * (t * t);
     let guide = -still.normalize_or_zero();
     let mut steps = 0;

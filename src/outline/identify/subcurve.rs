@@ -1,4 +1,5 @@
-//! Subcurves: the part of an outline between two of its cuts, or a whole closed one, as one system of equations sees it.
+//! Subcurves: the part of an outline between two of its cuts, or a whole closed one, as one system
+//! of equations sees it.
 
 use super::options::Options;
 use super::report::PointStatus;
@@ -54,9 +55,9 @@ impl Subcurve<'_> {
         [self.options.parameter_limit, 1.0 - self.options.parameter_limit]
     }
 
-    /// The control points next to the ends where tangents are given: a third of the way to the next point along the tangent,
-    /// as on a straight line of even speed; a quarter if the next point is the other end and both have tangents, half if
-    /// only one has.
+    /// The control points next to the ends where tangents are given: a third of the way to the next
+    /// point along the tangent, as on a straight line of even speed; a quarter if the next point is
+    /// the other end and both have tangents, half if only one has.
     pub(super) fn end_controls(&self) -> [Option<DVec3>; 2] {
         let last = self.len() - 1;
         let fraction = match (last, self.tangents) {

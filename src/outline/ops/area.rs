@@ -1,9 +1,11 @@
 //! Area and moments of the region that a curve encloses; an open curve is closed by its chord.
 //!
-//! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2 (Green's theorem); the mean
-//! of a triangle's points is 2 r / 3 and of their products r r^T / 2. So
+//! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2
+//! (Green's theorem); the mean of a triangle's points is 2 r / 3 and of their products r r^T / 2.
+//! So
 //!
-//! area = 1/2 of the integral of W,   first = 1/3 of that of r W,   second = 1/4 of that of r r^T W,   W dt = r x dr,
+//! area = 1/2 of the integral of W,   first = 1/3 of that of r W,   second = 1/4 of that of r r^T
+//! W,   W dt = r x dr,
 //!
 //! polynomials in t whose integrals are exact. The chord back to the start sweeps nothing.
 
@@ -13,8 +15,8 @@ use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, MAX_DEGREE};
 use glam::DVec3;
 
-/// The moments of the region that a plane curve encloses. Regions that the curve runs round clockwise count negative, those
-/// it runs round twice count twice.
+/// The moments of the region that a plane curve encloses. Regions that the curve runs round
+/// clockwise count negative, those it runs round twice count twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moments {
     /// The area, positive if the curve runs counter-clockwise.
@@ -28,7 +30,8 @@ pub struct Moments {
 /// A component of a segment's control points.
 type Component = [f64; MAX_DEGREE + 1];
 
-/// The components of the control points seen from `start`, in the frame, and those of the derivative.
+/// The components of the control points seen from `start`, in the frame, and those of the
+/// derivative.
 fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> ([Component; 3], [Component; 3]) {
     let (mut r, mut d) = ([[0.0; MAX_DEGREE + 1]; 3], [[0.0; MAX_DEGREE + 1]; 3]);
     let n = controls.len() - 1;
@@ -44,8 +47,9 @@ fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> ([Componen
 }
 
 impl CurveView<'_> {
-    /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in space its component along
-    /// any direction is the area of the shadow thrown that way. Exact but for rounding. O(sum of degree^2).
+    /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in
+    /// space its component along any direction is the area of the shadow thrown that way. Exact but
+    /// for rounding. O(sum of degree^2).
     pub fn area_vector(&self) -> DVec3 {
         let frame = UnitFrame::of(self.points());
         let Some(&start) = self.points().first() else {
@@ -63,7 +67,8 @@ impl CurveView<'_> {
         (doubled * 0.5).map(|x| frame.length_back(frame.length_back(x)))
     }
 
-    /// The signed area that a plane curve encloses, positive if it runs counter-clockwise, from x to y.
+    /// The signed area that a plane curve encloses, positive if it runs counter-clockwise, from x
+    /// to y.
     ///
     /// # Errors
     /// [`CurveNotPlane`](crate::Error::CurveNotPlane).
@@ -72,7 +77,8 @@ impl CurveView<'_> {
         Ok(self.area_vector().z)
     }
 
-    /// Area, centroid and second moments of what a plane curve encloses. Exact but for rounding. O(sum of degree^2).
+    /// Area, centroid and second moments of what a plane curve encloses. Exact but for rounding.
+    /// O(sum of degree^2).
     ///
     /// # Errors
     /// [`CurveNotPlane`](crate::Error::CurveNotPlane), [`EmptyCurve`](crate::Error::EmptyCurve).

@@ -16,9 +16,9 @@ pub struct Bounds {
 }
 
 impl CurveView<'_> {
-    /// The smallest box round the curve: its extrema are at ends of segments and at roots of the derivative. The result is as
-    /// exact as the points of the curve are, about 1e-15 of its size. O(points), plus O(degree^2) for segments that reach
-    /// beyond their ends.
+    /// The smallest box round the curve: its extrema are at ends of segments and at roots of the
+    /// derivative. The result is as exact as the points of the curve are, about 1e-15 of its size.
+    /// O(points), plus O(degree^2) for segments that reach beyond their ends.
     ///
     /// # Errors
     /// [`EmptyCurve`](crate::Error::EmptyCurve): not a single point.

@@ -1,10 +1,10 @@
 //! The real roots of a cubic in closed form.
 
-/// The real roots of a t^3 + b t^2 + c t + d, ascending, one to three of them; `None` if a is too small beside the others for
-/// the formula.
+/// The real roots of a t^3 + b t^2 + c t + d, ascending, one to three of them; `None` if a is too
+/// small beside the others for the formula.
 ///
-/// With t = x - b / (3 a): x^3 + 3 p x + 2 q = 0, whose discriminant is q^2 + p^3 (Cardano; for three real roots Viète's
-/// cosines). Each root is then improved by two steps of Newton's method.
+/// With t = x - b / (3 a): x^3 + 3 p x + 2 q = 0, whose discriminant is q^2 + p^3 (Cardano; for
+/// three real roots Viète's cosines). Each root is then improved by two steps of Newton's method.
 pub(super) fn real_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 3], usize)> {
     let size = b.abs().max(c.abs()).max(d.abs());
     if a.abs() <= 1e-6 * size || a == 0.0 {

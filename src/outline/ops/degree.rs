@@ -15,11 +15,13 @@ use glam::DVec3;
 pub struct Reduced {
     /// The curve. Its segments are those of the original, in order.
     pub curve: Curve,
-    /// Of each segment: how far its points are from those of the original at the same parameter, at most. It is a bound, the
-    /// largest distance of the control points of both at the same degree. For a segment that was kept, what the reduced one
-    /// would have had; 0 for a segment whose degree was low enough.
+    /// Of each segment: how far its points are from those of the original at the same parameter, at
+    /// most. It is a bound, the largest distance of the control points of both at the same degree.
+    /// For a segment that was kept, what the reduced one would have had; 0 for a segment whose
+    /// degree was low enough.
     pub deviations: Vec<f64>,
-    /// The segments that were kept as they are, because the deviation would have been above the tolerance.
+    /// The segments that were kept as they are, because the deviation would have been above the
+    /// tolerance.
     pub kept: Vec<u32>,
 }
 
@@ -34,13 +36,14 @@ impl CurveView<'_> {
     /// The same curve with the degree of every segment raised by `by`.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`], [`Error::OutOfMemory`].
-    /// O(degree) for each new control point.
+    /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`]. O(degree) for each new control point.
     pub fn elevated_by(&self, by: usize) -> Result<Curve> {
         self.elevated(|degree| degree.saturating_add(by))
     }
 
-    /// The same curve with all segments of degree `degree` at least, 1 to [`MAX_DEGREE`]; higher ones stay.
+    /// The same curve with all segments of degree `degree` at least, 1 to [`MAX_DEGREE`]; higher
+    /// ones stay.
     ///
     /// # Errors
     /// As for [`elevated_by`](Self::elevated_by).
@@ -61,12 +64,14 @@ impl CurveView<'_> {
         Ok(curve)
     }
 
-    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one with the same ends whose mean
-    /// square distance at equal parameters is least. Segments that would deviate by more than `tolerance` (at least 0, in the
-    /// unit of the points; infinity is allowed) are kept. Joints may become corners by as much as the deviation lets them.
+    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one
+    /// with the same ends whose mean square distance at equal parameters is least. Segments that
+    /// would deviate by more than `tolerance` (at least 0, in the unit of the points; infinity is
+    /// allowed) are kept. Joints may become corners by as much as the deviation lets them.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for each segment.
+    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for
+    /// each segment.
     pub fn reduced(&self, degree: usize, tolerance: f64) -> Result<Reduced> {
         degree_option(degree, 1)?;
         if tolerance.is_nan() || tolerance < 0.0 {
@@ -105,8 +110,9 @@ impl CurveView<'_> {
     }
 }
 
-/// The largest distance of the control points of two segments, the second one raised to the degree of the first: by the
-/// convex hull of the difference no points at equal parameters are farther apart.
+/// The largest distance of the control points of two segments, the second one raised to the degree
+/// of the first: by the convex hull of the difference no points at equal parameters are farther
+/// apart.
 fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
     fitted.elevate(controls.len() - 1);
     let distance = |(&p, &q): (&DVec3, &DVec3)| p.distance(q);
@@ -115,8 +121,8 @@ fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
     controls.iter().zip(&*fitted).map(distance).fold(0.0, farther)
 }
 
-/// The segment of degree m with the ends of `controls` whose integral of the squared distance is least: the normal equations
-/// of its inner control points, whose coefficients are
+/// The segment of degree m with the ends of `controls` whose integral of the squared distance is
+/// least: the normal equations of its inner control points, whose coefficients are
 ///
 /// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
 ///
@@ -139,7 +145,8 @@ fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
             let rest = product(i + 1, j + 1) - known;
-            // The matrix is positive definite; where rounding says otherwise (from degree 25 on) the deviation will tell.
+            // The matrix is positive definite; where rounding says otherwise (from degree 25 on)
+            // the deviation will tell.
             lower[i][j] = if i == j { rest.max(f64::MIN_POSITIVE).sqrt() } else { rest / lower[j][j] };
         }
         for k in 0..i {

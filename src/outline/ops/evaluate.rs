@@ -11,7 +11,8 @@ impl CurveView<'_> {
     /// The point at a place.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`]: no such segment, or t outside 0 to 1. O(degree), as for every place below.
+    /// [`Error::NoSuchPlace`]: no such segment, or t outside 0 to 1. O(degree), as for every place
+    /// below.
     pub fn point(&self, place: Place) -> Result<DVec3> {
         self.check_place(0, place)?;
         Ok(segment::point(self.segment(place.segment as usize), place.t))
@@ -25,8 +26,9 @@ impl CurveView<'_> {
         self.at_each(places, segment::point)
     }
 
-    /// The derivatives by the segment's parameter t at many places: for each place the point, the first derivative, and so on
-    /// up to `order`, at most [`MAX_DEGREE`]. Beyond the degree of a segment they are 0. O(degree^2) a place.
+    /// The derivatives by the segment's parameter t at many places: for each place the point, the
+    /// first derivative, and so on up to `order`, at most [`MAX_DEGREE`]. Beyond the degree of a
+    /// segment they are 0. O(degree^2) a place.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`].
@@ -46,8 +48,9 @@ impl CurveView<'_> {
         Ok(out)
     }
 
-    /// The directions in which the curve runs at many places, of length 1: at t = 1 the one it arrives in, elsewhere the one
-    /// it goes on in, also where the first derivative is 0. 0 for a segment without extent.
+    /// The directions in which the curve runs at many places, of length 1: at t = 1 the one it
+    /// arrives in, elsewhere the one it goes on in, also where the first derivative is 0. 0 for a
+    /// segment without extent.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
@@ -55,9 +58,9 @@ impl CurveView<'_> {
         self.at_each(places, tangent)
     }
 
-    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) positive where it turns left, from x to
-    /// y; in space never negative. Infinite where the first derivative is 0 on a segment that is not straight; 0 on a
-    /// straight one.
+    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) positive where
+    /// it turns left, from x to y; in space never negative. Infinite where the first derivative is
+    /// 0 on a segment that is not straight; 0 on a straight one.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].

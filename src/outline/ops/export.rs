@@ -1,4 +1,5 @@
-//! Curves as others write them: SVG paths, contours of TrueType fonts, B-splines. In memory; no file is touched.
+//! Curves as others write them: SVG paths, contours of TrueType fonts, B-splines. In memory; no
+//! file is touched.
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -8,7 +9,8 @@ use crate::outline::curve::unit_frame::UnitFrame;
 use glam::DVec3;
 use std::fmt::{self, Write};
 
-/// A closed contour of a TrueType font (`glyf` table): between two points off the curve there is one on it in the middle.
+/// A closed contour of a TrueType font (`glyf` table): between two points off the curve there is
+/// one on it in the middle.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Contour {
     /// The points; the last is followed by the first.
@@ -22,7 +24,8 @@ pub struct Contour {
 pub struct Spline {
     /// Of all its pieces.
     pub degree: usize,
-    /// In ascending order, as many as there are control points, and n + 1 more; the first and the last n + 1 are equal.
+    /// In ascending order, as many as there are control points, and n + 1 more; the first and the
+    /// last n + 1 are equal.
     pub knots: Vec<f64>,
     /// The control points (de Boor points).
     pub controls: Vec<DVec3>,
@@ -51,13 +54,13 @@ const SEGMENTS_PER_REPORT: usize = 1 << 12;
 const WIDTH: usize = 25;
 
 impl CurveView<'_> {
-    /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is closed. Numbers read back
-    /// as the same bits. y grows upwards here and downwards in SVG; the caller may turn it over. A curve without points is an
-    /// empty text.
+    /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is
+    /// closed. Numbers read back as the same bits. y grows upwards here and downwards in SVG; the
+    /// caller may turn it over. A curve without points is an empty text.
     ///
     /// # Errors
-    /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not have: see
-    /// [`reduced`](Self::reduced)), [`Error::OutOfMemory`]. O(points).
+    /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not
+    /// have: see [`reduced`](Self::reduced)), [`Error::OutOfMemory`]. O(points).
     pub fn svg_path(&self) -> Result<String> {
         self.svg_path_cancellable(&Job::default())
     }
@@ -97,14 +100,16 @@ impl CurveView<'_> {
         Ok(text)
     }
 
-    /// The contour of a TrueType font: the control points of the quadratics, off the curve, and those joints, on the curve,
-    /// that are not in the middle between two of them. A joint is in the middle if it is so within `tolerance` (at least 0,
-    /// in the unit of the points) or within rounding; so the composite curve of n points with halved joints becomes n points
-    /// off the curve.
+    /// The contour of a TrueType font: the control points of the quadratics, off the curve, and
+    /// those joints, on the curve, that are not in the middle between two of them. A joint is in
+    /// the middle if it is so within `tolerance` (at least 0, in the unit of the points) or within
+    /// rounding; so the composite curve of n points with halved joints becomes n points off the
+    /// curve.
     ///
     /// # Errors
-    /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed), [`Error::EmptyCurve`],
-    /// [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance), [`Error::OutOfMemory`]. O(points).
+    /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed),
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance),
+    /// [`Error::OutOfMemory`]. O(points).
     pub fn contour(&self, tolerance: f64) -> Result<Contour> {
         self.check_plane()?;
         self.check_degree(2)?;
@@ -137,13 +142,15 @@ impl CurveView<'_> {
         Ok(contour)
     }
 
-    /// The curve as a B-spline, if all segments have the same degree n. A joint where the direction does not change, within
-    /// an angle of 1e-9, becomes a knot of multiplicity n - 1, and is no control point: the lengths of the knot intervals are
-    /// chosen so that the first derivative is continuous there, l' / l = |B'_1 - J| / |J - B_(n-1)|. Others have multiplicity
-    /// n. The first interval has length 1.
+    /// The curve as a B-spline, if all segments have the same degree n. A joint where the direction
+    /// does not change, within an angle of 1e-9, becomes a knot of multiplicity n - 1, and is no
+    /// control point: the lengths of the knot intervals are chosen so that the first derivative is
+    /// continuous there, l' / l = |B'_1 - J| / |J - B_(n-1)|. Others have multiplicity n. The first
+    /// interval has length 1.
     ///
-    /// # Errors [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the first),
-    /// [`Error::OutOfMemory`]. O(points).
+    /// # Errors
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the
+    /// first), [`Error::OutOfMemory`]. O(points).
     pub fn spline(&self) -> Result<Spline> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);

@@ -1,4 +1,5 @@
-//! Intersections of two plane curves, and of one with itself: pairs of segments whose boxes meet, found in a tree.
+//! Intersections of two plane curves, and of one with itself: pairs of segments whose boxes meet,
+//! found in a tree.
 
 use super::part::{Part, sort_distinct};
 use super::segment_intersection::{
@@ -37,8 +38,8 @@ pub struct Intersections {
     pub points: Vec<Intersection>,
     /// Parts in common, one for each pair of segments.
     pub overlaps: Vec<Overlap>,
-    /// True if some pair of segments was given up: they run beside each other within rounding for a long way without being
-    /// the same curve. Some of their common points may be missing.
+    /// True if some pair of segments was given up: they run beside each other within rounding for a
+    /// long way without being the same curve. Some of their common points may be missing.
     pub undecided: bool,
 }
 
@@ -65,12 +66,14 @@ impl Piece {
 const MAX_DEPTH: u32 = 20;
 
 impl CurveView<'_> {
-    /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the parameters. Curves touch
-    /// where they come within 1e-12 of their size; intersections that differ by less than 1e-6 in both parameters count as one.
-    /// Parts in common are reported as such. Bounded work for each pair of segments whose boxes meet; about O(log(1 /
-    /// distance)) halvings for each intersection.
+    /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the
+    /// parameters. Curves touch where they come within 1e-12 of their size; intersections that
+    /// differ by less than 1e-6 in both parameters count as one. Parts in common are reported as
+    /// such. Bounded work for each pair of segments whose boxes meet; about O(log(1 / distance))
+    /// halvings for each intersection.
     ///
-    /// # Errors [`CurveNotPlane`](crate::Error::CurveNotPlane), [`OutOfMemory`](crate::Error::OutOfMemory),
+    /// # Errors
+    /// [`CurveNotPlane`](crate::Error::CurveNotPlane), [`OutOfMemory`](crate::Error::OutOfMemory),
     /// [`Cancelled`](crate::Error::Cancelled).
     pub fn intersections(&self, other: &CurveView<'_>, job: &Job<'_>) -> Result<Intersections> {
         self.check_plane()?;
@@ -92,9 +95,10 @@ impl CurveView<'_> {
         Ok(all)
     }
 
-    /// The points that a plane curve passes more than once: crossings, touches, parts run through twice, loops within a
-    /// segment. The joint of neighbours is none, nor is the closing of a closed curve, nor a cusp. Loops that take less than
-    /// 1e-5 of a segment's parameter are not seen. Otherwise as [`intersections`](Self::intersections).
+    /// The points that a plane curve passes more than once: crossings, touches, parts run through
+    /// twice, loops within a segment. The joint of neighbours is none, nor is the closing of a
+    /// closed curve, nor a cusp. Loops that take less than 1e-5 of a segment's parameter are not
+    /// seen. Otherwise as [`intersections`](Self::intersections).
     ///
     /// # Errors
     /// As for [`intersections`](Self::intersections).
@@ -133,8 +137,9 @@ impl CurveView<'_> {
         Ok(all)
     }
 
-    /// The segments in a frame, those that may meet themselves halved until they do not, at most `depth` times. Segments that
-    /// are points are left out where `depth` asks for self-intersections.
+    /// The segments in a frame, those that may meet themselves halved until they do not, at most
+    /// `depth` times. Segments that are points are left out where `depth` asks for
+    /// self-intersections.
     fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
         for (k, controls) in self.segments().enumerate() {
@@ -147,7 +152,8 @@ impl CurveView<'_> {
     }
 }
 
-/// Appends a part of a segment, or its halves where it may meet itself; one smaller than rounding can tell is one piece.
+/// Appends a part of a segment, or its halves where it may meet itself; one smaller than rounding
+/// can tell is one piece.
 fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
     let small = |controls: &[DVec3]| Aabb::of(controls).size().max_element() <= MAX_COMMON_DISTANCE;
     if depth == 0 || advances(&part.controls) || small(&part.controls) {

@@ -1,5 +1,5 @@
-//! Intersections of a curve with a plane, and of a plane curve with a line: the roots of its distance, a polynomial in Bernstein
-//! form on each segment.
+//! Intersections of a curve with a plane, and of a plane curve with a line: the roots of its
+//! distance, a polynomial in Bernstein form on each segment.
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -11,10 +11,11 @@ use glam::DVec3;
 /// The intersections of a curve with a line or a plane.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlaneIntersections {
-    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the segment that ends there,
-    /// and the joint of a closed curve's end and start to its start.
+    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the
+    /// segment that ends there, and the joint of a closed curve's end and start to its start.
     pub places: Vec<Place>,
-    /// The segments that lie in the line or plane altogether; their points are not among the places.
+    /// The segments that lie in the line or plane altogether; their points are not among the
+    /// places.
     pub inside: Vec<u32>,
 }
 
@@ -22,13 +23,14 @@ pub struct PlaneIntersections {
 const MAX_TOUCH_DISTANCE: f64 = 1.0 / (1u64 << 46) as f64;
 
 impl CurveView<'_> {
-    /// PlaneIntersections with the plane through `point` across `normal`, which need not have length 1. Where the curve comes within
-    /// 1.4e-14 of its size it counts as touching. Roots of the distance in closed form up to degree 2, isolated otherwise.
-    /// O(points) and O(degree^2) for each intersection.
+    /// PlaneIntersections with the plane through `point` across `normal`, which need not have
+    /// length 1. Where the curve comes within 1.4e-14 of its size it counts as touching. Roots of
+    /// the distance in closed form up to degree 2, isolated otherwise. O(points) and O(degree^2)
+    /// for each intersection.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is `point`, 1 is `normal`),
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is
+    /// `point`, 1 is `normal`), [`Error::OutOfMemory`].
     pub fn intersect_plane(&self, point: DVec3, normal: DVec3) -> Result<PlaneIntersections> {
         check_finite(0, point)?;
         check_finite(1, normal)?;
@@ -40,7 +42,8 @@ impl CurveView<'_> {
         let normal = (normal / largest).normalize();
         let level = normal.dot(frame.point(point));
         let mut found = PlaneIntersections::default();
-        // Farther than any point of the curve; not a number where the plane is too far for the frame.
+        // Farther than any point of the curve; not a number where the plane is too far for the
+        // frame.
         if level.abs() > 2.0 || level.is_nan() {
             return Ok(found);
         }
@@ -62,11 +65,12 @@ impl CurveView<'_> {
         Ok(found)
     }
 
-    /// PlaneIntersections of a plane curve with the line through `point` along `direction`, endless to both sides. As
-    /// [`intersect_plane`](Self::intersect_plane).
+    /// PlaneIntersections of a plane curve with the line through `point` along `direction`, endless
+    /// to both sides. As [`intersect_plane`](Self::intersect_plane).
     ///
-    /// # Errors [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line, have z other than
-    /// 0), and those of the plane.
+    /// # Errors
+    /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line,
+    /// have z other than 0), and those of the plane.
     pub fn intersect_line(&self, point: DVec3, direction: DVec3) -> Result<PlaneIntersections> {
         self.check_plane()?;
         check_finite(0, point)?;
@@ -90,7 +94,8 @@ impl PlaneIntersections {
         alloc::push(&mut self.places, Place { segment, t })
     }
 
-    /// Removes places that belong to the start of a closed curve, or to a segment inside that follows.
+    /// Removes places that belong to the start of a closed curve, or to a segment inside that
+    /// follows.
     fn close(&mut self, curve: &CurveView<'_>) {
         let last = curve.len() as u32;
         let start = Place { segment: 0, t: 0.0 };

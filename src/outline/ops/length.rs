@@ -30,8 +30,8 @@ impl<'a> CurveView<'a> {
         Ok(self.lengths()?.total())
     }
 
-    /// Measures all segments: degrees 1 and 2 in closed form, others by adaptive Gauss-Legendre integration, to 1e-13 of the
-    /// length of the segment's control polygon. O(points).
+    /// Measures all segments: degrees 1 and 2 in closed form, others by adaptive Gauss-Legendre
+    /// integration, to 1e-13 of the length of the segment's control polygon. O(points).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -78,8 +78,8 @@ impl Lengths<'_> {
         Ok(self.frame.length_back(self.before(k) + arc.length(0.0, place.t)))
     }
 
-    /// The place at an arc length from the start; a length below 0 or above the total is the start or the end. O(log n), and
-    /// a few integrations above degree 2.
+    /// The place at an arc length from the start; a length below 0 or above the total is the start
+    /// or the end. O(log n), and a few integrations above degree 2.
     ///
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
@@ -93,7 +93,8 @@ impl Lengths<'_> {
         Ok(self.place_in_frame(self.frame.length(length)))
     }
 
-    /// Places at equal distances along the curve: the parts k / n of the whole for k = 0 to `count` - 1.
+    /// Places at equal distances along the curve: the parts k / n of the whole for k = 0 to
+    /// `count` - 1.
     pub(super) fn place_of_part(&self, k: usize, n: usize) -> Place {
         let total = self.ends.last().copied().unwrap_or(0.0);
         self.place_in_frame(total * (k as f64 / n as f64))
@@ -124,8 +125,9 @@ impl Lengths<'_> {
 /// A segment's derivative: n control points of degree n - 1.
 struct Arc {
     velocity: SegmentBuffer,
-    /// Where the speed is least or greatest, for degrees from 3 on. At a cusp it has a kink, which a rule does not see if it
-    /// hides between an end and the first node; so every interval of integration ends there.
+    /// Where the speed is least or greatest, for degrees from 3 on. At a cusp it has a kink, which
+    /// a rule does not see if it hides between an end and the first node; so every interval of
+    /// integration ends there.
     turns: Roots,
 }
 
@@ -161,8 +163,8 @@ impl Arc {
         }
     }
 
-    /// Halves until the halves agree with the whole, or there have been enough halvings: where control points are so far apart that the
-    /// speed is noise, they never agree.
+    /// Halves until the halves agree with the whole, or there have been enough halvings: where
+    /// control points are so far apart that the speed is noise, they never agree.
     fn adaptive(&self, a: f64, b: f64, whole: f64, error: f64, halvings: &mut u32) -> f64 {
         let middle = 0.5 * (a + b);
         let (left, right) = (self.gauss(a, middle), self.gauss(middle, b));
@@ -202,8 +204,8 @@ fn turns(velocity: &[DVec3]) -> Roots {
     roots(product, 4.0 * f64::EPSILON * largest)
 }
 
-/// The positive nodes of the Gauss-Legendre rule with 16 points on -1 to 1, and their weights: roots of the Legendre
-/// polynomial P_16, and 2 / ((1 - x^2) P_16'(x)^2).
+/// The positive nodes of the Gauss-Legendre rule with 16 points on -1 to 1, and their weights:
+/// roots of the Legendre polynomial P_16, and 2 / ((1 - x^2) P_16'(x)^2).
 const GAUSS: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
     (0.944_575_023_073_232_6, 0.062_253_523_938_647_89),
@@ -217,9 +219,10 @@ const GAUSS: [(f64, f64); 8] = [
 
 /// The integral of |u + w t| from `a` to `b`, in closed form.
 ///
-/// Along w the velocity has the component y = u . w / k + k t, k = |w|, and across it the constant g = |u x w| / k, so the
-/// length is the integral of sqrt(y^2 + g^2) dy / k. Taken from |y| to |y| on one side of y = 0, every term is positive and
-/// divided by k before it is a difference: nothing cancels, however straight the parabola is and however small k.
+/// Along w the velocity has the component y = u . w / k + k t, k = |w|, and across it the constant
+/// g = |u x w| / k, so the length is the integral of sqrt(y^2 + g^2) dy / k. Taken from |y| to |y|
+/// on one side of y = 0, every term is positive and divided by k before it is a difference: nothing
+/// cancels, however straight the parabola is and however small k.
 fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     let k = w.length();
     if k == 0.0 {
@@ -239,8 +242,9 @@ fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     }
 }
 
-/// The integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0: with s = sqrt(y^2 + g^2) and s' at the other end,
-/// half of y' s' - y s + g^2 ln((y' + s') / (y + s)), where s' - s = step (y' + y) / (s' + s).
+/// The integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0: with s = sqrt(y^2 +
+/// g^2) and s' at the other end, half of y' s' - y s + g^2 ln((y' + s') / (y + s)), where s' - s =
+/// step (y' + y) / (s' + s).
 fn branch(y: f64, step: f64, g: f64, k: f64) -> f64 {
     let far = y + step;
     let (s, t) = ((y * y + g * g).sqrt(), (far * far + g * g).sqrt());

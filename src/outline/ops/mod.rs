@@ -5,7 +5,8 @@
 //! * evaluate: points, derivatives, tangents and curvatures at places.
 //! * split, degree: parts of a curve, its reverse, other degrees.
 //! * nearest: the point nearest to a given one.
-//! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over the region that a curve encloses.
+//! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over the region
+//!   that a curve encloses.
 //! * bounds: the exact bounding box.
 //! * intersect_line: intersections with lines and planes.
 //! * intersect, segment_intersection: common points of two plane curves, and of one with itself.
@@ -14,11 +15,12 @@
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
 //!
-//! They stand on [`bernstein`](crate::geom::bernstein) (polynomials on 0 to 1 and their roots), and cubic (the closed form).
+//! They stand on the shared Bernstein module (polynomials on 0 to 1 and their roots), and
+//! cubic (the closed form).
 //!
-//! Every operation measures in a unit frame, in which the curve has about size 1, and is exact, or stops, at an error relative
-//! to that size. Lengths of 1e200 and 1e-200 are as good as others; results that f64 cannot hold, such as an area of 1e400,
-//! become infinite or 0.
+//! Every operation measures in a unit frame, in which the curve has about size 1, and is exact, or
+//! stops, at an error relative to that size. Lengths of 1e200 and 1e-200 are as good as others;
+//! results that f64 cannot hold, such as an area of 1e400, become infinite or 0.
 
 mod area;
 mod bounds;

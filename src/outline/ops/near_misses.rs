@@ -1,17 +1,22 @@
-//! Near misses of two curves in space: the places where their distance is least, if it is small enough.
+//! Near misses of two curves in space: the places where their distance is least, if it is small
+//! enough.
 //!
 //! Pairs of parts are halved until a proof holds:
 //!
-//! * *apart*: their hulls are farther from each other than asked for, along an axis or across both chords;
-//! * *empty*: one of the slopes of f = |A(s) - B(t)|^2 / 2 has one sign all over the pair, and leads into the next part;
-//! * *unique*: the Hessian of f is positive definite for all s and t of the pair, or f falls towards the end of a segment and is
-//!   convex along that end: then Newton's method finds the only least distance. All by bounds over the control points.
+//! * *apart*: their hulls are farther from each other than asked for, along an axis or across both
+//!   chords;
+//! * *empty*: one of the slopes of f = |A(s) - B(t)|^2 / 2 has one sign all over the pair, and
+//!   leads into the next part;
+//! * *unique*: the Hessian of f is positive definite for all s and t of the pair, or f falls
+//!   towards the end of a segment and is convex along that end: then Newton's method finds the only
+//!   least distance. All by bounds over the control points.
 //!
-//! Parts that run beside each other have no such proof: those left at the least size are clustered into overlaps, if they are near
-//! enough.
+//! Parts that run beside each other have no such proof: those left at the least size are clustered
+//! into overlaps, if they are near enough.
 //!
-//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved; the bounds of slopes and Hessian
-//! are ours. Cost: at most [`MAX_PAIRS`] pairs of parts for two segments, O(degree^2) each.
+//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved; the
+//! bounds of slopes and Hessian are ours. Cost: at most [`MAX_PAIRS`] pairs of parts for two
+//! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
 use super::part::{Part, chord, halve, separates, sort_distinct};
@@ -43,8 +48,9 @@ pub struct NearMiss {
 pub struct NearMisses {
     /// By their places on the first curve.
     pub places: Vec<NearMiss>,
-    /// Parts that stay near, or touch so closely that no place can be told from the next; the nearest places of each are among the
-    /// places. On the second curve: the places between which the near points are.
+    /// Parts that stay near, or touch so closely that no place can be told from the next; the
+    /// nearest places of each are among the places. On the second curve: the places between which
+    /// the near points are.
     pub overlaps: Vec<Overlap>,
     /// True if parts were given up that may be near enough and are not among the overlaps.
     pub undecided: bool,
@@ -67,12 +73,14 @@ struct Minimum {
 }
 
 impl CurveView<'_> {
-    /// Where two curves in space come as near to each other as `within`: each place where their distance is least, once; of curves
-    /// that stay near, the parts where they do. `within` below 1e-12 of the curves' size is taken as that. Bounded work for each
-    /// pair of segments whose boxes are near.
+    /// Where two curves in space come as near to each other as `within`: each place where their
+    /// distance is least, once; of curves that stay near, the parts where they do. `within` below
+    /// 1e-12 of the curves' size is taken as that. Bounded work for each pair of segments whose
+    /// boxes are near.
     ///
-    /// # Errors [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (`within` is negative or not finite), [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// # Errors
+    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (`within` is negative or not finite),
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn near_misses(&self, other: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         if self.is_empty() || other.is_empty() {
             return Err(Error::EmptyCurve);
@@ -103,7 +111,8 @@ fn local_points(curve: &CurveView<'_>, frame: &UnitFrame) -> Result<Vec<DVec3>> 
     alloc::collect(curve.points().iter().map(|&p| frame.point(p)))
 }
 
-/// The direction in which a curve goes on beyond segment k at one of its ends; `None` if it ends there.
+/// The direction in which a curve goes on beyond segment k at one of its ends; `None` if it ends
+/// there.
 fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     let (count, last) = (curve.len(), if at_end { curve.len() - 1 } else { 0 });
     if k == last && !curve.is_closed() {
@@ -118,7 +127,8 @@ struct Search<'a> {
     sides: [CurveView<'a>; 2],
     within: f64,
     minima: Vec<Minimum>,
-    /// Pairs of parts without a proof at the least size: the places as numbers, and the distance in the middle.
+    /// Pairs of parts without a proof at the least size: the places as numbers, and the distance in
+    /// the middle.
     unresolved: Vec<UnresolvedBox>,
     undecided: bool,
 }
@@ -187,7 +197,8 @@ impl Search<'_> {
         subdivide(&mut PairSearch { search: self, numbers, whole }, first, &mut Vec::new(), limits)
     }
 
-    /// Adds the least distance of a pair that has only one, if it is one of the curves too and near enough.
+    /// Adds the least distance of a pair that has only one, if it is one of the curves too and near
+    /// enough.
     fn add_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
         let low = DVec2::new(pair[0].from, pair[1].from);
         let high = DVec2::new(pair[0].to, pair[1].to);
@@ -200,7 +211,8 @@ impl Search<'_> {
             if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= 1e-12 * size() * gap.length() {
                 continue;
             }
-            // At an inner end of a part the next part has it; at a joint the next segment, if it goes down there.
+            // At an inner end of a part the next part has it; at a joint the next segment, if it
+            // goes down there.
             let at_joint = at[k] == 0.0 || at[k] == 1.0;
             let sign = if k == 0 { 1.0 } else { -1.0 };
             let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
@@ -256,8 +268,8 @@ fn number_of(numbers: [usize; 2]) -> DVec2 {
     DVec2::new(numbers[0] as f64, numbers[1] as f64)
 }
 
-/// The mean of the derivative of an order over a part, n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n (B_i+1 - B_i), and the radius of
-/// the ball round it that holds all values.
+/// The mean of the derivative of an order over a part, n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n
+/// (B_i+1 - B_i), and the radius of the ball round it that holds all values.
 fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
     let mut derived = part.controls;
     (0..order).for_each(|_| derived.derive());
@@ -283,8 +295,8 @@ fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
     axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
 }
 
-/// The number of least distances in a pair, 0 or 1, by bounds of the slopes and the Hessian of |A(s) - B(t)|^2 / 2 all over it;
-/// `None` if they prove neither.
+/// The number of least distances in a pair, 0 or 1, by bounds of the slopes and the Hessian of
+/// |A(s) - B(t)|^2 / 2 all over it; `None` if they prove neither.
 fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
     let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
@@ -318,7 +330,8 @@ fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     (convex || at_end).then_some(1)
 }
 
-/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton; the place and the gradient there.
+/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton; the place and
+/// the gradient there.
 fn descend(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, DVec2) {
     let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
@@ -343,7 +356,8 @@ fn descend(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec
             (true, false) => (y > 0.0).then(|| DVec2::new(0.0, gradient.y / y)),
             (true, true) => None,
         };
-        // Newton's step, or where that does not descend Gauss and Newton's, which along valleys is damped.
+        // Newton's step, or where that does not descend Gauss and Newton's, which along valleys is
+        // damped.
         let shorter = |step: DVec2| {
             let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
             lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))

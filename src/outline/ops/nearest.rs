@@ -1,8 +1,8 @@
 //! The point of a curve that is nearest to a given one.
 //!
-//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for the quadratic a cubic with
-//! a closed form. Segments whose boxes are farther than the best so far are passed over, so the result is the nearest point
-//! of all.
+//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for
+//! the quadratic a cubic with a closed form. Segments whose boxes are farther than the best so far
+//! are passed over, so the result is the nearest point of all.
 
 use super::cubic;
 use crate::alloc;
@@ -26,8 +26,8 @@ pub struct Nearest {
     pub distance: f64,
 }
 
-/// The distance, in sizes of the curve, to which farther queries are drawn along their direction: the nearest point is the same
-/// but for rounding.
+/// The distance, in sizes of the curve, to which farther queries are drawn along their direction:
+/// the nearest point is the same but for rounding.
 const MAX_QUERY_DISTANCE: f64 = (1u64 << 26) as f64;
 
 /// Queries that one thread takes at once.
@@ -43,10 +43,11 @@ const MAX_COORDINATE: f64 = 1e150;
 const STAGE: &str = "nearest points";
 
 impl CurveView<'_> {
-    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for each query, on the job's
-    /// threads; memory O(points).
+    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for
+    /// each query, on the job's threads; memory O(points).
     ///
-    /// # Errors [`Error::EmptyCurve`] (no segments), [`Error::NotFinite`] (a query), [`Error::OutOfMemory`],
+    /// # Errors
+    /// [`Error::EmptyCurve`] (no segments), [`Error::NotFinite`] (a query), [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
         job.step(0.0, STAGE)?;
@@ -58,11 +59,13 @@ impl CurveView<'_> {
     }
 }
 
-/// The nearest point of any of some curves to each of `queries`, and the curve that it is on, of equally near ones the first; a
-/// curve without segments is its point. As [`CurveView::nearest`] for one curve after the other, but for curves whose boxes are too far.
+/// The nearest point of any of some curves to each of `queries`, and the curve that it is on, of
+/// equally near ones the first; a curve without segments is its point. As [`CurveView::nearest`]
+/// for one curve after the other, but for curves whose boxes are too far.
 ///
-/// # Errors [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::NotFinite`] (a query),
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// # Errors
+/// [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::NotFinite`] (a
+/// query), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub(crate) fn nearest_of_any(
     curves: &[CurveView<'_>],
     queries: &[DVec3],
@@ -156,8 +159,8 @@ impl<'a> CurveSearch<'a> {
     }
 }
 
-/// Curves that have points, with the tree of their boxes in a frame of all of them. Each answers in its own frame: in that of all, what is
-/// small and far from the others would be coarse.
+/// Curves that have points, with the tree of their boxes in a frame of all of them. Each answers in
+/// its own frame: in that of all, what is small and far from the others would be coarse.
 struct CurveSetSearch<'a> {
     /// The curves and their numbers.
     searches: Vec<(usize, CurveSearch<'a>)>,
@@ -184,7 +187,8 @@ impl<'a> CurveSetSearch<'a> {
     }
 
     fn nearest(&self, q: DVec3) -> (usize, Nearest) {
-        // Of queries so far away that squares overflow the boxes say nothing, and every curve is asked.
+        // Of queries so far away that squares overflow the boxes say nothing, and every curve is
+        // asked.
         let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
         let mut best: Option<(usize, Nearest)> = None;
         self.tree.nearest(local, f64::INFINITY, &mut |k| {

@@ -1,9 +1,11 @@
 //! The curve at a distance from a plane curve, re-fitted by Bézier segments.
 //!
-//! With the left normal N the offset is O = C + d N, and O' = C' + d N', N' being T' turned, T' = (C'' - T (T . C'')) / |C'|.
-//! O runs along T, too: by 1 - k d times the speed, k the curvature, so it turns back where the radius 1 / k is smaller than
-//! d. A cubic piece takes both ends and both derivatives of O (error of order h^4), a quadratic one both ends and the
-//! directions there. Either way pieces join with one tangent. Pieces are halved until the deviation measured is small enough.
+//! With the left normal N the offset is O = C + d N, and O' = C' + d N', N' being T' turned, T' =
+//! (C'' - T (T . C'')) / |C'|. O runs along T, too: by 1 - k d times the speed, k the curvature, so
+//! it turns back where the radius 1 / k is smaller than d. A cubic piece takes both ends and both
+//! derivatives of O (error of order h^4), a quadratic one both ends and the directions there.
+//! Either way pieces join with one tangent. Pieces are halved until the deviation measured is small
+//! enough.
 
 use super::evaluate::tangent;
 use crate::error::{Error, Result};
@@ -18,25 +20,30 @@ use glam::DVec3;
 pub struct OffsetOptions {
     /// The degree of the result's segments, 2 or 3.
     pub degree: usize,
-    /// The deviation aimed at, above 0, in the unit of the points; what is below 1e-13 of size and distance is out of reach.
+    /// The deviation aimed at, above 0, in the unit of the points; what is below 1e-13 of size and
+    /// distance is out of reach.
     pub tolerance: f64,
-    /// No segment is halved once there are so many, at least 1; the segments that are needed anyway may be more.
+    /// No segment is halved once there are so many, at least 1; the segments that are needed anyway
+    /// may be more.
     pub max_segments: usize,
 }
 
 /// An offset curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Offset {
-    /// The curve; it may cross itself, and what lies nearer than the distance to other parts is not taken away.
+    /// The curve; it may cross itself, and what lies nearer than the distance to other parts is not
+    /// taken away.
     pub curve: Curve,
-    /// How far it is from the true offset, at most, as measured at 16 places inside each segment, in the unit of the points.
+    /// How far it is from the true offset, at most, as measured at 16 places inside each segment,
+    /// in the unit of the points.
     pub deviation: f64,
     /// False if the tolerance was not reached: see [`OffsetOptions::max_segments`].
     pub reached: bool,
-    /// True if somewhere the radius of curvature, on the side of the offset, is at most the distance: the offset has cusps
-    /// there, or runs backwards.
+    /// True if somewhere the radius of curvature, on the side of the offset, is at most the
+    /// distance: the offset has cusps there, or runs backwards.
     pub tight: bool,
-    /// The number of corners of the original, where the ends of the offset pieces are joined by a straight segment.
+    /// The number of corners of the original, where the ends of the offset pieces are joined by a
+    /// straight segment.
     pub corners: usize,
 }
 
@@ -49,11 +56,14 @@ const STAGE: &str = "offset";
 const SAMPLES_PER_PIECE: u32 = 16;
 
 impl CurveView<'_> {
-    /// The curve at the distance `distance` to the left of a plane curve, seen along it from x to y; to the right if negative.
-    /// Segments without extent are passed over. O(degree) for each of the places measured.
+    /// The curve at the distance `distance` to the left of a plane curve, seen along it from x to
+    /// y; to the right if negative. Segments without extent are passed over. O(degree) for each of
+    /// the places measured.
     ///
-    /// # Errors [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent), [`Error::OptionOutOfRange`]
-    /// (distance not finite or beyond 1e100 sizes of the curve; an option), [`Error::TooLarge`], [`Error::OutOfMemory`].
+    /// # Errors
+    /// [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent),
+    /// [`Error::OptionOutOfRange`] (distance not finite or beyond 1e100 sizes of the curve; an
+    /// option), [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions) -> Result<Offset> {
         self.offset_cancellable(distance, options, &Job::default())
     }
@@ -205,8 +215,9 @@ impl OffsetFit<'_> {
         }
     }
 
-    /// The largest distance of the piece's points from the true offset: at the same parameter, or at the foot on the curve
-    /// found from there by a step of Newton's method for (C - Q) . C' = 0, if that is nearer.
+    /// The largest distance of the piece's points from the true offset: at the same parameter, or
+    /// at the foot on the curve found from there by a step of Newton's method for (C - Q) . C' = 0,
+    /// if that is nearer.
     fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, inner: &[DVec3]) -> f64 {
         let mut room = [from.point; 4];
         room[1..=inner.len()].copy_from_slice(inner);
@@ -266,8 +277,8 @@ fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> ([DVec3; 2], usize) {
     ([from.point + from.speed * third, to.point - to.speed * third], 2)
 }
 
-/// The inner control point of the quadratic with the ends and directions given: where the tangents cross, if that is ahead of
-/// the one end and behind the other; in the middle for a straight piece.
+/// The inner control point of the quadratic with the ends and directions given: where the tangents
+/// cross, if that is ahead of the one end and behind the other; in the middle for a straight piece.
 fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<([DVec3; 2], usize)> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;

@@ -1,4 +1,5 @@
-//! The means of subdivision: parts of segments, tests of their hulls, and the merging of solutions that neighbours report twice.
+//! The means of subdivision: parts of segments, tests of their hulls, and the merging of solutions
+//! that neighbours report twice.
 
 use crate::geom::Aabb;
 use crate::outline::curve::segment::SegmentBuffer;
@@ -54,8 +55,10 @@ pub(super) fn chord(controls: &[DVec3]) -> DVec3 {
     (controls[controls.len() - 1] - controls[0]).normalize_or_zero()
 }
 
-/// Sorts solutions by their places on two curves, and removes those that repeat another within `tolerance`, round the ends of
-/// closed curves too; see [`CurveView::period`](crate::outline::CurveView). O(n log n), and O(1) for each place with few repeats.
+/// Sorts solutions by their places on two curves, and removes those that repeat another within
+/// `tolerance`, round the ends of closed curves too; see
+/// [`CurveView::period`](crate::outline::CurveView). O(n log n), and O(1) for each place with few
+/// repeats.
 pub(super) fn sort_distinct<T: Copy>(
     found: &mut Vec<T>,
     places: impl Fn(&T) -> [f64; 2],

@@ -1,4 +1,5 @@
-//! Points along a curve: by their number, by their distance, or by the deviation of the polygon through them.
+//! Points along a curve: by their number, by their distance, or by the deviation of the polygon
+//! through them.
 
 use super::length::Lengths;
 use crate::alloc;
@@ -35,18 +36,20 @@ pub struct Samples {
 }
 
 impl CurveView<'_> {
-    /// `count` points at equal arc lengths: an open curve from its start to its end (at least 2), a closed one from its start
-    /// once round (at least 1). Lengths as exact as [`lengths`](Self::lengths). O(points + count log points).
+    /// `count` points at equal arc lengths: an open curve from its start to its end (at least 2), a
+    /// closed one from its start once round (at least 1). Lengths as exact as
+    /// [`lengths`](Self::lengths). O(points + count log points).
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count), [`Error::TooLarge`] (above
-    /// [`MAX_POINTS`]), [`Error::OutOfMemory`].
+    /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count),
+    /// [`Error::TooLarge`] (above [`MAX_POINTS`]), [`Error::OutOfMemory`].
     pub fn sampled_by_count(&self, count: usize) -> Result<Samples> {
         self.sampled(Spacing::Count(count), &Job::default())
     }
 
-    /// Points every `step` along the curve, in the unit of the points, above 0: at 0, step, 2 step and so on; the end of an
-    /// open curve is always the last point, however near the one before, and of a closed one never.
+    /// Points every `step` along the curve, in the unit of the points, above 0: at 0, step, 2 step
+    /// and so on; the end of an open curve is always the last point, however near the one before,
+    /// and of a closed one never.
     ///
     /// # Errors
     /// As for [`sampled_by_count`](Self::sampled_by_count).
@@ -54,9 +57,9 @@ impl CurveView<'_> {
         self.sampled(Spacing::Step(step), &Job::default())
     }
 
-    /// Points such that no point of the curve is farther than `tolerance` (above 0, in the unit of the points) from the chord
-    /// between its neighbours: segments are halved until their control points prove it, at most 20 times, which leaves 1e-12
-    /// of a segment's size.
+    /// Points such that no point of the curve is farther than `tolerance` (above 0, in the unit of
+    /// the points) from the chord between its neighbours: segments are halved until their control
+    /// points prove it, at most 20 times, which leaves 1e-12 of a segment's size.
     ///
     /// # Errors
     /// As for [`sampled_by_count`](Self::sampled_by_count). O(points found).
@@ -174,8 +177,9 @@ struct Flattening {
 impl Flattening {
     /// Adds the ends of the chords of one part, but not its start.
     ///
-    /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t) d(B_i) over the inner control
-    /// points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 - 2^(1 - n).
+    /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t)
+    /// d(B_i) over the inner control points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 -
+    /// 2^(1 - n).
     fn halve(&self, mut controls: SegmentBuffer, from: f64, to: f64, left: u32, walk: &mut Walk<'_>) -> Result<()> {
         let n = controls.len() - 1;
         let most = controls[1..n].iter().map(|&p| off_chord(p, controls[0], controls[n])).fold(0.0, f64::max);

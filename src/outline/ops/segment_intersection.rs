@@ -2,19 +2,21 @@
 //!
 //! Both are halved, the longer one first, until a pair of parts
 //!
-//! * is apart: their boxes are, along the axes or along either chord (the fat line of Sederberg and Nishita, 1990); by the
-//!   convex hull no points are lost;
-//! * crosses once at most: every leg of one control polygon turns to the same side of every leg of the other. Two common
-//!   points would give both parts the same chord, which is a positive sum of legs of each: its cross product with itself
-//!   would not be 0. Newton's method then finds the crossing, or the halving goes on;
-//! * is so short that only a touch can be told: it is searched for, and accepted if the segments come within rounding.
+//! * is apart: their boxes are, along the axes or along either chord (the fat line of Sederberg and
+//!   Nishita, 1990); by the convex hull no points are lost;
+//! * crosses once at most: every leg of one control polygon turns to the same side of every leg of
+//!   the other. Two common points would give both parts the same chord, which is a positive sum of
+//!   legs of each: its cross product with itself would not be 0. Newton's method then finds the
+//!   crossing, or the halving goes on;
+//! * is so short that only a touch can be told: it is searched for, and accepted if the segments
+//!   come within rounding.
 //!
-//! Segments that run together would be halved for ever. They are recognised before: polynomial segments of degrees n and m
-//! that have more than n m points in common lie on the same curve (Bézout), and then the common part begins and ends at ends
-//! of segments.
+//! Segments that run together would be halved for ever. They are recognised before: polynomial
+//! segments of degrees n and m that have more than n m points in common lie on the same curve
+//! (Bézout), and then the common part begins and ends at ends of segments.
 //!
-//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved. Cost: at most
-//! [`MAX_PAIRS`] pairs of parts, O(degree^2) each.
+//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved.
+//! Cost: at most [`MAX_PAIRS`] pairs of parts, O(degree^2) each.
 
 use super::nearest::nearest_on;
 use super::part::{Part, chord, halve, separates};
@@ -180,8 +182,8 @@ impl SegmentIntersections {
         if self.at.iter().any(same) { Ok(()) } else { alloc::push(&mut self.at, at) }
     }
 
-    /// Makes one intersection of those between which the segments stay together, touching so closely that no place can be told
-    /// from the next: the one in the middle.
+    /// Makes one intersection of those between which the segments stay together, touching so
+    /// closely that no place can be told from the next: the one in the middle.
     fn merge(&mut self, a: &[DVec3], b: &[DVec3]) {
         self.at.sort_by(|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
@@ -240,8 +242,8 @@ fn crosses_once(a: &[DVec3], b: &[DVec3]) -> bool {
     side != 0.0
 }
 
-/// Whether some direction increases along all legs of both: then one follows the other, and they have only their joint in
-/// common.
+/// Whether some direction increases along all legs of both: then one follows the other, and they
+/// have only their joint in common.
 fn runs_on(a: &[DVec3], b: &[DVec3]) -> bool {
     let along = chord(a) + chord(b);
     legs(a).chain(legs(b)).all(|leg| leg.dot(along) > 0.0)
@@ -260,7 +262,8 @@ fn solve(rows: [[f64; 2]; 2], right: [f64; 2]) -> Option<[f64; 2]> {
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// The crossing of two parts, by Newton's method for A(s) = B(t) from the middle; `None` if it leads elsewhere.
+/// The crossing of two parts, by Newton's method for A(s) = B(t) from the middle; `None` if it
+/// leads elsewhere.
 fn newton(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let (mut s, mut t) = (p.middle(), q.middle());
     for _ in 0..30 {
@@ -289,7 +292,8 @@ fn snap(t: f64) -> f64 {
     }
 }
 
-/// Where two short parts touch: A' x B' = 0 and (A - B) . A' = 0 by Newton's method, or else nearest points of each in alternation.
+/// Where two short parts touch: A' x B' = 0 and (A - B) . A' = 0 by Newton's method, or else
+/// nearest points of each in alternation.
 fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let start = [p.middle(), q.middle()];
     let reach = 8.0 * (p.to - p.from).max(q.to - q.from);
@@ -354,7 +358,8 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
     Ok(())
 }
 
-/// Whether no two points of the segment coincide: all legs of its control polygon advance along its chord.
+/// Whether no two points of the segment coincide: all legs of its control polygon advance along its
+/// chord.
 pub(super) fn advances(controls: &[DVec3]) -> bool {
     let chord = controls[controls.len() - 1] - controls[0];
     legs(controls).all(|leg| leg.dot(chord) > 0.0)

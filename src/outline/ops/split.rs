@@ -6,7 +6,8 @@ use crate::outline::curve::segment::{self, SegmentBuffer};
 use crate::outline::curve::{Curve, CurveView, Place};
 
 impl CurveView<'_> {
-    /// The parts before and after a place. Both are open; a part without extent has one control point and no segments.
+    /// The parts before and after a place. Both are open; a part without extent has one control
+    /// point and no segments.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`]. O(points).
@@ -16,12 +17,12 @@ impl CurveView<'_> {
         Ok([self.between(Place { segment: 0, t: 0.0 }, at)?, self.between(at, last)?])
     }
 
-    /// The part from one place to another, open. On a closed curve it may run over the start, and from a place to itself it
-    /// goes round once; on an open one that is a single point.
+    /// The part from one place to another, open. On a closed curve it may run over the start, and
+    /// from a place to itself it goes round once; on an open one that is a single point.
     ///
     /// # Errors
-    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`), [`Error::TooLarge`],
-    /// [`Error::OutOfMemory`]. O(points).
+    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`),
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`]. O(points).
     pub fn sub_curve(&self, from: Place, to: Place) -> Result<Curve> {
         self.check_place(0, from)?;
         self.check_place(1, to)?;

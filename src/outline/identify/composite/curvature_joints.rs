@@ -1,25 +1,29 @@
 //! Joint parameters by curvatures.
 //!
-//! With D_i the area of the triangle of B_(i-1), B_i and B_(i+1), the sections i and i+1 arrive at and leave J_i with the
-//! curvatures (1 - beta_(i-1)) D_i / (beta_i^2 L^3) and beta_(i+1) D_(i+1) / ((1 - beta_i)^2 L^3), where L = |B_i B_(i+1)|.
-//! They agree if
+//! With D_i the area of the triangle of B_(i-1), B_i and B_(i+1), the sections i and i+1 arrive at
+//! and leave J_i with the curvatures (1 - beta_(i-1)) D_i / (beta_i^2 L^3) and beta_(i+1) D_(i+1) /
+//! ((1 - beta_i)^2 L^3), where L = |B_i B_(i+1)|. They agree if
 //!
 //! beta_i = sqrt((1 - beta_(i-1)) D_i) / (sqrt((1 - beta_(i-1)) D_i) + sqrt(beta_(i+1) D_(i+1))).
 //!
-//! The roots of D_i and D_(i+1) alone, as one reads at times, would do for equal joint parameters only. Where the polygon turns
-//! the other way behind the joint, the curvatures are equal in magnitude and opposite in sign.
+//! The roots of D_i and D_(i+1) alone, as one reads at times, would do for equal joint parameters
+//! only. Where the polygon turns the other way behind the joint, the curvatures are equal in
+//! magnitude and opposite in sign.
 //!
-//! The right side, for the control points that the joint parameters beta give, is a map w(beta); a fixed point w(beta) = beta is
-//! sought. To iterate the map takes hundreds of rounds where the points are dense. Newton's method takes the derivatives of w by
-//! differences: a joint parameter has little influence on joints more than [`INFLUENCE`] away, so those 2 INFLUENCE + 1 apart are
+//! The right side, for the control points that the joint parameters beta give, is a map w(beta); a
+//! fixed point w(beta) = beta is sought. To iterate the map takes hundreds of rounds where the
+//! points are dense. Newton's method takes the derivatives of w by differences: a joint parameter
+//! has little influence on joints more than [`INFLUENCE`] away, so those 2 INFLUENCE + 1 apart are
 //! varied together (Curtis, Powell and Reid, 1974). O(n) for each iteration, in time and memory.
 //!
-//! No solution is guaranteed. Even and dense points have their parameters near 1/2, and curvatures that are continuous and change
-//! steadily along each section, as those of a cubic spline given in the middle of its spans: such a spline does not see an error
-//! that alternates in sign. Joint parameters that do not converge are the best found, and the points beside them
+//! No solution is guaranteed. Even and dense points have their parameters near 1/2, and curvatures
+//! that are continuous and change steadily along each section, as those of a cubic spline given in
+//! the middle of its spans: such a spline does not see an error that alternates in sign. Joint
+//! parameters that do not converge are the best found, and the points beside them
 //! [`PointStatus::NotConverged`].
 //!
-//! Source: Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017, for joint parameters by areas.
+//! Source: Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017, for joint parameters by
+//! areas.
 
 use super::equations;
 use super::knot_joints::solve_with_fallback;
@@ -43,8 +47,8 @@ const INFLUENCE: usize = 3;
 /// The width of the band of derivatives: the diagonal and both sides.
 const BAND: usize = 2 * INFLUENCE + 1;
 
-/// The rows of a closed subcurve that are repeated before its first and after its last: the influence of those farther away
-/// makes the step inexact, but not the solution.
+/// The rows of a closed subcurve that are repeated before its first and after its last: the
+/// influence of those farther away makes the step inexact, but not the solution.
 const OVERLAP: usize = 24;
 
 /// The variation of a joint parameter for the differences.
@@ -87,7 +91,8 @@ pub(super) fn solve_by_curvatures(
     }
     let tolerance = sub.options.tolerance.max(4.0 * f64::EPSILON);
     newton.iterate(sub, results, workspace, tolerance, report)?;
-    // The curve is smooth and passes its points with any joint parameters: those that still move keep the best found.
+    // The curve is smooth and passes its points with any joint parameters: those that still move
+    // keep the best found.
     if report.last_move > tolerance {
         workspace.solution.beta[..sub.len()].copy_from_slice(&newton.best);
         solve_with_fallback(sub, results, workspace, report)?;
@@ -112,7 +117,8 @@ fn clamped(beta: f64) -> f64 {
     beta.clamp(MIN_JOINT_PARAMETER, 1.0 - MIN_JOINT_PARAMETER)
 }
 
-/// w(beta) at joint `i`: its parameter by the control points and the other joint parameters as they are.
+/// w(beta) at joint `i`: its parameter by the control points and the other joint parameters as they
+/// are.
 fn target(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
     let n = sub.len();
     let at = |k: usize| (i + k) % n;
@@ -172,8 +178,8 @@ impl JointNewton {
                 break;
             }
             report.iterations += 1;
-            // Newton's method, unless it has just made the sum larger: then the map itself once. Without progress for long the
-            // map itself, from the best on.
+            // Newton's method, unless it has just made the sum larger: then the map itself once.
+            // Without progress for long the map itself, from the best on.
             let gives_up = stale == MAX_STALE_ROUNDS;
             by_map = stale >= MAX_STALE_ROUNDS || (!by_map && sum > smallest);
             let solution = &mut workspace.solution;
@@ -192,8 +198,8 @@ impl JointNewton {
         Ok(())
     }
 
-    /// Enters w(beta) - beta; the largest, and the sum of the squares. Joints of points that have fallen back stay where they
-    /// are.
+    /// Enters w(beta) - beta; the largest, and the sum of the squares. Joints of points that have
+    /// fallen back stay where they are.
     fn measure(&mut self, sub: &Subcurve<'_>, solution: &Solution, results: &[PointResult]) -> (f64, f64) {
         let (mut farthest, mut sum) = (0.0f64, 0.0);
         for i in self.joints.clone() {
@@ -204,8 +210,8 @@ impl JointNewton {
         (farthest, sum)
     }
 
-    /// One step of Newton's method from the previous joint parameters, with the parameters as they are. False if the equations
-    /// are singular.
+    /// One step of Newton's method from the previous joint parameters, with the parameters as they
+    /// are. False if the equations are singular.
     fn step(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, results: &[PointResult]) -> Result<bool> {
         self.differentiate(sub, solution, results);
         if !self.eliminate(sub) {
@@ -222,7 +228,8 @@ impl JointNewton {
         Ok(true)
     }
 
-    /// Enters the derivatives of the residuals by differences, for all joints of one colour at once.
+    /// Enters the derivatives of the residuals by differences, for all joints of one colour at
+    /// once.
     fn differentiate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, results: &[PointResult]) {
         let n = sub.len();
         let joints = self.joints.clone();

@@ -1,8 +1,9 @@
 //! Joint parameters by knots, and the fallback of joints whose equations have no usable solution.
 //!
-//! By knots: beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i and d = chord^alpha, which
-//! makes the curve a quadratic B-spline. It exists (Schoenberg and Whitney, 1953), but the rows are not dominant, and control
-//! points may lie far out: joints beside such points return to 1/2. O(n) for each of at most 4 rounds.
+//! By knots: beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i
+//! and d = chord^alpha, which makes the curve a quadratic B-spline. It exists (Schoenberg and
+//! Whitney, 1953), but the rows are not dominant, and control points may lie far out: joints beside
+//! such points return to 1/2. O(n) for each of at most 4 rounds.
 
 use super::equations;
 use super::lock::{self, LockWorkspace};
@@ -13,9 +14,9 @@ use crate::outline::identify::report::{PointStatus, Report};
 use crate::outline::identify::solution::Solution;
 use crate::outline::identify::subcurve::{PointResult, Subcurve};
 
-/// The distance of a control point from its point, in sizes of the outline, beyond which it has run away. With joints in the
-/// middle it cannot be farther, as the inverse of the equations has at most the norm 3.6 and no point is farther than 1/2 from
-/// the middle of the box in any coordinate.
+/// The distance of a control point from its point, in sizes of the outline, beyond which it has run
+/// away. With joints in the middle it cannot be farther, as the inverse of the equations has at
+/// most the norm 3.6 and no point is farther than 1/2 from the middle of the box in any coordinate.
 const MAX_CONTROL_DISTANCE: f64 = 4.0;
 
 /// The distance at which a curve passes its points, in sizes of the outline.
@@ -78,13 +79,14 @@ pub(super) fn solve_with_fallback(
         let n = sub.len();
         solution.t[..n].copy_from_slice(&solution.data_t[..n]);
     }
-    // Not even with joints in the middle does the lock have a solution near by: now all is by parameters.
+    // Not even with joints in the middle does the lock have a solution near by: now all is by
+    // parameters.
     equations::solve(sub, &mut workspace.solution);
     Ok(())
 }
 
-/// Sections whose control points are farther away than they could be with joints in the middle, or that miss their points, as
-/// the elimination may lose digits where rows are not dominant.
+/// Sections whose control points are farther away than they could be with joints in the middle, or
+/// that miss their points, as the elimination may lose digits where rows are not dominant.
 fn runaways<'a>(sub: &'a Subcurve<'_>, solution: &'a Solution) -> impl Iterator<Item = usize> + 'a {
     sub.sections().filter(|&i| {
         let (p, b) = (sub.points[i], solution.controls[i]);

@@ -19,7 +19,8 @@ pub(in crate::outline::identify) struct LockWorkspace {
     spatial: Newton<3>,
 }
 
-/// Finds parameters and control points, from control points that solve the linear equations. False if these are singular.
+/// Finds parameters and control points, from control points that solve the linear equations. False
+/// if these are singular.
 pub(super) fn solve(
     sub: &Subcurve<'_>,
     results: &mut [PointResult],

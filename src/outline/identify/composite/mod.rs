@@ -1,12 +1,14 @@
 //! Composite curves: a quadratic section round each point, joined smoothly.
 //!
 //! * equations: the linear equations of the control points, which all others stand on.
-//! * self_consistent, sweeps: parameters that depend on the control points. lock: the choice between them.
+//! * self_consistent, sweeps: parameters that depend on the control points. lock: the choice
+//!   between them.
 //! * knot_joints, curvature_joints: joints other than in the middle.
 //! * here: parameters by the data's triangles, and the segments of the solution.
 //!
-//! The first section of an open subcurve begins at the first point. Where a tangent is given there, a control point T on it comes
-//! before B_1, and a segment (P_0, T, J_0) before the first section; the equations stay the same. So at the end.
+//! The first section of an open subcurve begins at the first point. Where a tangent is given there,
+//! a control point T on it comes before B_1, and a segment (P_0, T, J_0) before the first section;
+//! the equations stay the same. So at the end.
 //!
 //! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
 
@@ -116,7 +118,8 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
         solution.t[sections].fill(0.5);
         return;
     }
-    // Each chord is the first of one section and the last of the one before: chord i ends at point i.
+    // Each chord is the first of one section and the last of the one before: chord i ends at point
+    // i.
     let chords = &mut solution.upper[..sub.len()];
     let points = sub.points;
     chords[0] = points[points.len() - 1].distance(points[0]);
@@ -176,8 +179,9 @@ fn append_open(
     Ok(())
 }
 
-/// Writes the control points of a closed subcurve, each p as `place(p)`, two for each point and one more; section i is
-/// segment i. Measures the curve on the way: see [`measure`](super::residuals::measure).
+/// Writes the control points of a closed subcurve, each p as `place(p)`, two for each point and one
+/// more; section i is segment i. Measures the curve on the way: see
+/// [`measure`](super::residuals::measure).
 pub(super) fn write_closed(
     sub: &Subcurve<'_>,
     solution: &Solution,

@@ -1,18 +1,21 @@
-//! The self-consistent lock: the parameter of each point is that of the method on its section's own triangle.
+//! The self-consistent lock: the parameter of each point is that of the method on its section's own
+//! triangle.
 //!
-//! With the joints J_(i-1) and J_i on the control polygon, t_i = t(J_(i-1), P_i, J_i) is a function of B_(i-1), B_i and
-//! B_(i+1), and
+//! With the joints J_(i-1) and J_i on the control polygon, t_i = t(J_(i-1), P_i, J_i) is a function
+//! of B_(i-1), B_i and B_(i+1), and
 //!
 //! F_i = (1 - t_i)^2 J_(i-1) + 2 t_i (1 - t_i) B_i + t_i^2 J_i - P_i = 0
 //!
-//! are as many equations as unknowns, solved by Newton's method. The derivative of F_i is the row of the linear equations, times the unit matrix, plus the
-//! product of Q_i' = 2 ((1 - t) (B_i - J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small
-//! blocks, and Newton's step is one elimination. Parameters are kept within the limits, which makes the map of parameters to
-//! parameters (solve for the control points, read off the parameters) continuous on a cube, so that it has a fixed point
-//! (Brouwer).
+//! are as many equations as unknowns, solved by Newton's method. The derivative of F_i is the row
+//! of the linear equations, times the unit matrix, plus the product of Q_i' = 2 ((1 - t) (B_i -
+//! J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small blocks, and
+//! Newton's step is one elimination. Parameters are kept within the limits, which makes the map of
+//! parameters to parameters (solve for the control points, read off the parameters) continuous on a
+//! cube, so that it has a fixed point (Brouwer).
 //!
-//! A step that makes the sum of squares larger is halved, and if that does not help, replaced by that map itself. Points that do
-//! not converge keep the parameters of the data's own triangles. O(n) for each iteration, in time and memory.
+//! A step that makes the sum of squares larger is halved, and if that does not help, replaced by
+//! that map itself. Points that do not converge keep the parameters of the data's own triangles.
+//! O(n) for each iteration, in time and memory.
 //!
 //! Source: ours.
 
@@ -27,9 +30,10 @@ use crate::outline::identify::solution::Solution;
 use crate::outline::identify::subcurve::{PointResult, Subcurve};
 use glam::DVec3;
 
-/// Rows of a closed subcurve that are repeated before its first and after its last: the influence of a row fades by 0.2 or
-/// so from one to the next, and what is left of it makes Newton's step inexact, but not the solution. With the symmedian it
-/// fades slowly: the overlap doubles every few iterations, up to [`MAX_OVERLAP`].
+/// Rows of a closed subcurve that are repeated before its first and after its last: the influence
+/// of a row fades by 0.2 or so from one to the next, and what is left of it makes Newton's step
+/// inexact, but not the solution. With the symmedian it fades slowly: the overlap doubles every few
+/// iterations, up to [`MAX_OVERLAP`].
 const MIN_OVERLAP: usize = 8;
 
 /// See [`MIN_OVERLAP`].
@@ -72,8 +76,9 @@ pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &Solution) -> bool {
 }
 
 impl<const D: usize> Newton<D> {
-    /// Finds the self-consistent parameters and control points, from control points that solve the linear equations. False if
-    /// these have become singular, which takes joint parameters other than 1/2.
+    /// Finds the self-consistent parameters and control points, from control points that solve the
+    /// linear equations. False if these have become singular, which takes joint parameters other
+    /// than 1/2.
     pub(super) fn solve(
         &mut self,
         sub: &Subcurve<'_>,
@@ -116,7 +121,8 @@ impl<const D: usize> Newton<D> {
         Ok(regular)
     }
 
-    /// Iterates until the control points rest. At the end they solve the linear equations for the parameters.
+    /// Iterates until the control points rest. At the end they solve the linear equations for the
+    /// parameters.
     fn converge(
         &mut self,
         sub: &Subcurve<'_>,
@@ -275,11 +281,13 @@ fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, iteration: &Iterat
     parameter(sub.options, u, v).0
 }
 
-/// The parameter on the section with the joints `u` and `v`, from the point on, and its gradients by them.
+/// The parameter on the section with the joints `u` and `v`, from the point on, and its gradients
+/// by them.
 ///
-/// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the normal: t = sqrt(x) /
-/// (sqrt(x) + sqrt(y)), dt = t (1 - t) (dx / x - dy / y) / 2 for the parts x = -u.(v - u) and y = v.(v - u) of the chord; a
-/// foot outside the chord counts as its nearer end, so that the parameter remains continuous.
+/// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the
+/// normal: t = sqrt(x) / (sqrt(x) + sqrt(y)), dt = t (1 - t) (dx / x - dy / y) / 2 for the parts
+/// x = -u.(v - u) and y = v.(v - u) of the chord; a foot outside the chord counts as its nearer
+/// end, so that the parameter remains continuous.
 #[inline(always)]
 pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);

@@ -1,19 +1,20 @@
-//! Sweeps over the points of a composite curve (Gauss and Seidel): each control point in turn is placed for the others as they
-//! are, until none moves.
+//! Sweeps over the points of a composite curve (Gauss and Seidel): each control point in turn is
+//! placed for the others as they are, until none moves.
 //!
 //! Source: Nadopta. The lock by the data's guides has no other solver. With the neighbours fixed,
 //!
 //! P_i - Q_i(t_i) = r - (2 t s + s^2 beta_(i-1) + t^2 (1 - beta_i)) (B_i - B_i'),    s = 1 - t,
 //!
-//! for the deviation r at B_i': either B_i moves there at once, or it steps ([`Solver::Step`]) along the deviation, and for
-//! the lock by guides along the guide. Parameters: those of the data; or those of the method on the section's triangle as it
-//! is before B_i moves; or the crossing of section and guide. For the crossing let f be affine and 0 on the guide: it is 0
-//! at B_i, and B_i has its shares of the joints, but
+//! for the deviation r at B_i': either B_i moves there at once, or it steps ([`Solver::Step`])
+//! along the deviation, and for the lock by guides along the guide. Parameters: those of the data;
+//! or those of the method on the section's triangle as it is before B_i moves; or the crossing of
+//! section and guide. For the crossing let f be affine and 0 on the guide: it is 0 at B_i, and B_i
+//! has its shares of the joints, but
 //!
 //! (1 - t)^2 (1 - beta_(i-1)) f(B_(i-1)) + t^2 beta_i f(B_(i+1)) = 0
 //!
-//! does not contain it, so that t does not depend on where on the guide B_i is. If both neighbours are on one side there is
-//! no crossing. O(n) for each sweep.
+//! does not contain it, so that t does not depend on where on the guide B_i is. If both neighbours
+//! are on one side there is no crossing. O(n) for each sweep.
 
 use super::equations;
 use super::iteration::Iteration;
@@ -28,7 +29,8 @@ use crate::outline::identify::stepping;
 use crate::outline::identify::subcurve::{PointResult, Subcurve};
 use glam::DVec3;
 
-/// Crossings nearer than this to an end of the section are none: the equations would be too nearly singular.
+/// Crossings nearer than this to an end of the section are none: the equations would be too nearly
+/// singular.
 const MIN_CROSSING_PARAMETER: f64 = 0.01;
 
 /// Sweeps after which a point whose section does not cross its guide falls back for good.
@@ -37,8 +39,8 @@ const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
 /// Rounds in which points that do not converge fall back, before all do.
 const MAX_FALLBACK_ROUNDS: u32 = 3;
 
-/// Solves by sweeps, from control points that solve the linear equations. False if these have become singular, which takes
-/// joint parameters other than 1/2.
+/// Solves by sweeps, from control points that solve the linear equations. False if these have
+/// become singular, which takes joint parameters other than 1/2.
 pub(super) fn solve(
     sub: &Subcurve<'_>,
     results: &mut [PointResult],
@@ -106,8 +108,8 @@ fn start(
     Ok(())
 }
 
-/// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r / (1 - r) of the last one. The control
-/// points before the last sweep remain known.
+/// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r /
+/// (1 - r) of the last one. The control points before the last sweep remain known.
 fn converge(sub: &Subcurve<'_>, solution: &mut Solution, iteration: &mut Iteration, report: &mut Report) -> bool {
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
     let rounding = 16.0 * f64::EPSILON * sub.size;
@@ -202,7 +204,8 @@ fn crossing(sub: &Subcurve<'_>, solution: &Solution, iteration: &Iteration, i: u
     (MIN_CROSSING_PARAMETER..=1.0 - MIN_CROSSING_PARAMETER).contains(&t).then_some(t)
 }
 
-/// Finds the guides of the data's own triangles. Points without one, and all points of a subcurve that is not plane, fall back.
+/// Finds the guides of the data's own triangles. Points without one, and all points of a subcurve
+/// that is not plane, fall back.
 fn find_guides(sub: &Subcurve<'_>, results: &mut [PointResult], iteration: &mut Iteration) -> Result<()> {
     alloc::reset(&mut iteration.guides, sub.len(), DVec3::ZERO)?;
     let normal = plane_normal(sub);

@@ -1,8 +1,9 @@
 //! The unknowns of a single curve, and its linear equations: control points for given parameters.
 //!
-//! Each end tangent raises the degree N by one: the control point next to the end is on the tangent, at the distance |P_0
-//! P_1| / (N t_1) that the speed of the parameter asks for. A closed outline begins and ends at its first point, with the
-//! tangent there of the section of the data's own triangle, so that the curve is smooth there as well.
+//! Each end tangent raises the degree N by one: the control point next to the end is on the
+//! tangent, at the distance |P_0 P_1| / (N t_1) that the speed of the parameter asks for. A closed
+//! outline begins and ends at its first point, with the tangent there of the section of the data's
+//! own triangle, so that the curve is smooth there as well.
 
 use crate::alloc;
 use crate::error::Result;
@@ -17,8 +18,8 @@ use glam::DVec3;
 /// The distance from its points, in sizes of the outline, beyond which a curve does not pass them.
 pub(super) const MAX_MISS: f64 = 1e-12;
 
-/// The unknowns and the memory to find them in: all for the points of the subcurve, the first once more at the end of a closed
-/// one.
+/// The unknowns and the memory to find them in: all for the points of the subcurve, the first once
+/// more at the end of a closed one.
 #[derive(Default)]
 pub(in crate::outline::identify) struct Collocation {
     pub(super) points: Vec<DVec3>,
@@ -26,7 +27,8 @@ pub(in crate::outline::identify) struct Collocation {
     /// The guides, of length 1, of the points between the ends.
     pub(super) guides: Vec<DVec3>,
     pub(super) controls: Vec<DVec3>,
-    /// The differences of the control points, times the degree: the control points of the derivative.
+    /// The differences of the control points, times the degree: the control points of the
+    /// derivative.
     pub(super) slopes: Vec<DVec3>,
     pub(super) right: Vec<DVec3>,
     pub(super) previous: Vec<DVec3>,
@@ -68,7 +70,8 @@ impl Collocation {
         i + usize::from(self.tangents[0])
     }
 
-    /// The parameters by the data's own triangles: neighbouring spans are to each other as t_i to 1 - t_i.
+    /// The parameters by the data's own triangles: neighbouring spans are to each other as t_i to
+    /// 1 - t_i.
     pub(super) fn find_parameters(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult]) {
         let last = self.points.len() - 1;
         let (mut sum, mut span) = (1.0, 1.0);
@@ -139,7 +142,8 @@ impl Collocation {
             self.start_at_points();
             return Ok(());
         }
-        // Iterative refinement: the first round leaves rounding, and the next takes most of it away.
+        // Iterative refinement: the first round leaves rounding, and the next takes most of it
+        // away.
         for _ in 0..3 {
             for i in 1..=inner {
                 self.right[i - 1] = self.points[i] - segment::point(&self.controls, self.t[i]);

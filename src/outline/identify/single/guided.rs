@@ -1,14 +1,18 @@
-//! Single curves by iterations: the paper's sweeps, and Newton's method for control points on guides.
+//! Single curves by iterations: the paper's sweeps, and Newton's method for control points on
+//! guides.
 //!
-//! t_i is the crossing of curve and guide, which does not depend on lambda_i, and then lambda_i += u_i.(P_i - P(t_i)) /
-//! J_i(t_i). The errors that change sign from point to point fade slowly: the number of sweeps doubles with each degree.
-//! After a few sweeps Newton's method goes on: across the curve, with c_i perpendicular to P'(t_i),
+//! t_i is the crossing of curve and guide, which does not depend on lambda_i, and then lambda_i +=
+//! u_i.(P_i - P(t_i)) / J_i(t_i). The errors that change sign from point to point fade slowly: the
+//! number of sweeps doubles with each degree. After a few sweeps Newton's method goes on: across
+//! the curve, with c_i perpendicular to P'(t_i),
 //!
-//! sum_j J_j(t_i) (c_i.u_j) dlambda_j = c_i.r_i,    dt_i = P'(t_i).(r_i - sum_j J_j(t_i) u_j dlambda_j) / |P'(t_i)|^2,
+//! sum_j J_j(t_i) (c_i.u_j) dlambda_j = c_i.r_i,    dt_i = P'(t_i).(r_i - sum_j J_j(t_i) u_j
+//! dlambda_j) / |P'(t_i)|^2,
 //!
 //! where r_i = P_i - P(t_i).
 //!
-//! Source: Nadopta for the sweeps; that the crossing does not depend on lambda_i, and Newton's method, are ours.
+//! Source: Nadopta for the sweeps; that the crossing does not depend on lambda_i, and Newton's
+//! method, are ours.
 
 use super::collocation::{Collocation, MAX_MISS};
 use crate::error::Result;
@@ -80,8 +84,8 @@ impl Collocation {
         self.t.windows(2).all(|pair| pair[0] < pair[1])
     }
 
-    /// The paper's sweeps: with the normal of the plane along the guides, else for the parameters as they are, along the
-    /// deviations. True if they come to rest.
+    /// The paper's sweeps: with the normal of the plane along the guides, else for the parameters
+    /// as they are, along the deviations. True if they come to rest.
     fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, report: &mut Report) -> bool {
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         for _ in 0..count {
@@ -106,7 +110,8 @@ impl Collocation {
                         stepping::step(sub.options, sub.size, deviation, &mut report.steps).unwrap_or(f64::NAN)
                     }
                 };
-                // Diverged, or the steps are used up; Newton's method or the lock by parameters may do better.
+                // Diverged, or the steps are used up; Newton's method or the lock by parameters may
+                // do better.
                 if along.is_nan() || along.abs() >= MAX_MOVE * sub.size {
                     return false;
                 }
@@ -179,7 +184,8 @@ impl Collocation {
         Ok(false)
     }
 
-    /// Finds the steps along the guides and of the parameters, in x and y of `right`. False if the equations are singular.
+    /// Finds the steps along the guides and of the parameters, in x and y of `right`. False if the
+    /// equations are singular.
     fn newton_step(&mut self, normal: DVec3) -> Result<bool> {
         let (inner, first, degree) = (self.inner(), self.own(1), self.degree());
         self.previous.copy_from_slice(&self.controls);
@@ -215,7 +221,8 @@ impl Collocation {
         Ok(true)
     }
 
-    /// Goes the step, or a half of it, and so on until the residual falls; the residual and the fraction. `None` if it does not.
+    /// Goes the step, or a half of it, and so on until the residual falls; the residual and the
+    /// fraction. `None` if it does not.
     fn line_search(&mut self, residual: (f64, f64), tolerance: f64) -> Option<((f64, f64), f64)> {
         let first = self.own(1);
         let mut fraction = 1.0;
@@ -241,8 +248,8 @@ fn flag_unconverged(results: &mut [PointResult], report: &mut Report) {
     results.iter_mut().for_each(|result| result.flag(PointStatus::NotConverged));
 }
 
-/// The root of a function between two places where its signs differ: false position, with the value at an end that stays
-/// halved (the Illinois rule), to the last bits.
+/// The root of a function between two places where its signs differ: false position, with the value
+/// at an end that stays halved (the Illinois rule), to the last bits.
 fn root(f: impl Fn(f64) -> f64, a: (f64, f64), b: (f64, f64)) -> f64 {
     let ((mut x, mut fx), (mut y, mut fy)) = (a, b);
     for _ in 0..100 {

@@ -1,9 +1,10 @@
 //! Single curves: one Bézier curve of degree n through n + 1 points.
 //!
-//! P(t_i) = sum_j B_j J_(N,j)(t_i) = P_i. With the lock by parameter the t_i are given and the equations are linear
-//! (collocation). Else each control point is on the guide of its point, B_i = P_i + lambda_i u_i with the guide u_i of the
-//! data's own triangle, and the t_i are unknown too; the lock by the section's own triangle has no meaning for a curve
-//! without sections, and is taken for the lock by guides.
+//! P(t_i) = sum_j B_j J_(N,j)(t_i) = P_i. With the lock by parameter the t_i are given and the
+//! equations are linear (collocation). Else each control point is on the guide of its point, B_i =
+//! P_i + lambda_i u_i with the guide u_i of the data's own triangle, and the t_i are unknown too;
+//! the lock by the section's own triangle has no meaning for a curve without sections, and is taken
+//! for the lock by guides.
 //!
 //! * collocation: the unknowns, and the linear equations. guided: control points on guides.
 //! * here: the choice between them, and composite curves in their place where they fail.
@@ -26,7 +27,8 @@ pub(super) use collocation::Collocation;
 use collocation::MAX_MISS;
 use glam::DVec3;
 
-/// The distance of a control point from its point, in sizes of the outline, that shows nearly singular equations.
+/// The distance of a control point from its point, in sizes of the outline, that shows nearly
+/// singular equations.
 const MAX_CONTROL_DISTANCE: f64 = 2.0;
 
 /// The distance from the curve, in sizes, at which rounding has made it miss a point.
@@ -102,7 +104,8 @@ fn solve(
     Ok((miss.is_nan() || miss > MAX_MISS * sub.size).then_some(FitStatus::IllConditioned))
 }
 
-/// The direction of the curve at the seam of a closed one: that of the section of the first point's triangle there.
+/// The direction of the curve at the seam of a closed one: that of the section of the first point's
+/// triangle there.
 fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
     let [a, p, c] = sub.triple(0);
     let section = sub.options.method.section(a, p, c).or_else(|_| Method::Bisector.section(a, p, c));
