@@ -79,11 +79,11 @@ impl Row<'_> {
     /// The slope at a line: the lines that it depends on begin at the first number, and their
     /// weights.
     fn slope(&self, line: usize) -> (isize, [f64; 5]) {
-        let most = self.lines().min(if self.closed && self.lines() < 5 { 3 } else { 5 });
-        let mut count = most;
-        if most > 3 {
-            let first = self.first(line, most);
-            let intervals = (first..first + most as isize - 1).map(|k| self.length(k));
+        let max_count = self.lines().min(if self.closed && self.lines() < 5 { 3 } else { 5 });
+        let mut count = max_count;
+        if max_count > 3 {
+            let first = self.first(line, max_count);
+            let intervals = (first..first + max_count as isize - 1).map(|k| self.length(k));
             let (min, max) = intervals.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
             if max > MAX_LENGTH_RATIO * min {
                 count = 3;

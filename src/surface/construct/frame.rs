@@ -88,8 +88,8 @@ fn gordon<const N: usize>(
     closed: [bool; 2],
     job: &Job<'_>,
 ) -> Result<Gordon<N>> {
-    let least = closed.map(|closed| if closed { 3 } else { 2 });
-    if rows < least[0] || columns < least[1] {
+    let min = closed.map(|closed| if closed { 3 } else { 2 });
+    if rows < min[0] || columns < min[1] {
         return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
     }
     let net_curves = |fit: &Fit| -> Result<Vec<NetCurve<N>>> {

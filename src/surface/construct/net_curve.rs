@@ -173,12 +173,12 @@ impl<const N: usize> NetCurve<N> {
 impl<const N: usize> Piece<N> {
     /// Ends become fractions, none of them too close to the next.
     fn spread(&mut self) {
-        let least = MIN_SEGMENT_SHARE * self.length;
+        let min = MIN_SEGMENT_SHARE * self.length;
         let (mut before, mut total) = (0.0, 0.0);
         for end in &mut self.ends {
             let length = *end - before;
             before = *end;
-            total += if length > least { length } else { least };
+            total += if length > min { length } else { min };
             *end = total;
         }
         let count = self.ends.len();

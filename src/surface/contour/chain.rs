@@ -66,11 +66,11 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Links the arcs of a sheet. `apart`: whether the cells at a side have marks of their own, which
+/// Links the arcs of a sheet. `jumps`: whether the cells at a side have marks of their own, which
 /// are linked first.
-pub(super) fn chain(found: &mut FoundArcs, lattice: &Lattice, apart: bool, threads: usize) -> Result<ContourPaths> {
+pub(super) fn chain(found: &mut FoundArcs, lattice: &Lattice, jumps: bool, threads: usize) -> Result<ContourPaths> {
     by_level(&mut found.arcs)?;
-    if apart {
+    if jumps {
         stitch(&mut found.arcs, lattice)?;
     }
     let levels: Vec<&[Arc]> = found.arcs.chunk_by(|a, b| a.level == b.level).collect();
@@ -134,11 +134,11 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Ve
         if used[head] {
             continue;
         }
-        let (mut least, mut last) = (head, head);
+        let (mut min, mut last) = (head, head);
         loop {
             used[last] = true;
-            if lowest(last) < lowest(least) {
-                least = last;
+            if lowest(last) < lowest(min) {
+                min = last;
             }
             if next[last] == NONE || next[last] as usize == head {
                 break;
@@ -147,7 +147,7 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Ve
         }
         let closed = next[last] != NONE;
         let first = made.steps.len();
-        let mut at = if closed { least } else { head };
+        let mut at = if closed { min } else { head };
         loop {
             let arc = &arcs[at];
             alloc::push(&mut made.steps, (arc.cell, arc.ends[0]))?;
@@ -157,14 +157,14 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Ve
             if arc.jumps || next[at] == NONE {
                 alloc::push(&mut made.steps, (arc.cell, arc.ends[1]))?;
             }
-            if next[at] == NONE || (closed && next[at] as usize == least) {
+            if next[at] == NONE || (closed && next[at] as usize == min) {
                 break;
             }
             at = next[at] as usize;
         }
         let path = ContourPath { level: arcs[head].level, closed, steps: [first, made.steps.len()] };
         alloc::push(&mut made.paths, path)?;
-        alloc::push(order, lowest(least))?;
+        alloc::push(order, lowest(min))?;
     }
     Ok(())
 }

@@ -147,9 +147,9 @@ mod tests {
             blunt.disable_cones(&job).unwrap();
             let directions = [DVec3::Z, DVec3::new(0.3, -0.5, 0.8), random.point(1.0)];
             for (direction, unsigned) in directions.into_iter().flat_map(|d| [(d, false), (d, true)]) {
-                let most = if unsigned { FRAC_PI_2 } else { PI };
+                let max = if unsigned { FRAC_PI_2 } else { PI };
                 let angles = [0.0, 1e-3, 0.6, FRAC_PI_2, 2.0, PI];
-                let angles: Vec<f64> = angles.into_iter().filter(|&angle| angle <= most).collect();
+                let angles: Vec<f64> = angles.into_iter().filter(|&angle| angle <= max).collect();
                 let ask =
                     |of: &Surface<'_>| of.isophotes(direction, &angles, unsigned, PointSpacing::Auto, &job).unwrap();
                 let (found, truth) = (ask(&sharp), ask(&blunt));

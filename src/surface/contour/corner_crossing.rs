@@ -34,8 +34,8 @@ pub(super) enum CornerCrossing {
 pub(super) fn crossing_by_corners(corners: [f64; 4], slack: f64, rounding_error: f64) -> Option<CornerCrossing> {
     let [c00, c01, c10, c11] = corners;
     // Of steps that have one sign the lesser, else 0.
-    let least = |a: f64, b: f64| if (a > 0.0) == (b > 0.0) { a.abs().min(b.abs()) } else { 0.0 };
-    let steps = [least(c10 - c00, c11 - c01), least(c01 - c00, c11 - c10)];
+    let min = |a: f64, b: f64| if (a > 0.0) == (b > 0.0) { a.abs().min(b.abs()) } else { 0.0 };
+    let steps = [min(c10 - c00, c11 - c01), min(c01 - c00, c11 - c10)];
     let over = usize::from(steps[0] > steps[1]);
     let monotone = 6.0 * (slack + rounding_error);
     let slope = steps[1 - over] - monotone;

@@ -25,7 +25,7 @@ use crate::surface::cells::Cells;
 use crate::surface::index::{Cones, Pyramid};
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
-use crate::surface::{NormalKind, Paths, Place, Sheet, Surface};
+use crate::surface::{Grid, NormalKind, Paths, Place, Sheet, Surface};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -232,63 +232,39 @@ impl Surface<'_> {
     ) -> Result<Paths> {
         let axis = direction(axis, "direction")?;
         rising(angles, "angles")?;
-        let most = if unsigned { 0.5 * PI } else { PI };
-        if let Some(&value) = angles.iter().find(|&&angle| !(0.0..=most + 1e-15).contains(&angle)) {
+        let max = if unsigned { 0.5 * PI } else { PI };
+        if let Some(&value) = angles.iter().find(|&&angle| !(0.0..=max + 1e-15).contains(&angle)) {
             return Err(Error::OptionOutOfRange { option: "angles", value });
         }
         let classes = AngleClasses::new(angles, unsigned)?;
         let chord = self.chord(spacing)?;
         let frame = frame(axis);
-        let reach = self.reach();
+        let max_coordinate = self.max_coordinate();
         let (mut curves, mut points) = (ContourSet { threads: job.threads(), ..ContourSet::default() }, Vec::new());
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
             let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
+            let is_smooth = |grid: &Grid<'_>| grid.axes().iter().all(|axis| axis.is_smooth());
+            let continuity = match sheet {
+                Sheet::Grid(grid) if is_smooth(grid) => Continuity::UpToRounding,
+                _ => Continuity::Discontinuous,
+            };
+            let search = IsophoteSearch {
+                sheet: k,
+                cells: &(),
+                index,
+                cones,
+                frame,
+                max_coordinate,
+                continuity,
+                chord,
+                unsigned,
+            };
+            let (lattice, found) = (Lattice::of(sheet), (&mut curves, &mut points));
             match sheet {
-                Sheet::Grid(grid) => {
-                    let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
-                    let continuity = if smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
-                    let of = IsophoteSearch {
-                        sheet: k,
-                        cells: grid,
-                        index,
-                        cones,
-                        frame,
-                        reach,
-                        continuity,
-                        chord,
-                        unsigned,
-                    };
-                    of.find::<4, 6, 11>(&classes, Lattice::of(sheet), &mut curves, &mut points, &part)?;
-                }
-                Sheet::Cubic(cells) => {
-                    let of = IsophoteSearch {
-                        sheet: k,
-                        cells,
-                        index,
-                        cones,
-                        frame,
-                        reach,
-                        continuity: Continuity::Discontinuous,
-                        chord,
-                        unsigned,
-                    };
-                    of.find::<4, 6, 11>(&classes, Lattice::of(sheet), &mut curves, &mut points, &part)?;
-                }
-                Sheet::High(cells) => {
-                    let of = IsophoteSearch {
-                        sheet: k,
-                        cells,
-                        index,
-                        cones,
-                        frame,
-                        reach,
-                        continuity: Continuity::Discontinuous,
-                        chord,
-                        unsigned,
-                    };
-                    of.find::<8, 14, 27>(&classes, Lattice::of(sheet), &mut curves, &mut points, &part)?;
-                }
+                Sheet::Grid(cells) => search.over(cells).find::<4, 6, 11>(&classes, lattice, found, &part)?,
+                Sheet::Cubic(cells) => search.over(cells).find::<4, 6, 11>(&classes, lattice, found, &part)?,
+                Sheet::High(cells) => search.over(cells).find::<8, 14, 27>(&classes, lattice, found, &part)?,
             }
         }
         let mut found = paths::paths(self, &curves.sheets, curves.unresolved, &job.part(0.9, 1.0))?;
@@ -321,7 +297,7 @@ impl Surface<'_> {
     }
 
     /// The greatest coordinate.
-    pub(super) fn reach(&self) -> f64 {
+    pub(super) fn max_coordinate(&self) -> f64 {
         let [low, high] = self.bounds();
         low.abs().max(high.abs()).max_element()
     }
@@ -359,10 +335,18 @@ struct IsophoteSearch<'a, C> {
     index: &'a Pyramid,
     cones: &'a Cones,
     frame: [DVec3; 3],
-    reach: f64,
+    max_coordinate: f64,
     continuity: Continuity,
     chord: Option<f64>,
     unsigned: bool,
+}
+
+impl<'a> IsophoteSearch<'a, ()> {
+    /// The same over the sheet's cells.
+    fn over<C>(self, cells: &'a C) -> IsophoteSearch<'a, C> {
+        let IsophoteSearch { sheet, index, cones, frame, max_coordinate, continuity, chord, unsigned, .. } = self;
+        IsophoteSearch { sheet, cells, index, cones, frame, max_coordinate, continuity, chord, unsigned }
+    }
 }
 
 impl<C> IsophoteSearch<'_, C> {
@@ -371,7 +355,7 @@ impl<C> IsophoteSearch<'_, C> {
             cells: self.cells,
             index: self.index,
             frame: self.frame,
-            reach: self.reach,
+            max_coordinate: self.max_coordinate,
             continuity: self.continuity,
         }
     }
@@ -385,8 +369,7 @@ impl<C> IsophoteSearch<'_, C> {
         &self,
         classes: &AngleClasses,
         lattice: Lattice,
-        curves: &mut ContourSet,
-        points: &mut Vec<(u32, Place)>,
+        (curves, points): (&mut ContourSet, &mut Vec<(u32, Place)>),
         job: &Job<'_>,
     ) -> Result<()>
     where

@@ -103,20 +103,20 @@ impl TargetAngle {
         let front = along.range()[0] >= 0.0;
         let behind = along.range()[1] <= 0.0;
         // All angles are at least theta, or at most theta.
-        let least = |theta: f64, most: bool| {
+        let is_beyond = |theta: f64, below: bool| {
             if !(0.0..=PI).contains(&theta) {
                 return false;
             }
             let (sin, cos) = (libm::sin(theta), libm::cos(theta));
             let [low, high] = h.combined(sin * sin, &p, -cos * cos).range();
-            match (most, cos >= 0.0) {
+            match (below, cos >= 0.0) {
                 (false, true) => behind || high <= 0.0,
                 (false, false) => behind && low >= 0.0,
                 (true, true) => front && low >= 0.0,
                 (true, false) => front || high <= 0.0,
             }
         };
-        let outside = |goal: f64| least(goal + by, false) || least(goal - by, true);
+        let outside = |goal: f64| is_beyond(goal + by, false) || is_beyond(goal - by, true);
         outside(self.angle) && (!self.unsigned || outside(PI - self.angle))
     }
 }
@@ -164,7 +164,7 @@ struct NearestAngleSearch<'a, C> {
 struct AngleQuery {
     goal: TargetAngle,
     frame: [DVec3; 3],
-    reach: f64,
+    max_coordinate: f64,
 }
 
 impl AngleQuery {
@@ -173,7 +173,7 @@ impl AngleQuery {
             cells,
             index,
             frame: self.frame,
-            reach: self.reach,
+            max_coordinate: self.max_coordinate,
             continuity: Continuity::Discontinuous,
         };
         NearestAngleSearch { normals, sheet, goal: self.goal }
@@ -358,14 +358,14 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Option<NearestAngle>> {
         let axis = direction(axis, "direction")?;
-        let most = if unsigned { 0.5 * PI } else { PI };
-        if !(0.0..=most + 1e-15).contains(&angle) {
+        let max = if unsigned { 0.5 * PI } else { PI };
+        if !(0.0..=max + 1e-15).contains(&angle) {
             return Err(Error::OptionOutOfRange { option: "angle", value: angle });
         }
-        let (goal, frame, reach) = (TargetAngle { angle, unsigned }, frame(axis), self.reach());
+        let (goal, frame, max_coordinate) = (TargetAngle { angle, unsigned }, frame(axis), self.max_coordinate());
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
-        let query = AngleQuery { goal, frame, reach };
+        let query = AngleQuery { goal, frame, max_coordinate };
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
             let (cells_of, number) = (Lattice::of(sheet), k as u32);

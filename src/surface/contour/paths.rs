@@ -26,11 +26,11 @@ pub(super) struct ContourSet {
 }
 
 impl ContourSet {
-    pub(super) fn add(&mut self, sheet: usize, mut found: FoundArcs, lattice: &Lattice, apart: bool) -> Result<()> {
+    pub(super) fn add(&mut self, sheet: usize, mut found: FoundArcs, lattice: &Lattice, jumps: bool) -> Result<()> {
         alloc::reserve(&mut self.unresolved, found.unresolved.len())?;
         let place = |&([i, j], at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell: [i, j], u: at.x, v: at.y };
         self.unresolved.extend(found.unresolved.iter().map(place));
-        let paths = chain(&mut found, lattice, apart, self.threads)?;
+        let paths = chain(&mut found, lattice, jumps, self.threads)?;
         alloc::push(&mut self.sheets, (sheet, paths))
     }
 }

@@ -21,7 +21,7 @@ pub(super) struct ProjectedNormals<'a, C> {
     /// Two directions across the given one, and that one.
     pub(super) frame: [DVec3; 3],
     /// Of the greatest coordinates.
-    pub(super) reach: f64,
+    pub(super) max_coordinate: f64,
     pub(super) continuity: Continuity,
 }
 
@@ -69,7 +69,7 @@ impl<C> ProjectedNormals<'_, C> {
                 *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
             }
         }
-        let slack = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
+        let slack = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.max_coordinate;
         Corners { at, start: [rows.start, columns.start], slack }
     }
 
@@ -127,7 +127,7 @@ impl<C> ProjectedNormals<'_, C> {
     /// By what components of normals may be wrong for rounding.
     pub(super) fn rounding_error<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
         let [u, v] = of.speeds();
-        32.0 * f64::EPSILON * (self.reach * (u + v) + u * v)
+        32.0 * f64::EPSILON * (self.max_coordinate * (u + v) + u * v)
     }
 }
 

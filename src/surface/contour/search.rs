@@ -405,12 +405,12 @@ impl<C, S> Search<'_, C, S> {
         S: Source<M>,
     {
         marks.clear();
-        let apart = self.source.continuity() == Continuity::Discontinuous;
+        let jumps = self.source.continuity() == Continuity::Discontinuous;
         let [c00, c01, c10, c11] = cell_level.corners;
         let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
         for (side, (c, ends)) in cell_level.sides.iter().zip(ends).enumerate() {
             // Where fields jump, the two cells at a side have marks of their own.
-            let which = u64::from(apart && (side == 1 || side == 2));
+            let which = u64::from(jumps && (side == 1 || side == 2));
             let key = (2 * self.lattice.side(cell_level.cell, side) + which) << 6;
             let mut count = 0;
             crossings(c, ends, |crossing| {

@@ -36,16 +36,16 @@ impl Surface<'_> {
         finite(planes.point, "point")?;
         rising(planes.offsets, "offsets")?;
         let chord = self.chord(spacing)?;
-        let reach = self.reach().max(planes.point.abs().max_element());
+        let max_coordinate = self.max_coordinate().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
-        let rounding_error = 16.0 * f64::EPSILON * reach;
+        let rounding_error = 16.0 * f64::EPSILON * max_coordinate;
         let mut contours = ContourSet { threads: job.threads(), ..ContourSet::default() };
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
             let lattice = Lattice::of(sheet);
             let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.offsets, rounding_error)?;
             let block = |k: usize| blocks[k];
-            let apart = !matches!(sheet, Sheet::Grid(_));
+            let jumps = !matches!(sheet, Sheet::Grid(_));
             let found = match sheet {
                 Sheet::Grid(grid) => {
                     let axes = grid.axes();
@@ -66,7 +66,7 @@ impl Surface<'_> {
                     Search { cells, source: &source, lattice, chord }.run::<8, 8>(blocks.len(), block, &part)?
                 }
             };
-            contours.add(k, found, &lattice, apart)?;
+            contours.add(k, found, &lattice, jumps)?;
         }
         add_leus_points(paths(self, &contours.sheets, contours.unresolved, &job.part(0.9, 1.0))?, spacing)
     }

@@ -231,9 +231,9 @@ impl Nodes {
     fn near(&self, cell: [usize; 2]) -> [f64; 2] {
         let [a, b, c, d] = self.around(cell);
         // Comparisons, not f64::min: what is NaN may be passed over.
-        let least = |a: f64, b: f64| if a < b { a } else { b };
-        let most = |a: f64, b: f64| if a > b { a } else { b };
-        [least(least(a, b), least(c, d)) - self.deviation, most(most(a, b), most(c, d)) + self.deviation]
+        let min = |a: f64, b: f64| if a < b { a } else { b };
+        let max = |a: f64, b: f64| if a > b { a } else { b };
+        [min(min(a, b), min(c, d)) - self.deviation, max(max(a, b), max(c, d)) + self.deviation]
     }
 }
 

@@ -153,18 +153,19 @@ impl Surface<'_> {
 
     /// Makes hits of finds: each once, in the order of the curve.
     fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<CurveFind>) -> Result<Vec<CurveHit>> {
-        let reach = self.apart();
-        merge_overlapping(&mut finds, reach);
+        let merge_distance = self.merge_distance();
+        merge_overlapping(&mut finds, merge_distance);
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.longest_touch();
-            let point = find.length <= MAX_POINT_LENGTH * reach || self.passes(find.place, direction(curve, find.at));
+            let point =
+                find.length <= MAX_POINT_LENGTH * merge_distance || self.passes(find.place, direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
         finds.sort_unstable_by(in_order);
         let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
-            let known = near.any(|other| is_same(other, &find, reach));
+            let known = near.any(|other| is_same(other, &find, merge_distance));
             if !known {
                 kept.push(find);
             }
@@ -175,7 +176,7 @@ impl Surface<'_> {
             && curve.is_closed()
             && !(first.tangent || last.tangent)
             && last.at - round + SAME_PARAMETER >= first.at
-            && first.point.distance(last.point) <= reach
+            && first.point.distance(last.point) <= merge_distance
         {
             kept.pop();
         }
@@ -215,7 +216,7 @@ fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
 
 /// Merges unresolved finds that overlap along the curve: the first where it runs on, else the
 /// nearest.
-fn merge_overlapping(finds: &mut Vec<CurveFind>, reach: f64) {
+fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
     let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
     finds.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     let mut kept = finds.partition_point(|find| !find.tangent);
@@ -223,7 +224,7 @@ fn merge_overlapping(finds: &mut Vec<CurveFind>, reach: f64) {
     while from < finds.len() {
         let mut all = finds[from];
         let mut to = from + 1;
-        while to < finds.len() && runs_on(&all, &finds[to], reach) {
+        while to < finds.len() && runs_on(&all, &finds[to], merge_distance) {
             let next = &finds[to];
             all.length += next.length;
             if next.span[1] > all.span[1] {
@@ -242,14 +243,14 @@ fn merge_overlapping(finds: &mut Vec<CurveFind>, reach: f64) {
 }
 
 /// True if an unresolved find begins where another is, or ends.
-fn runs_on(spot: &CurveFind, next: &CurveFind, reach: f64) -> bool {
-    let near = next.span[0] - spot.span[1] <= 1e-3 && spot.ends[1].distance(next.ends[0]) <= 2.0 * reach;
-    next.span[0] <= spot.span[1] || near
+fn runs_on(first: &CurveFind, next: &CurveFind, merge_distance: f64) -> bool {
+    let near = next.span[0] - first.span[1] <= 1e-3 && first.ends[1].distance(next.ends[0]) <= 2.0 * merge_distance;
+    next.span[0] <= first.span[1] || near
 }
 
 /// True for two finds of one crossing: the same place of the curve and of the surface.
-fn is_same(a: &CurveFind, b: &CurveFind, reach: f64) -> bool {
-    !a.tangent && !b.tangent && a.point.distance(b.point) <= reach
+fn is_same(a: &CurveFind, b: &CurveFind, merge_distance: f64) -> bool {
+    !a.tangent && !b.tangent && a.point.distance(b.point) <= merge_distance
 }
 
 /// The control points of a segment, raised to degree M - 1.

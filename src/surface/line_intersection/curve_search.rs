@@ -102,10 +102,10 @@ impl<C> Search<'_, C> {
         let origin = self.index.origin();
         let part = Part { points: whole.points.map(|point| point - origin), ..*whole };
         let (levels, bounds) = (self.index.levels(), self.index.bounds());
-        let reach = bounds.low.abs().max(bounds.high.abs()).length();
+        let extent = bounds.low.abs().max(bounds.high.abs()).length();
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.low.distance(bounds.high);
-        let rounding_error = (8.0 * f64::EPSILON * (reach + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
+        let rounding_error = (8.0 * f64::EPSILON * (extent + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
         let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         solver.rounding_error = rounding_error;

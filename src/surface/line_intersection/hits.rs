@@ -13,7 +13,7 @@ pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 
 impl Surface<'_> {
     /// Hits that are nearer to each other than this, in different cells, are one.
-    pub(super) fn apart(&self) -> f64 {
+    pub(super) fn merge_distance(&self) -> f64 {
         let [low, high] = self.bounds();
         self.tolerance().max(1e-12 * low.distance(high))
     }
@@ -23,7 +23,7 @@ impl Surface<'_> {
     /// whole surface, it runs in it.
     pub(super) fn longest_touch(&self) -> f64 {
         let [low, high] = self.bounds();
-        8.0 * (self.apart() * low.distance(high)).sqrt()
+        8.0 * (self.merge_distance() * low.distance(high)).sqrt()
     }
 
     /// True if a direction is not along the surface next to a place, away from the sides of its
@@ -70,12 +70,12 @@ impl Surface<'_> {
         hits.truncate(kept);
         for (k, hit) in hits.iter_mut().enumerate().filter(|(_, hit)| !hit.tangent) {
             let others = || others.iter().filter(|other| other.0 == k).map(|other| &other.1);
-            let reach = slack.rounding(others().map(|other| slack.sine(other)).fold(slack.sine(hit), f64::min));
-            if slack.may_be_on_side(hit.place, reach)
-                && let Some(place) = self.on_side(hit.place, reach)
+            let tolerance = slack.rounding(others().map(|other| slack.sine(other)).fold(slack.sine(hit), f64::min));
+            if slack.may_be_on_side(hit.place, tolerance)
+                && let Some(place) = self.on_side(hit.place, tolerance)
             {
                 // Other sheets have their part of what is round it.
-                let elsewhere = others().filter_map(|other| self.on_side(other.place, reach));
+                let elsewhere = others().filter_map(|other| self.on_side(other.place, tolerance));
                 let places: Vec<Place> = std::iter::once(place).chain(elsewhere).collect();
                 if self.only_touches(&places, slack.along) {
                     (hit.tangent, hit.multiplicity) = (true, 2);
@@ -91,16 +91,16 @@ impl Surface<'_> {
         }
         let sine = slack.least_sine([a, b]);
         let rounding = slack.rounding(sine);
-        let reach = if slack.turned(a, b) {
+        let tolerance = if slack.turned(a, b) {
             // Where it is as good as along the surface, it may as well be two.
             if sine < slack.floor { 0.0 } else { rounding }
         } else {
-            rounding.max(slack.apart)
+            rounding.max(slack.merge_distance)
         };
         let near = |place: Place| {
             on_side(place) || (slack.may_be_on_side(place, rounding) && self.on_side(place, rounding).is_some())
         };
-        a.point.distance(b.point) <= reach && near(a.place) && near(b.place)
+        a.point.distance(b.point) <= tolerance && near(a.place) && near(b.place)
     }
 
     /// Merges unresolved hits that overlap along the line. Simple ones come first then.
@@ -108,10 +108,10 @@ impl Surface<'_> {
         let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
         hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
         let (along, length) = line.along();
-        let slack = 2.0 * self.apart() / length;
+        let slack = 2.0 * self.merge_distance() / length;
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
         let [low, high] = self.bounds();
-        let most = self.tolerance().max(4.0 * rounding_error(line, low.midpoint(high), [low, high]));
+        let max_miss = self.tolerance().max(4.0 * rounding_error(line, low.midpoint(high), [low, high]));
         let mut kept = hits.partition_point(|hit| !hit.tangent);
         let mut from = kept;
         while from < hits.len() {
@@ -124,11 +124,12 @@ impl Surface<'_> {
             let first = hits[from];
             let nearest =
                 hits[from..to].iter().fold(first, |best, hit| if miss(hit) < miss(&best) { *hit } else { best });
-            let is_point = miss(&nearest) <= most * most;
+            let is_point = miss(&nearest) <= max_miss * max_miss;
             hits[kept] = if (end - start) * length > self.longest_touch() {
                 Hit { span: [start, end], multiplicity: 0, ..first }
             } else if is_point
-                && ((end - start) * length <= MAX_POINT_LENGTH * self.apart() || self.passes(nearest.place, along))
+                && ((end - start) * length <= MAX_POINT_LENGTH * self.merge_distance()
+                    || self.passes(nearest.place, along))
             {
                 Hit { span: [nearest.t; 2], multiplicity: 1, tangent: false, ..nearest }
             } else {
@@ -168,7 +169,7 @@ struct LineRounding {
     /// How far points may be off, and the size of the surface.
     rounding_error: f64,
     size: f64,
-    apart: f64,
+    merge_distance: f64,
     /// Lines that are not as steep as that may be off by the rounding error and meet the surface or
     /// not.
     floor: f64,
@@ -179,7 +180,7 @@ impl LineRounding {
         let ((along, length), [low, high]) = (line.along(), surface.bounds());
         let (rounding_error, size) = (4.0 * rounding_error(line, low.midpoint(high), [low, high]), low.distance(high));
         let floor = (rounding_error / size).sqrt();
-        LineRounding { along, length, rounding_error, size, apart: surface.apart(), floor }
+        LineRounding { along, length, rounding_error, size, merge_distance: surface.merge_distance(), floor }
     }
 
     /// The sine of the angle between line and surface.
@@ -204,11 +205,11 @@ impl LineRounding {
 
     /// The same at any angle.
     fn farthest(&self) -> f64 {
-        2.0 * self.apart.max(self.rounding_error / self.floor)
+        2.0 * self.merge_distance.max(self.rounding_error / self.floor)
     }
 
     /// False if a place is far from all sides, whatever the size of its cell.
-    fn may_be_on_side(&self, place: Place, reach: f64) -> bool {
-        is_near_side(place, (1e4 * reach / self.size).max(1e-7))
+    fn may_be_on_side(&self, place: Place, tolerance: f64) -> bool {
+        is_near_side(place, (1e4 * tolerance / self.size).max(1e-7))
     }
 }

@@ -102,9 +102,9 @@ impl Ray {
 
 /// How far points of a line and of what is in a box may be off for rounding, taken from an origin.
 pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
-    let reach = low.abs().max(high.abs()).length();
-    let reach = reach + line.origin.distance(origin) + line.origin.length();
-    (8.0 * f64::EPSILON * reach).min(MAX_RELATIVE_ROUNDING * low.distance(high))
+    let extent = low.abs().max(high.abs()).length();
+    let extent = extent + line.origin.distance(origin) + line.origin.length();
+    (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_ROUNDING * low.distance(high))
 }
 
 /// A block that waits: where the line enters it, and where it is.
@@ -146,8 +146,8 @@ pub(super) fn search<const N: usize>(
     let first = |farthest: f64, hits: &[Hit]| match selection {
         HitSelection::First => {
             // Farther than what is one with the hit may be.
-            let reach = 4.0 * tolerance + 1e4 * slack;
-            hits.iter().map(|hit| ray.distance(hit.t) + reach).fold(farthest, f64::min)
+            let extent = 4.0 * tolerance + 1e4 * slack;
+            hits.iter().map(|hit| ray.distance(hit.t) + extent).fold(farthest, f64::min)
         }
         _ => farthest,
     };

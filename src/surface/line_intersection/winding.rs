@@ -13,11 +13,11 @@ use std::f64::consts::TAU;
 const TURN_TOLERANCE: f64 = 0.01;
 
 impl Surface<'_> {
-    /// The place on a side of its cell, if it is no farther from one than `reach`.
-    pub(super) fn on_side(&self, place: Place, reach: f64) -> Option<Place> {
+    /// The place on a side of its cell, if it is no farther from one than `tolerance`.
+    pub(super) fn on_side(&self, place: Place, tolerance: f64) -> Option<Place> {
         let jet = self.jet(place);
         let snapped = |x: f64, tangent: DVec3| {
-            let slack = reach / tangent.length();
+            let slack = tolerance / tangent.length();
             if x <= slack && x <= 0.5 {
                 0.0
             } else if 1.0 - x <= slack {
@@ -61,8 +61,8 @@ impl Surface<'_> {
     pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
         let ([low, high], sine) = (self.bounds(), self.normal(place).dot(direction).abs());
         let (rounding_error, size) = (64.0 * f64::EPSILON * largest.max(low.distance(high)), low.distance(high));
-        let reach = rounding_error / sine.max((rounding_error / size).sqrt());
-        let on_side = self.on_side(place, reach);
+        let tolerance = rounding_error / sine.max((rounding_error / size).sqrt());
+        let on_side = self.on_side(place, tolerance);
         on_side.is_some_and(|place| self.only_touches(&[place], direction))
     }
 

@@ -213,20 +213,20 @@ fn slopes<const N: usize, const M: usize>(
         right[k] = [-columns[free][1], -columns[free][0]];
     }
     let size = |[low, high]: [f64; 2]| low.abs().max(high.abs());
-    let mut greatest = 0.0_f64;
+    let mut max = 0.0_f64;
     for k in 0..3 {
         let off: f64 = errors[k].iter().sum();
         if off >= 1.0 - 1e-9 {
             return None;
         }
-        greatest = greatest.max(size(right[k]) / (1.0 - off));
+        max = max.max(size(right[k]) / (1.0 - off));
     }
     // x' = r - E x', with |x'| <= greatest, and once more with what follows from that.
-    let first: [f64; 3] = std::array::from_fn(|k| size(right[k]) + greatest * errors[k].iter().sum::<f64>());
+    let first: [f64; 3] = std::array::from_fn(|k| size(right[k]) + max * errors[k].iter().sum::<f64>());
     Some(std::array::from_fn(|k| {
-        let off: f64 = errors[k].iter().zip(first).map(|(error, bound)| error * bound.min(greatest)).sum();
+        let off: f64 = errors[k].iter().zip(first).map(|(error, bound)| error * bound.min(max)).sum();
         // And what was rounded on the way.
-        let off = off + 1e-13 * (1.0 + greatest);
+        let off = off + 1e-13 * (1.0 + max);
         [right[k][0] - off, right[k][1] + off]
     }))
 }
