@@ -125,14 +125,6 @@ pub(crate) fn halves<T: Coefficient, const N: usize>(c: &[T; N]) -> [[T; N]; 2] 
     [before, after]
 }
 
-/// The halves by the second parameter of a net, first index u and second index v.
-#[inline(always)]
-pub(crate) fn halves_by_v<T: Coefficient, const N: usize, const M: usize>(c: &[[T; M]; N]) -> [[[T; M]; N]; 2] {
-    let (mut before, mut after) = (*c, *c);
-    after.iter_mut().zip(&mut before).for_each(|(after, before)| halve(after, before));
-    [before, after]
-}
-
 /// Restricts to the part from one parameter to a greater one, exactly itself over all.
 #[inline(always)]
 pub(crate) fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
@@ -285,13 +277,12 @@ mod tests {
             prop_assert_eq!(all, c);
         }
 
-        /// A net is a curve of curves: halves by either parameter, and points of a row of points.
+        /// A net is a curve of curves, and a curve of points one of coordinates.
         #[test]
         fn nets_are_polynomials_with_rows(rows in prop::array::uniform4(prop::array::uniform4(-1.0..1.0f64))) {
             let turned = |c: &[[f64; 4]; 4]| -> [[f64; 4]; 4] {
                 std::array::from_fn(|a| std::array::from_fn(|b| c[b][a]))
             };
-            prop_assert_eq!(halves_by_v(&rows), halves(&turned(&rows)).map(|half| turned(&half)));
             let points = rows.map(|[x, y, z, _]| DVec3::new(x, y, z));
             let along = |axis: usize| halves(&points.map(|p| p[axis]));
             for (half, of) in halves(&points).iter().enumerate() {

@@ -12,17 +12,13 @@
 //!   polynomials;
 //! * `roots`: real roots by Descartes' rule.
 
-#![allow(dead_code, unused_imports, reason = "curves and surfaces change over to this one by one")]
-
 mod casteljau;
 mod polynomial;
 mod roots;
 
 pub(crate) use casteljau::{
-    Coefficient, basis, basis_with_slopes, blossom, derive, elevate, evaluate, evaluate_with_slope, halve, halves,
-    halves_by_v, reduce, restrict, split, value_and_slope_by_differences,
+    basis, basis_with_slopes, blossom, derive, elevate, evaluate, evaluate_with_slope, halves, reduce, restrict, split,
+    value_and_slope_by_differences,
 };
-pub(crate) use polynomial::{
-    MAX_COEFFICIENTS, MAX_DEGREE, add_product, binomial_row, binomials, integral, integral_of_product, value_and_slope,
-};
+pub(crate) use polynomial::{MAX_COEFFICIENTS, MAX_DEGREE, add_product, binomial_row, integral, integral_of_product};
 pub(crate) use roots::{Roots, bisect, bracketed_root, roots, sign_changes};

@@ -105,6 +105,7 @@ mod tests {
             assert!((part.0 - value).abs() < 1e-15);
         }
         assert_eq!(binomials(64).nth(32).map(|b| (b / 1.832_624_140_942_590_5e18 - 1.0).abs() < 1e-14), Some(true));
+        assert_eq!(binomial_row::<27>(26)[13], 10_400_600.0);
         for n in 0..20 {
             assert!(binomials(n).eq(binomial_row::<20>(n)[..=n].iter().copied()));
         }
