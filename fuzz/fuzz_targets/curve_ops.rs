@@ -26,7 +26,7 @@ fuzz_target!(|input: (Vec<Point>, Vec<u8>, bool, Point, u8)| {
     if let Ok(found) = curve.nearest(&[query], &job) {
         assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
     }
-    if let Ok(found) = curve.crossings_with_plane(query, glam::DVec3::new(query.y, query.z, query.x)) {
+    if let Ok(found) = curve.intersect_plane(query, glam::DVec3::new(query.y, query.z, query.x)) {
         assert!(found.places.iter().all(|place| (0.0..=1.0).contains(&place.t)));
     }
     if let Ok(found) = curve.self_intersections(&job) {

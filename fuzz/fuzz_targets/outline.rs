@@ -2,7 +2,7 @@
 #![no_main]
 
 use gusset::Job;
-use gusset::outline::{Ends, Joint, Lock, Mode, Options, Outlines, Points, fit};
+use gusset::outline::{Ends, JointParameter, Lock, Mode, Options, Outlines, Points, fit};
 use gusset_fuzz::{Point, places};
 use libfuzzer_sys::fuzz_target;
 
@@ -16,7 +16,7 @@ fuzz_target!(|input: (Vec<Point>, bool, [u8; 4])| {
     let options = Options {
         mode: [BlendC1, BlendC2, Composite, CubicC2, Single][usize::from(mode % 5)],
         lock: [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide][usize::from(lock % 3)],
-        joint: [Joint::Half, Joint::Knot, Joint::G2][usize::from(joint % 3)],
+        joint: [JointParameter::Half, JointParameter::Knot, JointParameter::G2][usize::from(joint % 3)],
         ends: [Ends::Free, Ends::Perpendicular][usize::from(ends % 2)],
         ..Options::default()
     };

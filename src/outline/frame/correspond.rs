@@ -97,11 +97,11 @@ impl SectionNodes {
         let mut hits = 0;
         for &place in &crossings.places {
             let p = curve.point(place)?;
-            let reach = (p - point).dot(ray);
-            if reach > 0.0 {
+            let distance = (p - point).dot(ray);
+            if distance > 0.0 {
                 hits += 1;
-                if farthest.is_none_or(|(other, _)| reach > other) {
-                    farthest = Some((reach, p));
+                if farthest.is_none_or(|(other, _)| distance > other) {
+                    farthest = Some((distance, p));
                 }
             }
         }

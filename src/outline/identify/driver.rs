@@ -65,8 +65,8 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
         // cancel.
         let idle = Mutex::new(Vec::new());
         let work = |batch: Range<usize>| -> Result<Worker<'_>> {
-            let waiting = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
-            let mut worker = waiting.unwrap_or_else(|| Worker::new(outlines, options));
+            let free = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let mut worker = free.unwrap_or_else(|| Worker::new(outlines, options));
             worker.identify_all(batch)?;
             Ok(worker)
         };

@@ -142,11 +142,11 @@ pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Res
     let tau = tau / length;
     // The components of V and W across the tangent; in a plane both are along one line.
     let (across_v, across_w) = (v - tau * v.dot(tau), w - tau * w.dot(tau));
-    let reach = across_w.length_squared();
-    if reach == 0.0 {
+    let squared = across_w.length_squared();
+    if squared == 0.0 {
         return Err(PointStatus::TangentBeyond);
     }
-    let ratio = across_v.dot(across_w) / reach;
+    let ratio = across_v.dot(across_w) / squared;
     if (across_v - across_w * ratio).length() > MAX_PLANE_SINE * (v.length() + w.length()) {
         return Err(PointStatus::OutOfPlane);
     }

@@ -47,13 +47,13 @@ impl CurveView<'_> {
         if level.abs() > 2.0 || level.is_nan() {
             return Ok(found);
         }
-        let noise = MAX_TOUCH_DISTANCE.max(4.0 * f64::EPSILON * frame.point(point).length());
+        let rounding = MAX_TOUCH_DISTANCE.max(4.0 * f64::EPSILON * frame.point(point).length());
         for (k, controls) in self.segments().enumerate() {
             let mut heights = [0.0; MAX_DEGREE + 1];
             for (height, &p) in heights.iter_mut().zip(controls) {
                 *height = normal.dot(frame.point(p)) - level;
             }
-            let at = roots(&heights[..controls.len()], noise);
+            let at = roots(&heights[..controls.len()], rounding);
             if at.everywhere {
                 alloc::push(&mut found.inside, k as u32)?;
             }
