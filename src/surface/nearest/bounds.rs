@@ -234,6 +234,16 @@ mod tests {
         assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
+    /// Waves seen from the side: the Hessian is not definite, and only the half-space proves.
+    #[test]
+    fn the_half_space_proves_where_convexity_does_not() {
+        let patch = graph(|a, _| [0.0, 9.0, -9.0, 9.0][a]);
+        let query = DVec3::new(-10.0, 0.5, 0.0);
+        let foot = Foot::at(&patch, query, DVec2::new(0.0, 0.5));
+        assert_eq!(patch.convexity_distance(query, &foot), 0.0);
+        assert!((lower_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
+    }
+
     /// Away from the nearest point, where the second derivatives are 1 and 100: the lesser one
     /// counts.
     #[test]
