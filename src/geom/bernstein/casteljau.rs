@@ -113,7 +113,7 @@ pub(crate) fn halve<T: Coefficient>(c: &mut [T], before: &mut [T]) {
     let n = c.len();
     for (k, first) in before.iter_mut().enumerate().take(n) {
         *first = c[0];
-        column(&mut c[..n - k], |x, next| x.average(next));
+        column(&mut c[..n - k], Coefficient::average);
     }
 }
 

@@ -146,7 +146,7 @@ pub(super) fn nearest<const N: usize>(
                 if parts.depth < MAX_SUBDIVISION_DEPTH && left > 0 {
                     left -= 1;
                     for half in parts.halves() {
-                        let [a, b] = [0, 1].map(|k| Aabb::of(&half.points[k]));
+                        let [a, b] = [0, 1].map(|k| Aabb::of(half.points[k]));
                         push(&mut heap, a.distance(&b), Task::SegmentPair(Box::new(half)))?;
                     }
                 }
@@ -171,7 +171,7 @@ impl NearestPoints {
 impl<const N: usize> SegmentPair<N> {
     /// The halves of the longer one, each with the other.
     fn halves(&self) -> [SegmentPair<N>; 2] {
-        let [a, b] = [0, 1].map(|k| Aabb::of(&self.points[k])).map(|bounds| bounds.low.distance_squared(bounds.high));
+        let [a, b] = [0, 1].map(|k| Aabb::of(self.points[k])).map(|bounds| bounds.low.distance_squared(bounds.high));
         let longer = usize::from(b > a);
         [0.0, 0.5].map(|from| {
             let mut half = SegmentPair { depth: self.depth + 1, ..*self };

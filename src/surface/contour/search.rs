@@ -354,7 +354,7 @@ impl<C, S> Search<'_, C, S> {
         let mut keys = Keys(1 << 63 | number << 24);
         let unresolved =
             arcs(cell_level.field, marks, cell_level.corners, cell_level.rounding_error, &mut keys, |link| {
-                links.push(link)
+                links.push(link);
             });
         if let Some(at) = unresolved {
             alloc::push(&mut found.unresolved, (cell, at))?;

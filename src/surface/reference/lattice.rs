@@ -90,7 +90,7 @@ impl Lattice {
             return Ok(());
         }
         let cell = (i as u64).saturating_mul(columns as u64).saturating_add(j as u64);
-        Err(Error::NoSuch { element: Element::Cell, index: cell.into() })
+        Err(Error::NoSuch { element: Element::Cell, index: cell })
     }
 
     /// The intervals `line - steps .. line + steps - 1` of one direction, as far as they exist.

@@ -184,7 +184,7 @@ impl Intersection<'_> {
                 let [p, q] = self.pairs[k as usize].cells;
                 let followed = [p[0] < ends_a[0], p[1] < ends_a[1], q[0] < ends_b[0], q[1] < ends_b[1]];
                 let tolerance = self.tolerance.max(8.0 * rounding_error);
-                PairTask { pair: k, followed, tolerance, chord: self.chord, max_boxes: max_boxes, last, rounding_error }
+                PairTask { pair: k, followed, tolerance, chord: self.chord, max_boxes, last, rounding_error }
             };
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
                 self.run(cells_a, cells_b, run, &task, &mut pieces)?;

@@ -141,8 +141,8 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
         solution.t[i] = t;
     }
     if !all_allowed {
-        for i in first..last {
-            enter(solution.t[i], &mut solution.t[i], &mut results[i]);
+        for (t, result) in solution.t[first..last].iter_mut().zip(&mut results[first..last]) {
+            enter(*t, t, result);
         }
     }
 }
