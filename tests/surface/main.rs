@@ -1,5 +1,6 @@
 //! Smooth surfaces: construction, evaluation, nearest points, contours, intersections.
 
+mod bounds;
 mod cones;
 mod construct;
 mod contour;

@@ -332,3 +332,26 @@ fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
     };
     !(separated(a, b, c, d) || separated(b, c, d, a) || separated(c, d, a, b) || separated(d, a, b, c))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Quadrilaterals, seen along the line, that are just within the bound and just beyond it.
+    #[test]
+    fn the_bound_of_a_quadrilateral_is_the_whole_one() {
+        let mut random = fastrand::Rng::with_seed(7);
+        for _ in 0..10_000 {
+            let by = 0.01 + random.f64();
+            let corner = |k: u32, size: f64| size * DVec2::from_angle(std::f64::consts::FRAC_PI_2 * f64::from(k));
+            let shape = [0, 1, 2, 3].map(|k| corner(k, 0.1 + random.f64()));
+            let (from, to) = (shape[0], shape[1]);
+            let out = -(to - from).normalize().perp();
+            let near = from.lerp(to, random.f64());
+            for (share, expected) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+                let quad = shape.map(|corner| corner - near - share * by * out);
+                assert_eq!(may_hold_origin(&quad, by), expected, "{quad:?} {by}");
+            }
+        }
+    }
+}

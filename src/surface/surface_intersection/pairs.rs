@@ -375,3 +375,41 @@ impl Descent<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solid(half: [DVec3; 3]) -> Parallelepiped {
+        let [x, y, z] = half;
+        let normals = [y.cross(z), z.cross(x), x.cross(y)];
+        let lengths = half.map(DVec3::length);
+        Parallelepiped { centre: DVec3::ZERO, half, lengths, normals, volume: x.dot(normals[0]).abs() }
+    }
+
+    /// Boxes turned at random and a gap apart, which an axis of separation crosses straight: one across a face, or across an
+    /// edge of each.
+    #[test]
+    fn the_bound_of_boxes_is_the_whole_one() {
+        let mut random = fastrand::Rng::with_seed(3);
+        for k in 0..10_000 {
+            let mut turned = || {
+                let [x, y] = [0, 1].map(|_| DVec3::from_array([0, 1, 2].map(|_| random.f64() - 0.5)));
+                let x = x.normalize();
+                let y = x.cross(y).normalize();
+                [x, y, x.cross(y)].map(|axis| (0.1 + random.f64()) * axis)
+            };
+            let (one, mut other) = (solid(turned()), solid(turned()));
+            let axes = [one.half[k % 3], other.half[k % 3], one.half[k % 3].cross(other.half[k / 3 % 3])];
+            let along = axes[k / 9 % 3].normalize();
+            let corner = |solid: &Parallelepiped| -> DVec3 {
+                solid.half.map(|half| half * half.dot(along).signum()).iter().sum()
+            };
+            let gap = 0.01 + random.f64();
+            // From the farthest corner of the one to the nearest of the other, so that this is how far they are apart.
+            other.centre = corner(&one) + gap * along + corner(&other);
+            assert!(one.meets(&other, gap * (1.0 + 1e-9)), "{k}");
+            assert!(!one.meets(&other, 0.5 * gap), "{k}");
+        }
+    }
+}
