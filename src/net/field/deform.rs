@@ -11,7 +11,7 @@ use crate::net::{Net, Planes, Real, each};
 pub struct Step<'a> {
     /// The field.
     pub field: &'a dyn Field,
-    /// The part of it that is applied; for fields that change with time see [`Timed::strength`].
+    /// The part of it that is applied; for fields that change with time see `Timed::strength`.
     pub strength: f64,
 }
 

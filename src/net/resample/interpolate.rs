@@ -40,8 +40,8 @@ impl Interpolation {
 /// missing. O(nodes of both).
 ///
 /// # Errors
-/// [`Error::GluedInside`], [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// Of [`Error`](crate::Error): `GluedInside`, `NetTooSmall`, `TooLarge`, `OutOfMemory`,
+/// `Cancelled`.
 pub fn resample(
     net: &Net<'_>,
     rows: usize,

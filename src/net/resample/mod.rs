@@ -1,6 +1,6 @@
 //! Nets of other sizes: resampled, levels of detail, decimated.
 //!
-//! For nets that are glued along whole sides (see [`Sides`]). Invariant: the result has the same
+//! For nets that are glued along whole sides (see [`Sides`](super::topology::Sides)). Invariant: the result has the same
 //! sides, and glued nodes have equal bits. Splines after Catmull and Rom, "A class of local
 //! interpolating splines", 1974. O(nodes).
 

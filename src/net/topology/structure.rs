@@ -38,7 +38,7 @@ impl Topology {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn copied(&self) -> Result<Self> {
         let links = match &self.links {
             Links::Sides(sides) => Links::Sides(*sides),
@@ -119,7 +119,7 @@ impl Topology {
     /// The characteristic matrix.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn matrix(&self) -> Result<Matrix> {
         match &self.links {
             Links::Sides(sides) => Matrix::of_sides(self.shape, *sides),

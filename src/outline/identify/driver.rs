@@ -42,9 +42,8 @@ const MAX_SAFE_SIZE: f64 = 1e200;
 /// allocated once for each thread.
 ///
 /// # Errors
-/// [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::NotFinite`], [`Error::TooLarge`],
-/// [`Error::BadConstraint`] (a constraint names a point that there is not, or is out of order),
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// Of [`Error`](crate::Error): `BadOffsets`, `OptionOutOfRange`, `NotFinite`, `TooLarge`,
+/// `BadConstraint` (a constraint names no point, or is out of order), `OutOfMemory`, `Cancelled`.
 ///
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {

@@ -2,7 +2,7 @@
 //!
 //! * `line`: lines and their hits. `search`: descent of the index for a line; over a cell its
 //!   points are the common roots of two fields, the distances from two planes through it, of which
-//!   none is missed ([`roots`](crate::surface::subdivision::roots)). `hits`: one hit of those that
+//!   none is missed (`subdivision::roots`). `hits`: one hit of those that
 //!   several cells find. `batch`: many lines.
 //! * `curve`, `curve_search`: the same for curves. Lines that touch the surface or run in it are
 //!   taken as curves too, whose parameter tells from where to where they do.
@@ -72,8 +72,8 @@ impl Surface<'_> {
 }
 
 impl Line {
-    /// Where a curve in space comes as near to the line as `within`: as [`CurveView::approaches`]
-    /// for the curve, with places on the line as the second ones: segment 0, and the line's
+    /// Where a curve in space comes as near to the line as `within`: as
+    /// [`CurveView::near_misses`](crate::outline::CurveView::near_misses) for the curve, with places on the line as the second ones: segment 0, and the line's
     /// parameter as t.
     ///
     /// # Errors
