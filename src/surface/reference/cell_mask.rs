@@ -82,11 +82,17 @@ impl CellMask {
 
     /// The cells whose bits are 1, row after row.
     pub fn cells(&self) -> impl Iterator<Item = [usize; 2]> {
-        let bits = |word: u64| std::iter::successors(Some(word), |&left| Some(left & left.wrapping_sub(1)));
-        let of = move |(w, &word): (usize, &u64)| {
-            bits(word).take_while(|&left| left != 0).map(move |left| 64 * w + left.trailing_zeros() as usize)
-        };
-        self.words.iter().enumerate().flat_map(of).map(|k| self.lattice.cell(k))
+        let mut words = self.words.iter().enumerate();
+        let (mut first, mut left) = (0, 0u64);
+        std::iter::from_fn(move || {
+            while left == 0 {
+                let (w, &word) = words.next()?;
+                (first, left) = (64 * w, word);
+            }
+            let cell = self.lattice.cell(first + left.trailing_zeros() as usize);
+            left &= left - 1;
+            Some(cell)
+        })
     }
 
     /// Zeroes a block.
