@@ -1,7 +1,8 @@
 //! Joins surfaces that come in pieces.
 //!
-//! `gusset` finds the free boundary loops of open polygon meshes and stitches them together: two open pieces become one closed,
-//! valid mesh. It is a Rust library with a C interface (`include/gusset.h`) and a C++ one (`include/gusset.hpp`).
+//! `gusset` finds the free boundary loops of open polygon meshes and stitches them together: two
+//! open pieces become one closed, valid mesh. It is a Rust library with a C interface
+//! (`include/gusset.h`) and a C++ one (`include/gusset.hpp`).
 //!
 //! ```
 //! use gusset::mesh::{Faces, MeshView, Positions};
@@ -40,8 +41,8 @@
 //! | [`error`] | causes of failure, each with the element it is about |
 //! | [`ffi`] | the C interface |
 //!
-//! Data flows one way: host arrays, view, core, result. Nothing is global, nothing is printed, no file is touched, and the same
-//! input gives the same bytes for any number of threads.
+//! Data flows one way: host arrays, view, core, result. Nothing is global, nothing is printed, no
+//! file is touched, and the same input gives the same bytes for any number of threads.
 
 mod alloc;
 pub mod boundary;

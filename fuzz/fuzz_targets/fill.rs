@@ -1,4 +1,5 @@
-//! Holes of any mesh, filled with every weight: an error, or a valid mesh that begins with the old faces.
+//! Holes of any mesh, filled with every weight: an error, or a valid mesh that begins with the old
+//! faces.
 #![no_main]
 
 use gusset::Job;

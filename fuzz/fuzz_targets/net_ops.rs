@@ -1,4 +1,5 @@
-//! Nets joined, taken apart, turned, coded and measured: what goes back and forth comes back to the bit.
+//! Nets joined, taken apart, turned, coded and measured: what goes back and forth comes back to the
+//! bit.
 #![no_main]
 
 use gusset::Job;

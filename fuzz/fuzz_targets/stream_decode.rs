@@ -1,5 +1,6 @@
-//! Bytes that claim to be a stream: an error or a net, whole and in pieces alike. Checksums are not put right here: libFuzzer finds
-//! its way past them (`-use_value_profile=1`), and tests/net/stream.rs forges them.
+//! Bytes that claim to be a stream: an error or a net, whole and in pieces alike. Checksums are not
+//! put right here: libFuzzer finds its way past them (`-use_value_profile=1`), and
+//! tests/net/stream.rs forges them.
 #![no_main]
 
 use gusset::Job;

@@ -1,4 +1,5 @@
-//! Surfaces through any nodes, and their nearest points: no node is nearer than the distance found says, nor the bound above it.
+//! Surfaces through any nodes, and their nearest points: no node is nearer than the distance found
+//! says, nor the bound above it.
 #![no_main]
 
 use gusset::Job;

@@ -1,4 +1,5 @@
-//! Inputs that the targets share: small, on a coarse lattice, so that points coincide and faces touch often.
+//! Inputs that the targets share: small, on a coarse lattice, so that points coincide and faces
+//! touch often.
 
 use arbitrary::Arbitrary;
 use glam::DVec3;

@@ -1,26 +1,32 @@
 //! Boundary loops at the speed of memory, for meshes that are ordinary along their boundary.
 //!
-//! Let N(u, v) be the number of half-edges from u to v less the number of those from v to u: 0 at an inner edge of an oriented
-//! surface, 1 or -1 at a border edge. Give each vertex v a number f(v), one-to-one and far from linear, and keep two sums:
+//! Let N(u, v) be the number of half-edges from u to v less the number of those from v to u: 0 at
+//! an inner edge of an oriented surface, 1 or -1 at a border edge. Give each vertex v a number
+//! f(v), one-to-one and far from linear, and keep two sums:
 //!
-//! * for each vertex, s(v) = sum of N(v, u) f(u): every corner with the vertices p, v, n one after another adds f(n) - f(p);
-//! * in all, the area inside the faces if vertex v were the point (v, v^2), in 64 bits: by the shoelace formula it is the sum
-//!   of N(u, v) g(u, v) over all edges, where g(x, y) = x y (y - x). A triangle has (y - x)(z - x)(z - y).
+//! * for each vertex, s(v) = sum of N(v, u) f(u): every corner with the vertices p, v, n one after
+//!   another adds f(n) - f(p);
+//! * in all, the area inside the faces if vertex v were the point (v, v^2), in 64 bits: by the
+//!   shoelace formula it is the sum of N(u, v) g(u, v) over all edges, where g(x, y) = x y (y - x).
+//!   A triangle has (y - x)(z - x)(z - y).
 //!
-//! At an inner vertex s is 0. At a boundary vertex with one border edge in, from u, and one out, to w, it is f(w) - f(u),
-//! which is not 0 as f is one-to-one. So one pass over the corners and a second one that gathers the half-edges between the
-//! vertices where s is not 0 leave little more than the border itself, to be matched, checked and walked.
+//! At an inner vertex s is 0. At a boundary vertex with one border edge in, from u, and one out, to
+//! w, it is f(w) - f(u), which is not 0 as f is one-to-one. So one pass over the corners and a
+//! second one that gathers the half-edges between the vertices where s is not 0 leave little more
+//! than the border itself, to be matched, checked and walked.
 //!
-//! **What is odd shows.** A half-edge twice in one direction, an edge without length, a vertex with other than one border edge
-//! in and one out: then there is no answer here, and the exact way through all edges is taken. So it is unless the border B
-//! that was found explains both sums: it must pass each vertex whose s is not 0, once, with s = f(w) - f(u), and the area must
-//! be that inside its loops.
+//! **What is odd shows.** A half-edge twice in one direction, an edge without length, a vertex with
+//! other than one border edge in and one out: then there is no answer here, and the exact way
+//! through all edges is taken. So it is unless the border B that was found explains both sums: it
+//! must pass each vertex whose s is not 0, once, with s = f(w) - f(u), and the area must be that
+//! inside its loops.
 //!
-//! **What can hide.** Let R = N - B be what was not found. Then at every vertex v the sum of R(v, u) f(u) is 0 in 32 bits,
-//! while R has as many edges into v as out of it. With one in and one out they would be one edge, back and forth, which is
-//! none. So through each of its vertices R passes twice or more, and at each of them hashes cancel by coincidence; and over
-//! all of R the areas do so once more, in 64 bits. Also, N does not see an edge with as many faces one way as the other, two
-//! or more each; nor does anything here see what is odd away from the boundary.
+//! **What can hide.** Let R = N - B be what was not found. Then at every vertex v the sum of R(v,
+//! u) f(u) is 0 in 32 bits, while R has as many edges into v as out of it. With one in and one out
+//! they would be one edge, back and forth, which is none. So through each of its vertices R passes
+//! twice or more, and at each of them hashes cancel by coincidence; and over all of R the areas do
+//! so once more, in 64 bits. Also, N does not see an edge with as many faces one way as the other,
+//! two or more each; nor does anything here see what is odd away from the boundary.
 
 use super::walk::Dart;
 use crate::alloc;
@@ -51,9 +57,9 @@ const STAGE: &str = "walking along the boundary";
 /// Half-edges of the border between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 
-/// The closed walks of border half-edges, each from its smallest half-edge on, in the order of those; or `None` if something
-/// along the boundary is odd. Two passes over the corners; extra memory 4 bytes a vertex for each thread, of which at most 8
-/// take part, and the border.
+/// The closed walks of border half-edges, each from its smallest half-edge on, in the order of
+/// those; or `None` if something along the boundary is odd. Two passes over the corners; extra
+/// memory 4 bytes a vertex for each thread, of which at most 8 take part, and the border.
 pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Settled once: asking the system takes a while.
@@ -83,9 +89,9 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
     }
 }
 
-/// f: one-to-one, as both steps are. The first one takes u and v to numbers that are (u - v) (2 (u + v) + c) apart, where the
-/// second factor is odd. The square and the shift see to it that sums of f do not agree just where sums of indices do: there
-/// the area may well be 0, too.
+/// f: one-to-one, as both steps are. The first one takes u and v to numbers that are
+/// (u - v) (2 (u + v) + c) apart, where the second factor is odd. The square and the shift see to
+/// it that sums of f do not agree just where sums of indices do: there the area may well be 0, too.
 fn f(v: u32) -> u32 {
     let x = v.wrapping_mul(v.wrapping_mul(2).wrapping_add(0x9e37_79b1));
     x ^ (x >> 15)
@@ -116,7 +122,8 @@ impl Visitor for Partial {
             let after = corners[if i + 1 < count { i + 1 } else { 0 }];
             let sum = &mut self.of_vertex[here as usize];
             *sum = sum.wrapping_add(f(after).wrapping_sub(before));
-            // The face as a fan of triangles: first, here, after; the first and the last of them have no area.
+            // The face as a fan of triangles: first, here, after; the first and the last of them
+            // have no area.
             let area = minus(here, first).wrapping_mul(minus(after, first)).wrapping_mul(minus(after, here));
             self.area = self.area.wrapping_add(area);
             before = f(here);
@@ -134,7 +141,8 @@ struct Sums {
 }
 
 impl Sums {
-    /// Each thread sums in an array of its own. All additions wrap round, so that it does not matter who adds what.
+    /// Each thread sums in an array of its own. All additions wrap round, so that it does not
+    /// matter who adds what.
     fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<Partial>> = Mutex::new(Vec::new());
         let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
@@ -205,8 +213,8 @@ impl Gather<'_> {
     }
 }
 
-/// Of the candidates those whose edge has no other half-edge, as (vertex where it starts, where it ends, half-edge), in the
-/// order of their starts; `None` if an edge is odd.
+/// Of the candidates those whose edge has no other half-edge, as (vertex where it starts, where it
+/// ends, half-edge), in the order of their starts; `None` if an edge is odd.
 fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>> {
     candidates.sort_unstable();
     let mut border = alloc::with_capacity(candidates.len())?;
@@ -223,12 +231,14 @@ fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>
     Ok(Some(border))
 }
 
-/// For each edge of the border the one that follows it; `None` if a vertex has other than one in and one out.
+/// For each edge of the border the one that follows it; `None` if a vertex has other than one in
+/// and one out.
 fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
     if border.windows(2).any(|pair| pair[0].0 == pair[1].0) {
         return Ok(None);
     }
-    // Starts are distinct; every end being a start, each the end of one edge only, it is a permutation.
+    // Starts are distinct; every end being a start, each the end of one edge only, it is a
+    // permutation.
     let mut next = alloc::with_capacity(border.len())?;
     let mut reached = alloc::filled(false, border.len())?;
     for &(_, end, _) in border {
@@ -279,7 +289,8 @@ mod tests {
     use crate::mesh::{Faces, Positions};
     use std::collections::HashMap;
 
-    /// A mesh whose face i has the corners `faces[i]`; the boundary is that of some loops of the given lengths.
+    /// A mesh whose face i has the corners `faces[i]`; the boundary is that of some loops of the
+    /// given lengths.
     fn check(vertices: u32, faces: &[&[u32]], ordinary: bool, lengths: &[usize]) {
         let points: Vec<[f64; 3]> = (0..vertices).map(|i| [f64::from(i), 0.5 * f64::from(i % 7), 0.0]).collect();
         let corners = faces.concat();
@@ -305,8 +316,9 @@ mod tests {
         check(5, &[&[0, 1, 2], &[2, 3, 4]], false, &[3, 3]);
     }
 
-    /// Every second face of an octahedron: each vertex has two neighbours before it and the two opposite ones after it. Three
-    /// pairs of numbers with the same sum of f make all sums vanish; the area does not.
+    /// Every second face of an octahedron: each vertex has two neighbours before it and the two
+    /// opposite ones after it. Three pairs of numbers with the same sum of f make all sums vanish;
+    /// the area does not.
     #[test]
     fn a_planted_coincidence_is_noticed() {
         let limit = 4000;

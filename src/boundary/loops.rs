@@ -20,8 +20,8 @@ use std::ops::Range;
 pub struct LoopFlags(pub u32);
 
 impl LoopFlags {
-    /// The chain does not close: it has one vertex more than it has edges. (A chain that ends at the vertex where it began, in
-    /// another fan, counts as closed.)
+    /// The chain does not close: it has one vertex more than it has edges. (A chain that ends at
+    /// the vertex where it began, in another fan, counts as closed.)
     pub const OPEN: u32 = 1;
     /// It passes a vertex where the surface touches itself.
     pub const BOW_TIE: u32 = 2;
@@ -53,8 +53,8 @@ impl EdgeFlags {
     pub const ZERO_LENGTH: u8 = 4;
 }
 
-/// One loop, or one open chain. Edge `i` runs from vertex `i` to vertex `i + 1`, the last one of a closed loop back to
-/// vertex 0.
+/// One loop, or one open chain. Edge `i` runs from vertex `i` to vertex `i + 1`, the last one of a
+/// closed loop back to vertex 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Loop<'a> {
     /// The vertices, each once.
@@ -67,7 +67,8 @@ pub struct Loop<'a> {
     pub edge_flags: &'a [u8],
     /// [`LoopFlags`].
     pub flags: LoopFlags,
-    /// The number of the closed walk or chain that this loop was cut from; walks are numbered from 0.
+    /// The number of the closed walk or chain that this loop was cut from; walks are numbered from
+    /// 0.
     pub walk: u32,
     /// The sum of the edges' lengths, in the unit of the positions.
     pub length: f64,
@@ -106,7 +107,8 @@ impl Boundary {
         self.records.is_empty()
     }
 
-    /// Loop `i`, in the order of each loop's smallest half-edge, which is where a closed loop starts.
+    /// Loop `i`, in the order of each loop's smallest half-edge, which is where a closed loop
+    /// starts.
     pub fn get(&self, i: usize) -> Option<Loop<'_>> {
         self.records.get(i).map(|r| Loop {
             vertices: &self.vertices[r.vertices.clone()],
@@ -134,8 +136,8 @@ impl Boundary {
         self.walks
     }
 
-    /// What is wrong or unusual, sorted: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
-    /// and the bow-tie vertices that loops pass.
+    /// What is wrong or unusual, sorted: degenerate faces, orientation conflicts and non-manifold
+    /// edges of the whole mesh, and the bow-tie vertices that loops pass.
     pub fn defects(&self) -> &[Defect] {
         &self.defects
     }
@@ -146,13 +148,15 @@ const REPORT_INTERVAL: usize = 1 << 12;
 
 /// Finds every free boundary loop of `mesh`.
 ///
-/// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of [`Topology`], 5 bytes a
-/// vertex, and the border several times over. With [`Survey::BoundaryOnly`] O(H + B log B) for a boundary of B edges, and 4
-/// bytes a vertex for each thread, of which at most 8 take part, unless the boundary is odd.
+/// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of
+/// [`Topology`], 5 bytes a vertex, and the border several times over. With [`Survey::BoundaryOnly`]
+/// O(H + B log B) for a boundary of B edges, and 4 bytes a vertex for each thread, of which at most
+/// 8 take part, unless the boundary is odd.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled). Odd places of the mesh
-/// are no errors: see [`LoopFlags`] and [`Boundary::defects`].
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+/// [`Error::Cancelled`](crate::Error::Cancelled). Odd places of the mesh are no errors: see
+/// [`LoopFlags`] and [`Boundary::defects`].
 pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Boundary> {
     if options.survey == Survey::BoundaryOnly
         && let Some(walks) = ordinary_walks(mesh, &job.part(0.0, 0.5))?
@@ -313,8 +317,8 @@ impl Boundary {
     }
 }
 
-/// The order in which the darts of a piece become edges: turned round if most run against their faces, and from the
-/// smallest half-edge on if closed.
+/// The order in which the darts of a piece become edges: turned round if most run against their
+/// faces, and from the smallest half-edge on if closed.
 struct Order<'a> {
     piece: &'a [Dart],
     turned: bool,
@@ -331,7 +335,8 @@ impl Order<'_> {
     }
 }
 
-/// Where the smallest half-edge of a closed piece lies in the (possibly turned) order; 0 for an open chain.
+/// Where the smallest half-edge of a closed piece lies in the (possibly turned) order; 0 for an
+/// open chain.
 fn first_place(piece: &[Dart], closed: bool, turned: bool) -> usize {
     if !closed {
         return 0;

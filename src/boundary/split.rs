@@ -7,11 +7,12 @@ use crate::alloc;
 use crate::error::Result;
 use crate::mesh::NONE;
 
-/// Cuts `walk`, whose steps lead from `tail` to `head`, at every vertex that it passes again, and gives each simple piece to
-/// `emit`, with whether it is closed.
+/// Cuts `walk`, whose steps lead from `tail` to `head`, at every vertex that it passes again, and
+/// gives each simple piece to `emit`, with whether it is closed.
 ///
-/// The walk is laid on a stack; when it arrives at a vertex that is still on the stack, what lies above that vertex is a
-/// simple loop and is taken off. Linear time. `place` has one entry for each vertex of the mesh, all [`NONE`], and is left so.
+/// The walk is laid on a stack; when it arrives at a vertex that is still on the stack, what lies
+/// above that vertex is a simple loop and is taken off. Linear time. `place` has one entry for each
+/// vertex of the mesh, all [`NONE`], and is left so.
 pub(crate) fn split_simple<Step: Copy>(
     walk: &[Step],
     tail: impl Fn(Step) -> u32,
@@ -32,7 +33,8 @@ pub(crate) fn split_simple<Step: Copy>(
             }
         }
     }
-    // A closed walk ends where it began, and its last arrival has emptied the stack; what is left is an open chain.
+    // A closed walk ends where it began, and its last arrival has emptied the stack; what is left
+    // is an open chain.
     if !stack.is_empty() {
         emit(&stack, false)?;
         stack.iter().for_each(|&step| place[tail(step) as usize] = NONE);

@@ -84,8 +84,9 @@ impl<'m, 'a> Walker<'m, 'a> {
         self.bow_tie[v as usize]
     }
 
-    /// Writes the next walk to `walk` and tells whether it is closed; `None` when every free edge has been visited. Walks
-    /// start from free edges only: one that would consist of non-manifold edges alone bounds no hole.
+    /// Writes the next walk to `walk` and tells whether it is closed; `None` when every free edge
+    /// has been visited. Walks start from free edges only: one that would consist of non-manifold
+    /// edges alone bounds no hole.
     pub(super) fn next_walk(&mut self, walk: &mut Vec<Dart>) -> Result<Option<bool>> {
         walk.clear();
         let start = loop {
@@ -126,13 +127,13 @@ impl<'m, 'a> Walker<'m, 'a> {
         }
     }
 
-    /// The border edge that follows `dart` round the fan of faces at its head; `None` if that is a non-manifold edge at
-    /// which walks stop.
+    /// The border edge that follows `dart` round the fan of faces at its head; `None` if that is a
+    /// non-manifold edge at which walks stop.
     fn successor(&mut self, dart: Dart) -> Option<Dart> {
         let v = dart.head(self.mesh);
         let mut corners = 0;
-        // In each face, `arriving` tells whether half-edge h runs towards v; the other edge at v then comes after it, else
-        // before it.
+        // In each face, `arriving` tells whether half-edge h runs towards v; the other edge at v
+        // then comes after it, else before it.
         let (mut h, mut arriving) = (dart.half_edge, dart.forward);
         loop {
             corners += 1;

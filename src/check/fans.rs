@@ -9,12 +9,13 @@ use crate::mesh::{Across, MeshView, Topology};
 /// Half-edges between two progress reports.
 const REPORT_INTERVAL: u32 = 1 << 18;
 
-/// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if they share an edge that has
-/// two faces.
+/// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if
+/// they share an edge that has two faces.
 pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let count = faces.half_edge_count();
-    // A corner is named by the half-edge that leaves it. Corners are joined across every edge with two faces, at both ends.
+    // A corner is named by the half-edge that leaves it. Corners are joined across every edge with
+    // two faces, at both ends.
     let mut corners = DisjointSets::new(count)?;
     for h in 0..count as u32 {
         if h % REPORT_INTERVAL == 0 {

@@ -34,9 +34,11 @@ pub struct Check {
     pub manifold: bool,
     /// No edge whose two faces run it in the same direction.
     pub oriented: bool,
-    /// Faces can be turned over so that it becomes oriented. Faces are compared across edges with two faces.
+    /// Faces can be turned over so that it becomes oriented. Faces are compared across edges with
+    /// two faces.
     pub orientable: bool,
-    /// The number of handles of all components together, if the mesh is manifold and orientable and no face is degenerate.
+    /// The number of handles of all components together, if the mesh is manifold and orientable and
+    /// no face is degenerate.
     pub genus: Option<u32>,
 
     /// The half-edges of the edges with exactly one face.
@@ -49,7 +51,8 @@ pub struct Check {
     pub bow_ties: Vec<u32>,
     /// The first half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: Vec<u32>,
-    /// Faces with the same cycle of vertices, in either direction, as a face before them; degenerate ones apart.
+    /// Faces with the same cycle of vertices, in either direction, as a face before them;
+    /// degenerate ones apart.
     pub duplicate_faces: Vec<u32>,
     /// Faces that repeat a vertex.
     pub degenerate_faces: Vec<u32>,
@@ -62,10 +65,12 @@ pub struct Check {
 /// Faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about 40 bytes a half-edge.
+/// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about
+/// 40 bytes a half-edge.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled). What it finds is no error.
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+/// [`Error::Cancelled`](crate::Error::Cancelled). What it finds is no error.
 pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
     let mut found =
@@ -192,7 +197,8 @@ impl Check {
         Ok(())
     }
 
-    /// Lists faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the rounding of its terms.
+    /// Lists faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
+    /// rounding of its terms.
     fn enter_zero_areas(&mut self, mesh: &MeshView<'_>) -> Result<()> {
         let mut points: Vec<DVec3> = Vec::new();
         for f in 0..mesh.faces().len() {

@@ -10,9 +10,9 @@ use crate::mesh::MeshView;
 use crate::sort::sort;
 use std::cmp::Ordering;
 
-/// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a face with a smaller
-/// number; ascending. Faces that repeat a vertex, given in `degenerate`, are left out. O(F log F) comparisons, nearly all of
-/// which end at the first vertex.
+/// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a
+/// face with a smaller number; ascending. Faces that repeat a vertex, given in `degenerate`, are
+/// left out. O(F log F) comparisons, nearly all of which end at the first vertex.
 pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     job.step(0.0, "checking faces")?;
     // Faces in the order of their cycles; of equal ones the smaller number first.

@@ -14,8 +14,8 @@ use std::ptr;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-/// Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at a time, but
-/// gusset_context_cancel and gusset_context_get_progress may be called from any.
+/// Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at
+/// a time, but gusset_context_cancel and gusset_context_get_progress may be called from any.
 pub struct gusset_context {
     cancelled: AtomicBool,
     /// The bits of an f64.
@@ -23,14 +23,15 @@ pub struct gusset_context {
     state: Mutex<State>,
 }
 
-/// Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
-/// being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
-/// gusset_context_cancel and gusset_context_get_progress, and must not throw or longjmp.
+/// Called now and then during long work, on the thread that made the call. fraction: part done, 0
+/// to 1. stage: what is being done, valid during the callback only. Return nonzero to cancel the
+/// call. It must not use the context, except for gusset_context_cancel and
+/// gusset_context_get_progress, and must not throw or longjmp.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
-/// Called with remarks that are no failures, on the thread that made the call; message is valid during the callback only.
-/// The same rules as for progress.
+/// Called with remarks that are no failures, on the thread that made the call; message is valid
+/// during the callback only. The same rules as for progress.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
 #[derive(Clone, Copy)]
@@ -101,7 +102,8 @@ impl Progress for Host<'_> {
             && !self.stopped.get()
         {
             let stage = CString::new(stage).unwrap_or_default();
-            // SAFETY: the host gave this function for this purpose, and the text lives through the call.
+            // SAFETY: the host gave this function for this purpose, and the text lives through the
+            // call.
             let answer = unsafe { callback(self.settings.progress_user, fraction, stage.as_ptr()) };
             self.stopped.set(answer != 0);
         }

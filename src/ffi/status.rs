@@ -1,7 +1,8 @@
-//! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data, 2000-2999 environment.
+//! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data,
+//! 2000-2999 environment.
 //!
-//! The comment of each code is its text too: the build script makes `status_text` of the first sentences. Each error of the core
-//! becomes a code with an element in one place, `From<Error>`.
+//! The comment of each code is its text too: the build script makes `status_text` of the first
+//! sentences. Each error of the core becomes a code with an element in one place, `From<Error>`.
 
 use crate::error::{Element, Error, Side};
 use std::borrow::Cow;
@@ -15,7 +16,8 @@ pub enum gusset_status {
     GUSSET_OK = 0,
     /// A pointer that must not be NULL is NULL.
     GUSSET_ERROR_NULL_ARGUMENT = 1,
-    /// A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have any alignment.)
+    /// A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have
+    /// any alignment.)
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /// struct_size is smaller than the first version of the struct.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
@@ -41,7 +43,8 @@ pub enum gusset_status {
     GUSSET_ERROR_SIZE_OVERFLOW = 1001,
     /// A mesh without vertices or without faces.
     GUSSET_ERROR_EMPTY_MESH = 1002,
-    /// Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than their elements.
+    /// Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than
+    /// their elements.
     GUSSET_ERROR_BAD_OFFSETS = 1003,
     /// A face of fewer than three corners.
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
@@ -67,7 +70,8 @@ pub enum gusset_status {
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
     /// Every strip through the first meridian would repeat an edge that the mesh already has.
     GUSSET_ERROR_NO_STRIP = 1107,
-    /// The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
+    /// The planes through the loops' centres cannot tell which vertices face each other: such loops
+    /// are joined whole.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /// A closed curve does not end where it begins.
     GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
@@ -135,7 +139,8 @@ pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
 pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
 /// One of the places on a curve or a surface that were given.
 pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
-/// A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
+/// A section of a frame, or a plane, counted from 0; the value is the column or the number of
+/// points.
 pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
 /// A node of a net, row after row.
 pub const GUSSET_ELEMENT_NODE: gusset_element = 13;
@@ -193,7 +198,8 @@ impl Failure {
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
     }
 
-    /// The same failure, of item `index` of an array of the caller's, unless it is about an element already.
+    /// The same failure, of item `index` of an array of the caller's, unless it is about an element
+    /// already.
     pub(crate) fn of_item(self, index: usize) -> Self {
         match self.element {
             GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },

@@ -12,24 +12,28 @@ use crate::mesh::{MAX_ELEMENTS, MeshView, concat};
 use crate::stitch::{FaceList, Quality, part_alone};
 use std::collections::BTreeSet;
 
-/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them.
+/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round
+/// them.
 ///
-/// `loops`: the vertices of each in order, in either direction, each consecutive pair (and the last with the first) being an
-/// edge with exactly one face; `None` for all loops that the mesh has, cut into simple ones where the boundary touches
-/// itself. Loops that cannot be filled are left, and the account of each says why; nothing of this is an error.
+/// `loops`: the vertices of each in order, in either direction, each consecutive pair (and the last
+/// with the first) being an edge with exactly one face; `None` for all loops that the mesh has, cut
+/// into simple ones where the boundary touches itself. Loops that cannot be filled are left, and
+/// the account of each says why; nothing of this is an error.
 ///
-/// A loop of n <= 500 vertices gets its triangulation of least weight by dynamic programming, in O(n^3); by area it is the
-/// least there is. A longer one loses its shortest ear again and again, in O(n log n) and linear memory, and edges are
-/// flipped to Delaunay's rule. No new edge repeats an old one. A planar hole is triangulated without overlaps by the area and
-/// by the default weight, however concave it is, if its rim does not cross itself; whether a patch meets other parts of the
-/// surface is not looked at.
+/// A loop of n <= 500 vertices gets its triangulation of least weight by dynamic programming, in
+/// O(n^3); by area it is the least there is. A longer one loses its shortest ear again and again,
+/// in O(n log n) and linear memory, and edges are flipped to Delaunay's rule. No new edge repeats
+/// an old one. A planar hole is triangulated without overlaps by the area and by the default
+/// weight, however concave it is, if its rim does not cross itself; whether a patch meets other
+/// parts of the surface is not looked at.
 ///
-/// O(H) for H half-edges besides (O(H log d) where the boundary is odd), and what refinement and fairing of m new vertices
-/// need: O(m^1.5). Extra memory is linear, but for 40 n^2 bytes, at most 10 MB, for the table of the hole at work.
+/// O(H) for H half-edges besides (O(H log d) where the boundary is odd), and what refinement and
+/// fairing of m new vertices need: O(m^1.5). Extra memory is linear, but for 40 n^2 bytes, at most
+/// 10 MB, for the table of the hole at work.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a limit that is no number or negative; [`Error::TooLarge`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a limit that is no number or negative; [`Error::TooLarge`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Options, job: &Job<'_>) -> Result<Filled> {
     check(&options.limits)?;
     let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
@@ -66,7 +70,8 @@ fn check(limits: &Limits) -> Result<()> {
 /// The patches of the holes so far.
 struct Plan {
     surroundings: Surroundings,
-    /// New edges between old vertices that more than one loop passes: no later hole may repeat them.
+    /// New edges between old vertices that more than one loop passes: no later hole may repeat
+    /// them.
     bridges: BTreeSet<(u32, u32)>,
     holes: Vec<Hole>,
     rims: Vec<u32>,

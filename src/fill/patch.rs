@@ -19,8 +19,9 @@ const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
 /// New vertices of a hole at the most, if the caller says nothing.
 const MAX_NEW_VERTICES: u32 = 50_000;
 
-/// A hole and what lies round it, in numbers of its own: the rim's vertices from 0 on, in the direction in which new faces run
-/// along it (the surface is on the right), and then the other old vertices.
+/// A hole and what lies round it, in numbers of its own: the rim's vertices from 0 on, in the
+/// direction in which new faces run along it (the surface is on the right), and then the other old
+/// vertices.
 pub(crate) struct Rim {
     /// How many vertices the rim has.
     pub(crate) count: usize,
@@ -28,7 +29,8 @@ pub(crate) struct Rim {
     pub(crate) points: Vec<DVec3>,
     /// The old faces with a vertex on the rim, as triangles.
     pub(crate) around: Vec<[u32; 3]>,
-    /// The vector area of the old face at the edge from each rim vertex to the next; 0 if it is not known.
+    /// The vector area of the old face at the edge from each rim vertex to the next; 0 if it is not
+    /// known.
     pub(crate) across: Vec<DVec3>,
     /// The mean length of the old edges at each rim vertex.
     pub(crate) scale: Vec<f64>,
@@ -44,11 +46,12 @@ pub(crate) struct Patch {
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
-/// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of
-/// rim vertices.
+/// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`,
+/// which is asked of numbers of rim vertices.
 ///
-/// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and
-/// fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
+/// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for
+/// longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse
+/// factor.
 pub(crate) fn patch(
     rim: &Rim,
     options: &Options,
@@ -114,7 +117,8 @@ fn triangulate(
     }))
 }
 
-/// True if all points are as near to their mean plane as round-off of single precision may have left them.
+/// True if all points are as near to their mean plane as round-off of single precision may have
+/// left them.
 fn is_planar(points: &[DVec3]) -> bool {
     let normal = mean_normal(points);
     let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);

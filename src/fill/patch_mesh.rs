@@ -44,7 +44,8 @@ impl PatchMesh {
         self.triangles[t].map(|v| self.points[v as usize])
     }
 
-    /// The triangle across side `k` of triangle `t` and the side that it is there; `None` at the rim.
+    /// The triangle across side `k` of triangle `t` and the side that it is there; `None` at the
+    /// rim.
     pub(super) fn beyond(&self, t: usize, k: usize) -> Option<(usize, usize)> {
         let s = self.across[t][k];
         if s == NONE {
@@ -54,7 +55,8 @@ impl PatchMesh {
         (0..3).find(|&j| self.triangles[s as usize][j] == head).map(|j| (s as usize, j))
     }
 
-    /// Replaces triangle `t` by three that meet at `point`: t and the last two. Side 0 of each is one of the old sides.
+    /// Replaces triangle `t` by three that meet at `point`: t and the last two. Side 0 of each is
+    /// one of the old sides.
     pub(super) fn split(&mut self, t: usize, point: DVec3) -> Result<[usize; 3]> {
         let middle = self.points.len() as u32;
         alloc::push(&mut self.points, point)?;
@@ -74,7 +76,8 @@ impl PatchMesh {
         Ok(parts)
     }
 
-    /// Turns the side that triangles `t` (its side `k`) and `s` (its side `j`) share into the other diagonal.
+    /// Turns the side that triangles `t` (its side `k`) and `s` (its side `j`) share into the other
+    /// diagonal.
     pub(super) fn flip(&mut self, (t, k): (usize, usize), (s, j): (usize, usize)) {
         let (a, b) = (self.triangles[t][k], self.triangles[t][next(k)]);
         let (c, d) = (self.triangles[t][next(next(k))], self.triangles[s][next(next(j))]);
@@ -95,7 +98,8 @@ impl PatchMesh {
         }
     }
 
-    /// True if the patch has an edge from corner `k` of triangle `t` to vertex `v`: one walk round the corner.
+    /// True if the patch has an edge from corner `k` of triangle `t` to vertex `v`: one walk round
+    /// the corner.
     pub(super) fn has_edge(&self, t: usize, k: usize, v: u32) -> bool {
         let centre = self.triangles[t][k];
         let corner = |t: usize| (0..3).find(|&k| self.triangles[t][k] == centre).unwrap_or(0);

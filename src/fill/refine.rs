@@ -1,8 +1,9 @@
 //! Refinement: new vertices inside a patch, as dense as those round the hole.
 //!
-//! Source: P. Liepa (2003), section 4, after R. Pfeifle, H.-P. Seidel. Every rim vertex has a scale, the mean length of the
-//! old edges at it. A triangle is split at its centroid, whose scale is the mean of its corners', if that is farther from
-//! each corner than its own scale and the corner's, and edges are flipped to Delaunay's rule, until nothing changes.
+//! Source: P. Liepa (2003), section 4, after R. Pfeifle, H.-P. Seidel. Every rim vertex has a
+//! scale, the mean length of the old edges at it. A triangle is split at its centroid, whose scale
+//! is the mean of its corners', if that is farther from each corner than its own scale and the
+//! corner's, and edges are flipped to Delaunay's rule, until nothing changes.
 
 use super::patch_mesh::PatchMesh;
 use crate::alloc;
@@ -14,16 +15,17 @@ use std::f64::consts::SQRT_2;
 
 /// Passes over all edges in which flips may follow from flips.
 const MAX_PASSES: usize = 30;
-/// An edge is not flipped where the new one would bend by more than the old one did and more than this: 1 - cosine of 60
-/// degrees.
+/// An edge is not flipped where the new one would bend by more than the old one did and more than
+/// this: 1 - cosine of 60 degrees.
 const MAX_BEND: f64 = 0.5;
 /// Angles whose sum exceeds half a turn by less than this are left alone: the sine.
 const COCIRCULAR: f64 = 1e-9;
 /// No flip makes a triangle whose doubled area is less than this part of its sides' squares.
 const FLAT: f64 = 1e-6;
 
-/// Refines `mesh`, whose first vertices are the rim's. `scale`: of each rim vertex. `taken`: true of two rim vertices that must
-/// not get an edge. There will be about `limit` new vertices at the most: where more would be needed, all scales grow.
+/// Refines `mesh`, whose first vertices are the rim's. `scale`: of each rim vertex. `taken`: true
+/// of two rim vertices that must not get an edge. There will be about `limit` new vertices at the
+/// most: where more would be needed, all scales grow.
 ///
 /// O(passes * triangles).
 pub(super) fn refine(
@@ -62,8 +64,8 @@ pub(super) fn refine(
     Ok(())
 }
 
-/// What all scales must be multiplied by to keep the number of vertices below `limit`, taking one for each two equilateral
-/// triangles of a side of its scale.
+/// What all scales must be multiplied by to keep the number of vertices below `limit`, taking one
+/// for each two equilateral triangles of a side of its scale.
 fn growth(mesh: &PatchMesh, scale: &[f64], limit: u32) -> f64 {
     let needed = |t: usize| {
         let [a, b, c] = mesh.corners(t);
@@ -89,7 +91,8 @@ pub(super) fn relax(mesh: &mut PatchMesh, rim: usize, taken: &impl Fn(u32, u32) 
     }
 }
 
-/// Flips side `k` of triangle `t` if the angles opposite to it are more than half a turn together; true if it did.
+/// Flips side `k` of triangle `t` if the angles opposite to it are more than half a turn together;
+/// true if it did.
 fn relax_side(mesh: &mut PatchMesh, rim: usize, taken: &impl Fn(u32, u32) -> bool, t: usize, k: usize) -> bool {
     let Some((s, j)) = mesh.beyond(t, k) else {
         return false;

@@ -8,12 +8,13 @@ use std::ops::Range;
 /// What makes one triangulation of a rim better than another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
-    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine of the angle between its
-    /// faces: the patch goes on as the surface does where that costs little. By area alone if the rim is planar.
+    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine
+    /// of the angle between its faces: the patch goes on as the surface does where that costs
+    /// little. By area alone if the rim is planar.
     #[default]
     AreaAndBend,
-    /// The largest angle between neighbouring faces, those beyond the rim included, and then the area, as Liepa has it. One
-    /// bend that cannot be avoided hides all smaller ones.
+    /// The largest angle between neighbouring faces, those beyond the rim included, and then the
+    /// area, as Liepa has it. One bend that cannot be avoided hides all smaller ones.
     BendThenArea,
     /// The area, as Barequet and Sharir have it.
     Area,
@@ -35,8 +36,8 @@ pub enum Refinement {
     /// None.
     #[default]
     None,
-    /// As dense as the vertices round the hole. About so many a hole at the most, 0 for 50,000: where more would be needed, the
-    /// triangles are larger.
+    /// As dense as the vertices round the hole. About so many a hole at the most, 0 for 50,000:
+    /// where more would be needed, the triangles are larger.
     RimDensity(u32),
 }
 
@@ -50,7 +51,8 @@ pub enum Fairing {
     ThinPlate,
 }
 
-/// Which loops are too large to be filled. Each limit is the largest value that is filled; `None` for no limit.
+/// Which loops are too large to be filled. Each limit is the largest value that is filled; `None`
+/// for no limit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
     /// Edges of the loop.
@@ -72,7 +74,8 @@ pub struct Options {
     pub fairing: Fairing,
     /// Which loops are left alone.
     pub limits: Limits,
-    /// The longest loop is left alone too: the outline of an open sheet is no hole. Only if all loops are asked for.
+    /// The longest loop is left alone too: the outline of an open sheet is no hole. Only if all
+    /// loops are asked for.
     pub keep_longest: bool,
 }
 
@@ -104,8 +107,8 @@ pub enum HoleStatus {
 pub struct Hole {
     /// What became of it.
     pub status: HoleStatus,
-    /// Its vertices, in [`Filled::rims`]: with the surface on the left, or, of a given loop that is not simple, free or
-    /// oriented, as given.
+    /// Its vertices, in [`Filled::rims`]: with the surface on the left, or, of a given loop that is
+    /// not simple, free or oriented, as given.
     pub rim: Range<usize>,
     /// Its faces in the result.
     pub faces: Range<u32>,
@@ -116,10 +119,11 @@ pub struct Hole {
 /// The result of filling.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Filled {
-    /// The old vertices with their bits and indices, then the new ones; the old faces, then the new ones, all triangles.
+    /// The old vertices with their bits and indices, then the new ones; the old faces, then the new
+    /// ones, all triangles.
     pub mesh: Mesh,
-    /// One account for each loop: those given, in their order, or all that the mesh has, in the order of
-    /// [`boundary_loops`](crate::boundary::boundary_loops()).
+    /// One account for each loop: those given, in their order, or all that the mesh has, in the
+    /// order of [`boundary_loops`](crate::boundary::boundary_loops()).
     pub holes: Vec<Hole>,
     /// The vertices of all rims.
     pub rims: Vec<u32>,

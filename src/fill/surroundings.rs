@@ -22,8 +22,8 @@ pub(super) struct Surroundings {
 const REPORT_INTERVAL: usize = 1 << 16;
 
 impl Surroundings {
-    /// One pass over the faces. `on_rim`: per vertex of the mesh. Extra memory: 4 bytes a vertex of the mesh, and 16 a corner
-    /// at a rim.
+    /// One pass over the faces. `on_rim`: per vertex of the mesh. Extra memory: 4 bytes a vertex of
+    /// the mesh, and 16 a corner at a rim.
     pub(super) fn new(mesh: &MeshView<'_>, on_rim: &[bool], job: &Job<'_>) -> Result<Self> {
         let (mut corners, mut edges) = (Vec::new(), Vec::new());
         for f in 0..mesh.faces().len() {
@@ -61,8 +61,8 @@ impl Surroundings {
         self.corners[start..].iter().take_while(move |&&(u, _)| u == v).map(|&(_, f)| f)
     }
 
-    /// A hole in numbers of its own. `vertices`: its loop with the surface on the left. `whole`: true of a vertex of the mesh
-    /// that no other loop or chain passes.
+    /// A hole in numbers of its own. `vertices`: its loop with the surface on the left. `whole`:
+    /// true of a vertex of the mesh that no other loop or chain passes.
     pub(super) fn rim(&mut self, mesh: &MeshView<'_>, vertices: &[u32], whole: impl Fn(u32) -> bool) -> Result<Rim> {
         let n = vertices.len();
         let mut names = alloc::collect(vertices.iter().rev().copied())?;

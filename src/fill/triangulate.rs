@@ -16,7 +16,8 @@ use std::ops::Range;
 /// A loop to be triangulated: triangles run its edges from each point to the next.
 pub(super) struct Polygon<'a> {
     pub(super) points: &'a [DVec3],
-    /// The unit normal of the face across the edge from each point to the next; 0 if it is not known.
+    /// The unit normal of the face across the edge from each point to the next; 0 if it is not
+    /// known.
     pub(super) across: &'a [DVec3],
 }
 
@@ -25,7 +26,8 @@ pub(super) struct Polygon<'a> {
 struct Cost {
     /// Triangles without area.
     degenerate: u32,
-    /// The largest bend across an edge, 1 - cosine in steps of 2^-20, so that rounding does not decide before the area.
+    /// The largest bend across an edge, 1 - cosine in steps of 2^-20, so that rounding does not
+    /// decide before the area.
     bend: u32,
     /// The area, with what bends add to it.
     area: f64,
@@ -72,11 +74,12 @@ impl Cost {
     }
 }
 
-/// The triangles (i, m, k), i < m < k, of the triangulation of least weight in which no chord is `taken`; `None` if there is
-/// none.
+/// The triangles (i, m, k), i < m < k, of the triangulation of least weight in which no chord is
+/// `taken`; `None` if there is none.
 ///
-/// By area it is the least there is. Bends are treated as Liepa treats them: each part of the loop takes its own best
-/// triangulation, seen from inside, which need not be the best when the triangle beyond its chord is known.
+/// By area it is the least there is. Bends are treated as Liepa treats them: each part of the loop
+/// takes its own best triangulation, seen from inside, which need not be the best when the triangle
+/// beyond its chord is known.
 ///
 /// O(n^3) time, less what is passed over; 40 n^2 bytes.
 pub(super) fn minimum_weight(
@@ -126,7 +129,8 @@ struct Table<'a> {
     weight: Weight,
     rounding: f64,
     cells: Vec<Option<Cell>>,
-    /// What rules out most apexes at a glance, an n x n matrix: at (i, k) and (k, i) the [`Table::bound`] of chord (i, k).
+    /// What rules out most apexes at a glance, an n x n matrix: at (i, k) and (k, i) the
+    /// [`Table::bound`] of chord (i, k).
     bounds: Vec<f64>,
     /// The coordinates of the points, axis by axis.
     axes: [Vec<f64>; 3],
@@ -141,7 +145,8 @@ impl Table<'_> {
         self.cells[at(i, k)] = cell;
     }
 
-    /// A number that orders costs as they are ordered, up to rounding, or, of bends, not against it.
+    /// A number that orders costs as they are ordered, up to rounding, or, of bends, not against
+    /// it.
     fn bound(&self, cost: &Cost) -> f64 {
         let degenerate = f64::from(cost.degenerate);
         match self.weight {
@@ -163,7 +168,8 @@ impl Table<'_> {
                 best = Some(cell);
             }
         };
-        // The apexes of the chords beside are good guesses; most others are then ruled out at a glance.
+        // The apexes of the chords beside are good guesses; most others are then ruled out at a
+        // glance.
         for chord in [at(i, k - 1), at(i + 1, k)] {
             if let Some(cell) = &self.cells[chord] {
                 consider((cell.apex as usize).clamp(i + 1, k - 1), &mut limit);
@@ -178,7 +184,8 @@ impl Table<'_> {
         best
     }
 
-    /// Tells which apexes in `range` may make chord (i, k) cost no more than `limit`. Plain arithmetic on rows of numbers.
+    /// Tells which apexes in `range` may make chord (i, k) cost no more than `limit`. Plain
+    /// arithmetic on rows of numbers.
     fn discard(&self, i: usize, k: usize, range: Range<usize>, limit: f64, hits: &mut [bool; CHUNK]) {
         let n = self.polygon.points.len();
         let [left, right] = [i, k].map(|row| &self.bounds[row * n + range.start..row * n + range.end]);

@@ -1,10 +1,10 @@
 //! Nearest point of a set, and all points within a distance: a balanced k-d tree without pointers.
 //!
 //! The points' indices are permuted so that the middle element of every range splits it by the
-//! range's widest axis, and the two halves are trees in turn (Friedman, Bentley and Finkel 1977). No
-//! point of a half is nearer than its cell, so that a half whose cell is farther than the best point
-//! so far is left out. Building takes O(n log n), a query O(log n) for points that are not all
-//! equidistant.
+//! range's widest axis, and the two halves are trees in turn (Friedman, Bentley and Finkel 1977).
+//! No point of a half is nearer than its cell, so that a half whose cell is farther than the best
+//! point so far is left out. Building takes O(n log n), a query O(log n) for points that are not
+//! all equidistant.
 
 use crate::alloc;
 use crate::error::Result;
@@ -38,8 +38,8 @@ pub(crate) struct KdTree<'a> {
     /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if
     /// there are no groups.
     group: Vec<u32>,
-    /// The box round all points of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this place, or up
-    /// to 4 beyond; empty if there are none.
+    /// The box round all points of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this
+    /// place, or up to 4 beyond; empty if there are none.
     boxes: Vec<Aabb>,
     /// The box round all points.
     whole: Aabb,

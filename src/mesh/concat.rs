@@ -6,7 +6,8 @@ use super::view::{MAX_ELEMENTS, MeshView, Scalar};
 use crate::alloc;
 use crate::error::{Error, Result};
 
-/// Where a piece lies in the whole: its vertex v is `first_vertex + v` there, its face f is `first_face + f`.
+/// Where a piece lies in the whole: its vertex v is `first_vertex + v` there, its face f is
+/// `first_face + f`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Piece {
     /// The new index of its first vertex.
@@ -15,12 +16,13 @@ pub struct Piece {
     pub first_face: u32,
 }
 
-/// One mesh of all pieces in their order, not joined: vertices, faces and corners follow each other, and positions keep their
-/// bits (in the scalar type of the first piece). O(size); no memory besides the result.
+/// One mesh of all pieces in their order, not joined: vertices, faces and corners follow each
+/// other, and positions keep their bits (in the scalar type of the first piece). O(size); no memory
+/// besides the result.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a later one `f64` positions,
-/// [`Error::TooLarge`], [`Error::OutOfMemory`].
+/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a
+/// later one `f64` positions, [`Error::TooLarge`], [`Error::OutOfMemory`].
 pub fn concatenate(pieces: &[MeshView<'_>]) -> Result<(Mesh, Vec<Piece>)> {
     let mut whole = empty(pieces.iter(), [0; 3])?;
     let mut places = alloc::with_capacity(pieces.len())?;
@@ -30,7 +32,8 @@ pub fn concatenate(pieces: &[MeshView<'_>]) -> Result<(Mesh, Vec<Piece>)> {
     Ok((whole, places))
 }
 
-/// An empty mesh with room for `pieces` and for as many `extra` vertices, faces and corners, in the scalar type of the first.
+/// An empty mesh with room for `pieces` and for as many `extra` vertices, faces and corners, in the
+/// scalar type of the first.
 ///
 /// # Errors
 /// As for [`concatenate`].
@@ -62,7 +65,8 @@ pub(crate) fn empty<'m, 'a: 'm>(
     })
 }
 
-/// Appends a piece to a mesh that has room for it; the faces that `turn` names are turned over, each from its own first corner.
+/// Appends a piece to a mesh that has room for it; the faces that `turn` names are turned over,
+/// each from its own first corner.
 pub(crate) fn append(whole: &mut Mesh, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<Piece> {
     let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
     whole.positions.append(piece.positions())?;

@@ -3,8 +3,8 @@
 /// Something wrong or unusual about a mesh's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Defect {
-    /// A face that repeats a vertex. If fewer than three distinct consecutive corners remain, the face has no border and
-    /// its neighbours are taken to touch each other.
+    /// A face that repeats a vertex. If fewer than three distinct consecutive corners remain, the
+    /// face has no border and its neighbours are taken to touch each other.
     DegenerateFace {
         /// The face.
         face: u32,

@@ -1,13 +1,15 @@
-//! Polygon meshes: a validated view of the host's own arrays, an owned mesh for results, and the pairing of half-edges.
+//! Polygon meshes: a validated view of the host's own arrays, an owned mesh for results, and the
+//! pairing of half-edges.
 //!
-//! * [`MeshView`] borrows positions and faces as they lie in the host's memory (any stride, any alignment, `f32` or `f64`,
-//!   polygons of any degree) and holds them to the rules once, so that the algorithms need not.
+//! * [`MeshView`] borrows positions and faces as they lie in the host's memory (any stride, any
+//!   alignment, `f32` or `f64`, polygons of any degree) and holds them to the rules once, so that
+//!   the algorithms need not.
 //! * [`Mesh`] owns its arrays; it is what the algorithms return.
 //! * [`concatenate`] puts many meshes side by side in one.
 //! * [`Topology`] says which half-edges share an edge.
 //!
-//! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of the corner array names and
-//! runs to the vertex of the next corner of the same face.
+//! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of
+//! the corner array names and runs to the vertex of the next corner of the same face.
 
 mod components;
 pub(crate) mod concat;

@@ -26,7 +26,8 @@ impl PositionBuffer {
         })
     }
 
-    /// Appends all positions of `from`: the same bits where the types agree, exact where `f32` becomes `f64`.
+    /// Appends all positions of `from`: the same bits where the types agree, exact where `f32`
+    /// becomes `f64`.
     pub(crate) fn append(&mut self, from: &Positions<'_>) -> Result<()> {
         match self {
             PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from),

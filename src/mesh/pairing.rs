@@ -1,13 +1,15 @@
 //! How half-edges find each other.
 //!
-//! Half-edges are put into buckets (a counting sort): bucket 2v has those that run up from vertex v, to a vertex of a larger
-//! number, and bucket 2v + 1 those that run down to it. What shares an edge lies in two buckets side by side, and in an
-//! oriented manifold each half-edge of the one has the same other end as just one of the other, which in short buckets is
-//! found by looking. Where it is not so, both are sorted by that end. No hashing, and the same answer for any order of
-//! the faces but for the numbers of the half-edges.
+//! Half-edges are put into buckets (a counting sort): bucket 2v has those that run up from vertex
+//! v, to a vertex of a larger number, and bucket 2v + 1 those that run down to it. What shares an
+//! edge lies in two buckets side by side, and in an oriented manifold each half-edge of the one has
+//! the same other end as just one of the other, which in short buckets is found by looking. Where
+//! it is not so, both are sorted by that end. No hashing, and the same answer for any order of the
+//! faces but for the numbers of the half-edges.
 //!
-//! Each thread counts and distributes a part of the faces. All counts together tell it its places in every bucket: half-edges
-//! are in order there, whatever the number of threads. Pairs are then made in ranges of vertices.
+//! Each thread counts and distributes a part of the faces. All counts together tell it its places
+//! in every bucket: half-edges are in order there, whatever the number of threads. Pairs are then
+//! made in ranges of vertices.
 
 use super::defect::Defect;
 use super::view::{Faces, MeshView, Visitor};
@@ -44,8 +46,9 @@ pub(super) struct Pairs {
     pub(super) defects: Vec<Defect>,
 }
 
-/// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra memory: 12 bytes a half-edge,
-/// 4 a vertex, and 12 a vertex for each thread, of which at most 8 take part.
+/// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
+/// memory: 12 bytes a half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most 8
+/// take part.
 pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
     let faces = mesh.faces();
     let mut parts = parts(mesh, job.threads())?;
@@ -59,8 +62,8 @@ pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
         faces.visit(range, &mut Distribute { part, entries: &entries })
     })?;
     let threads = parts.len();
-    // Now the last part's places are where the buckets end. Memory that is used again costs less than new memory: the parts
-    // give theirs up first.
+    // Now the last part's places are where the buckets end. Memory that is used again costs less
+    // than new memory: the parts give theirs up first.
     let (mut ends, mut ignored) = (Vec::new(), Vec::new());
     for part in parts {
         alloc::append(&mut ignored, &part.ignored)?;
@@ -155,7 +158,8 @@ fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
     Ok((counts, defects))
 }
 
-/// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns how many half-edges there are.
+/// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns how
+/// many half-edges there are.
 fn places(parts: &mut [Part], vertices: usize) -> u32 {
     let mut next = 0;
     for bucket in 0..2 * vertices {
@@ -172,8 +176,8 @@ fn bucket(u: u32, v: u32) -> usize {
     2 * u.min(v) as usize + usize::from(u > v)
 }
 
-/// Shows `visit` the half-edges of a face as (number, start, end), but for those without length, and not if fewer than three
-/// remain. Returns how many it showed.
+/// Shows `visit` the half-edges of a face as (number, start, end), but for those without length,
+/// and not if fewer than three remain. Returns how many it showed.
 #[inline(always)]
 fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> usize {
     let end = |i: usize| corners[if i + 1 < corners.len() { i + 1 } else { 0 }];
@@ -255,7 +259,8 @@ impl Distribute<'_> {
     }
 }
 
-/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`. Returns what is odd.
+/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`. Returns
+/// what is odd.
 fn pair(
     faces: &Faces<'_>,
     mate: &[AtomicU32],
@@ -280,8 +285,8 @@ fn pair(
     Ok(defects)
 }
 
-/// Pairs each half-edge that runs up with the one that runs down from the same end. False if there is not one, or another
-/// one, or too many to look through: then nothing that was written counts.
+/// Pairs each half-edge that runs up with the one that runs down from the same end. False if there
+/// is not one, or another one, or too many to look through: then nothing that was written counts.
 fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
     if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET {
         return false;

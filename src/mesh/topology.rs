@@ -26,12 +26,13 @@ pub(crate) enum Across {
 }
 
 impl Topology {
-    /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra memory: 12 bytes a
-    /// half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most 8 take part. Of this 4 bytes a half-edge and 4
-    /// a vertex remain.
+    /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
+    /// memory: 12 bytes a half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most
+    /// 8 take part. Of this 4 bytes a half-edge and 4 a vertex remain.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         pairs(mesh, job).map(Topology)
     }
@@ -50,7 +51,8 @@ impl Topology {
         self.0.mate[h as usize] == h
     }
 
-    /// The half-edges of free edges and those of edges with three or more faces, in ascending order.
+    /// The half-edges of free edges and those of edges with three or more faces, in ascending
+    /// order.
     pub(crate) fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
         let mate = &self.0.mate;
         let found = par::chunks(job.threads(), mate.len(), CHUNK, |range| {

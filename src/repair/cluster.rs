@@ -1,12 +1,15 @@
 //! Which vertices lie together.
 //!
-//! In ascending order, each vertex that is still unclaimed becomes a representative and claims the unclaimed ones that lie at
-//! its position, or within the tolerance of it: nearest first, of equally near ones the smallest. Whatever is claimed lies
-//! within the tolerance of its representative, so nothing chains. Vertices that come in groups narrower than the tolerance,
-//! with more than the tolerance from group to group, are clustered group by group whatever their numbers are.
+//! In ascending order, each vertex that is still unclaimed becomes a representative and claims the
+//! unclaimed ones that lie at its position, or within the tolerance of it: nearest first, of
+//! equally near ones the smallest. Whatever is claimed lies within the tolerance of its
+//! representative, so nothing chains. Vertices that come in groups narrower than the tolerance,
+//! with more than the tolerance from group to group, are clustered group by group whatever their
+//! numbers are.
 //!
-//! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives lie apart and a point is
-//! within reach of few. Where corners of one face are kept apart, those that lie together each have a turn.
+//! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives
+//! lie apart and a point is within reach of few. Where corners of one face are kept apart, those
+//! that lie together each have a turn.
 
 use super::corners::Corners;
 use crate::alloc;
@@ -19,7 +22,8 @@ use glam::DVec3;
 
 /// Vertices by representatives.
 pub(super) struct Clusters {
-    /// Per vertex of the mesh, its representative: the smallest vertex of its cluster; itself if it takes no part.
+    /// Per vertex of the mesh, its representative: the smallest vertex of its cluster; itself if it
+    /// takes no part.
     pub(super) of: Vec<u32>,
     /// Vertices that lie together and were kept apart, as they are corners of one face; unordered.
     pub(super) kept_apart: Vec<u32>,
@@ -31,8 +35,8 @@ const REPORT_INTERVAL: usize = 1 << 14;
 const STAGE: &str = "clustering vertices";
 
 impl Clusters {
-    /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for equal positions, else
-    /// positive. With `corners`, no cluster gets two corners of one face.
+    /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for
+    /// equal positions, else positive. With `corners`, no cluster gets two corners of one face.
     pub(super) fn find(
         mesh: &MeshView<'_>,
         members: &[u32],
@@ -79,7 +83,8 @@ impl Clusters {
 
 /// Who lies near whom.
 enum Near<'a> {
-    /// Places in the order of their positions, and for each place where its group begins in that order.
+    /// Places in the order of their positions, and for each place where its group begins in that
+    /// order.
     Equal {
         order: Vec<u32>,
         begin: Vec<u32>,
@@ -115,7 +120,8 @@ impl<'a> Near<'a> {
         Ok(Near::Equal { order, begin })
     }
 
-    /// Appends the places that lie with place `i`, itself too, as (squared distance, place), nearest first.
+    /// Appends the places that lie with place `i`, itself too, as (squared distance, place),
+    /// nearest first.
     fn candidates(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>) -> Result<()> {
         match self {
             Near::Equal { order, begin } => {
@@ -152,7 +158,8 @@ impl<'a> Guard<'a> {
         Ok(Guard { corners, owner: alloc::filled(NONE, faces)? })
     }
 
-    /// True if no face has both `v` and a vertex admitted to the same representative before; `v` is then admitted.
+    /// True if no face has both `v` and a vertex admitted to the same representative before; `v` is
+    /// then admitted.
     fn admits(&mut self, representative: u32, v: u32) -> bool {
         let Some(corners) = self.corners else { return true };
         if corners.at(v).iter().any(|&h| self.owner[corners.face(h)] == representative) {

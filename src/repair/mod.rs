@@ -2,8 +2,8 @@
 //!
 //! * [`weld`]: makes one vertex of vertices that lie together; on borders, by sewing edge to edge.
 //! * [`orient`]: turns faces over until neighbours agree, and closed surfaces outwards.
-//! * [`cluster`](self): which vertices lie together. [`sew`](self): which of them can be one without harm.
-//!   [`corners`](self): the faces' corners at each vertex.
+//! * [`cluster`](self): which vertices lie together. [`sew`](self): which of them can be one
+//!   without harm. [`corners`](self): the faces' corners at each vertex.
 
 mod cluster;
 mod corners;

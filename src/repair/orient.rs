@@ -1,10 +1,12 @@
 //! Orientation: faces are turned over until neighbours agree.
 //!
-//! Two faces at an edge of exactly two agree if they run it in opposite directions. From the smallest face of each component
-//! on, a breadth-first search across such edges says of every face whether it agrees with the first one; the smaller side is
-//! turned. A component where some edge contradicts the search (a Moebius strip) cannot be oriented and stays as it is. Edges
-//! of three or more faces connect nothing, nor do degenerate faces. A turned face keeps its first corner. O(H log d) for H
-//! half-edges and at most d edges at a vertex, which pairing the half-edges takes; the rest is linear.
+//! Two faces at an edge of exactly two agree if they run it in opposite directions. From the
+//! smallest face of each component on, a breadth-first search across such edges says of every face
+//! whether it agrees with the first one; the smaller side is turned. A component where some edge
+//! contradicts the search (a Moebius strip) cannot be oriented and stays as it is. Edges of three
+//! or more faces connect nothing, nor do degenerate faces. A turned face keeps its first corner.
+//! O(H log d) for H half-edges and at most d edges at a vertex, which pairing the half-edges takes;
+//! the rest is linear.
 
 use crate::alloc;
 use crate::choice::choices;
@@ -21,7 +23,8 @@ pub enum Outward {
     /// As most of their faces do.
     #[default]
     Keep,
-    /// Outwards, each by its own volume: of shells inside one another each one encloses what is within it.
+    /// Outwards, each by its own volume: of shells inside one another each one encloses what is
+    /// within it.
     Closed,
 }
 
@@ -46,11 +49,13 @@ pub struct Options {
 pub struct OneSided {
     /// Its smallest face.
     pub face: u32,
-    /// The smallest half-edge at which its faces disagree when those along the breadth-first search agree.
+    /// The smallest half-edge at which its faces disagree when those along the breadth-first search
+    /// agree.
     pub half_edge: u32,
 }
 
-/// An oriented mesh. Faces, half-edges and vertices have their old numbers, but for the half-edges of turned faces.
+/// An oriented mesh. Faces, half-edges and vertices have their old numbers, but for the half-edges
+/// of turned faces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Oriented {
     /// The mesh; positions keep their bits.
@@ -59,7 +64,8 @@ pub struct Oriented {
     pub turned: Vec<bool>,
     /// How many were.
     pub turned_faces: u32,
-    /// Sets of faces that hang together across edges with two faces; a degenerate face is one of its own.
+    /// Sets of faces that hang together across edges with two faces; a degenerate face is one of
+    /// its own.
     pub components: u32,
     /// Closed components that face outwards now and, turning as few faces as possible, would not.
     pub inverted_components: u32,
@@ -70,11 +76,13 @@ pub struct Oriented {
 /// Faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// Makes the orientation of each component consistent, turning as few faces as possible; where both sides are as many, the
-/// component's smallest face stays. Extra memory: about 20 bytes a half-edge.
+/// Makes the orientation of each component consistent, turning as few faces as possible; where both
+/// sides are as many, the component's smallest face stays. Extra memory: about 20 bytes a
+/// half-edge.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+/// [`Error::Cancelled`](crate::Error::Cancelled).
 pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Oriented> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
     let count = mesh.faces().len();
@@ -172,10 +180,11 @@ impl Search<'_> {
     }
 }
 
-/// Whether a closed set of faces, turned as `turned` says, has a negative volume; `None` if it is 0 up to rounding.
+/// Whether a closed set of faces, turned as `turned` says, has a negative volume; `None` if it is 0
+/// up to rounding.
 ///
-/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with coordinates from a vertex of
-/// the set in a power-of-two unit of its size.
+/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with
+/// coordinates from a vertex of the set in a power-of-two unit of its size.
 fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool]) -> Option<bool> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || found.iter().flat_map(|&f| mesh.face(f as usize));

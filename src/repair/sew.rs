@@ -1,18 +1,21 @@
 //! Sewing: free edges that lie on one another become one edge, two by two.
 //!
-//! Free edges are compared by the clusters of their ends, in either direction, as orientation is another matter. Where
-//! exactly two lie on one another they are to be one; where there are more, none is preferred. In the order of the
-//! half-edges, each pair is sewn, that is, its ends are made one vertex each, unless that would
+//! Free edges are compared by the clusters of their ends, in either direction, as orientation is
+//! another matter. Where exactly two lie on one another they are to be one; where there are more,
+//! none is preferred. In the order of the half-edges, each pair is sewn, that is, its ends are made
+//! one vertex each, unless that would
 //!
-//! * make one of two corners of a face, which would collapse (where the caller does not allow that), or
+//! * make one of two corners of a face, which would collapse (where the caller does not allow
+//!   that), or
 //! * make one of two edges that together have more than two faces.
 //!
-//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two holes share; two solids
-//! that touch along an edge stay two, each sewn to itself; and a manifold stays a manifold: a sewn edge joins two fans into
-//! one.
+//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two
+//! holes share; two solids that touch along an edge stay two, each sewn to itself; and a manifold
+//! stays a manifold: a sewn edge joins two fans into one.
 //!
-//! The smaller of two sets of vertices is looked through at each union, and an edge's faces are counted at the end with fewer
-//! corners: O(B log B) for B corners at border vertices of bounded degree.
+//! The smaller of two sets of vertices is looked through at each union, and an edge's faces are
+//! counted at the end with fewer corners: O(B log B) for B corners at border vertices of bounded
+//! degree.
 
 use super::corners::Corners;
 use crate::alloc;
@@ -73,8 +76,8 @@ pub(super) fn sew(
     sets.smallest()
 }
 
-/// The pairs of free edges that lie on one another and on no third, by their smaller half-edges. An edge whose ends lie
-/// together is in none: its neighbours decide.
+/// The pairs of free edges that lie on one another and on no third, by their smaller half-edges. An
+/// edge whose ends lie together is in none: its neighbours decide.
 fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
     job.step(0.0, STAGE)?;
     let mut free = Vec::new();
@@ -96,8 +99,8 @@ fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'
     Ok(pairs)
 }
 
-/// Two edges about to be one: the sets of vertices at either end, which are equal if they are one already. No set of one end
-/// is at the other, as the ends lie apart.
+/// Two edges about to be one: the sets of vertices at either end, which are equal if they are one
+/// already. No set of one end is at the other, as the ends lie apart.
 struct Seam([[u32; 2]; 2]);
 
 impl Seam {
@@ -179,7 +182,8 @@ impl Sewing<'_> {
         })
     }
 
-    /// True if the seam makes one of several edges between sets `a` and `b` (names after sewing) with more than two faces.
+    /// True if the seam makes one of several edges between sets `a` and `b` (names after sewing)
+    /// with more than two faces.
     fn crowds(&self, seam: &Seam, a: u32, b: u32) -> bool {
         let weight = |name| seam.parts(name).map(|label| u64::from(self.degree[label as usize])).sum::<u64>();
         let [from, to] = if weight(a) <= weight(b) { [a, b] } else { [b, a] };

@@ -1,13 +1,15 @@
 //! Welding: one vertex instead of several that lie together.
 //!
-//! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with them their ends. Where more
-//! lie together none is preferred, and a pair is left where sewing it would make one of two corners of a face or put more
-//! than two faces to an edge: a manifold stays one. Or **all** vertices that lie together become one, as triangle soups need
-//! it, whatever comes of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
+//! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with
+//! them their ends. Where more lie together none is preferred, and a pair is left where sewing it
+//! would make one of two corners of a face or put more than two faces to an edge: a manifold stays
+//! one. Or **all** vertices that lie together become one, as triangle soups need it, whatever comes
+//! of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
 //!
-//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
-//! within the tolerance of it, nearest first. So nothing chains, and groups of vertices that are narrower than the tolerance
-//! and farther apart than it are found whatever the numbers of the vertices are.
+//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed
+//! claims the unclaimed ones within the tolerance of it, nearest first. So nothing chains, and
+//! groups of vertices that are narrower than the tolerance and farther apart than it are found
+//! whatever the numbers of the vertices are.
 
 use super::cluster::Clusters;
 use super::corners::Corners;
@@ -45,20 +47,22 @@ impl Vertices {
 pub struct Options {
     /// Which vertices.
     pub vertices: Vertices,
-    /// How far apart vertices that lie together may be, finite and at least 0; `None` and 0: not at all, where -0 equals 0.
+    /// How far apart vertices that lie together may be, finite and at least 0; `None` and 0: not at
+    /// all, where -0 equals 0.
     pub tolerance: Option<f64>,
-    /// Corners of one face may become one: successive ones are then one corner, and a face of fewer than three different
-    /// vertices is dropped. Otherwise corners of one face stay apart.
+    /// Corners of one face may become one: successive ones are then one corner, and a face of fewer
+    /// than three different vertices is dropped. Otherwise corners of one face stay apart.
     pub collapse: bool,
     /// Vertices that no face of the result uses are left out.
     pub remove_unused: bool,
 }
 
-/// A welded mesh, and what became of the old one. Indices are those of the old mesh; lists are ascending.
+/// A welded mesh, and what became of the old one. Indices are those of the old mesh; lists are
+/// ascending.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Weld {
-    /// The old faces in their order, each from its own first corner, and the vertices that are left in theirs. Of vertices
-    /// made one the smallest is left, and its position keeps its bits.
+    /// The old faces in their order, each from its own first corner, and the vertices that are left
+    /// in theirs. Of vertices made one the smallest is left, and its position keeps its bits.
     pub mesh: Mesh,
     /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
     pub vertex_map: Vec<u32>,
@@ -70,9 +74,9 @@ pub struct Weld {
     pub sewn_edges: u32,
     /// Faces dropped.
     pub dropped_faces: u32,
-    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
-    /// together there, or sewing would have done harm. With [`Vertices::All`] they may be one edge of three or more faces by
-    /// now.
+    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces
+    /// with it: three or more lie together there, or sewing would have done harm. With
+    /// [`Vertices::All`] they may be one edge of three or more faces by now.
     pub left_edges: Vec<u32>,
     /// Vertices that lie together with another and are not one with it.
     pub left_vertices: Vec<u32>,
@@ -81,7 +85,8 @@ pub struct Weld {
 /// Welds a mesh. O(n log n) for meshes of bounded degree; linear extra memory.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
     let tolerance = match options.tolerance {
         Some(value) if !(0.0..f64::INFINITY).contains(&value) => {
@@ -123,7 +128,8 @@ fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<V
 }
 
 impl Clusters {
-    /// Adds the members of clusters that did not become one vertex to those kept apart, and brings these in order.
+    /// Adds the members of clusters that did not become one vertex to those kept apart, and brings
+    /// these in order.
     fn enter_split(&mut self, members: &[u32], representative: &[u32]) -> Result<()> {
         let mut split = alloc::filled(false, self.of.len())?;
         for &v in members {
@@ -188,8 +194,8 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     })
 }
 
-/// Makes one corner of successive equal ones, of the face from corner `start` on; false if fewer than three different
-/// vertices are left.
+/// Makes one corner of successive equal ones, of the face from corner `start` on; false if fewer
+/// than three different vertices are left.
 fn close_gaps(corners: &mut Vec<u32>, start: usize) -> bool {
     let mut end = start;
     for k in start..corners.len() {

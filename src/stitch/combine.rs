@@ -1,7 +1,7 @@
 //! One mesh of the pieces and the strip.
 //!
-//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B, then the strip. Positions keep
-//! their bits.
+//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B,
+//! then the strip. Positions keep their bits.
 
 use super::request::IndexMap;
 use super::strip::Strip;
@@ -35,7 +35,8 @@ pub(crate) struct AttachedStrip {
     pub(crate) faces: Range<u32>,
 }
 
-/// Appends a strip whose rims' vertices are numbered as in the whole; its points are multiplied by `unit`.
+/// Appends a strip whose rims' vertices are numbered as in the whole; its points are multiplied by
+/// `unit`.
 ///
 /// # Errors
 /// [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -69,7 +70,8 @@ pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<M
     Ok(Mesh { positions: whole.positions.select(names)?, face_offsets: faces.offsets, face_corners: faces.corners })
 }
 
-/// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in ascending order.
+/// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in
+/// ascending order.
 pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Mesh> {
     const STAGE: &str = "putting the pieces together";
     let start = whole.face_offsets[first];

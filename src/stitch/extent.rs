@@ -12,19 +12,23 @@ pub enum Extent {
     /// All of them, by a closed band.
     #[default]
     WholeLoops,
-    /// The runs of vertices that face the other loop, as the paper has it (see [`facing`](super::facing)).
+    /// The runs of vertices that face the other loop, as the paper has it (see
+    /// [`facing`](super::facing)).
     OpenArcs,
-    /// Whole loops if the loops face each other squarely, or if the planes cannot decide; else open arcs.
+    /// Whole loops if the loops face each other squarely, or if the planes cannot decide; else open
+    /// arcs.
     Auto,
     /// The arcs given: on each loop the first place, and the number of vertices.
     Arcs([Arc; 2]),
 }
 
-/// Loops whose normals make, in the mean, more than this |cosine| with the line of their centres are joined whole: 60 degrees.
+/// Loops whose normals make, in the mean, more than this |cosine| with the line of their centres
+/// are joined whole: 60 degrees.
 const MAX_AXIS_COSINE: f64 = 0.5;
 
-/// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which coordinates are at most 2; so is
-/// the tolerance in `options`, `None` being the round-off of such coordinates.
+/// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which
+/// coordinates are at most 2; so is the tolerance in `options`, `None` being the round-off of such
+/// coordinates.
 pub(super) fn arcs(
     a: &Rim,
     b: &Rim,

@@ -1,11 +1,13 @@
 //! Fairing of the strip's rows, and its intersections with itself and with the pieces.
 //!
-//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the rims, is least (a thin plate;
-//! see [`fair`](crate::fair)); the rims and the old vertices round them stay; where those are nearer or farther than the rows
-//! are from each other, only their direction counts. The ends of an open strip stay on their meridians.
+//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the
+//! rims, is least (a thin plate; see [`fair`](crate::fair)); the rims and the old vertices round
+//! them stay; where those are nearer or farther than the rows are from each other, only their
+//! direction counts. The ends of an open strip stay on their meridians.
 //!
-//! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their straight meridians, halfway
-//! each time, those near by a little less, until nothing cuts or nothing is left to take back.
+//! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their
+//! straight meridians, halfway each time, those near by a little less, until nothing cuts or
+//! nothing is left to take back.
 
 use super::request::{Fairing, Intersections, Options};
 use super::strip::Strip;
@@ -37,8 +39,8 @@ pub(super) struct CheckedStrip {
     pub(super) back_offs: u32,
 }
 
-/// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has the pieces without the
-/// strip, and the rims' vertices are numbered as there.
+/// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has
+/// the pieces without the strip, and the rims' vertices are numbered as there.
 pub(super) fn fair_and_check(
     whole: &Mesh,
     strip: &mut Strip,
@@ -104,7 +106,8 @@ struct Triangles {
     faces: Vec<u32>,
 }
 
-/// The strip and what is round it, in the numbers of the result: old vertices and faces, then new ones.
+/// The strip and what is round it, in the numbers of the result: old vertices and faces, then new
+/// ones.
 struct Neighbourhood<'a> {
     whole: &'a Mesh,
     unit: f64,
@@ -162,7 +165,8 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// Adds a face's triangles: a quad split by its shorter diagonal, any other polygon as a fan from its first corner.
+    /// Adds a face's triangles: a quad split by its shorter diagonal, any other polygon as a fan
+    /// from its first corner.
     fn split(&self, face: &[u32], number: u32, into: &mut Triangles) -> Result<()> {
         let squared = |p: usize, q: usize| self.at(face[p]).distance_squared(self.at(face[q]));
         let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
@@ -214,7 +218,8 @@ impl<'a> Neighbourhood<'a> {
         let is_new = |v: u32| v >= self.base;
         let on_rim = |v: u32| v < self.base && self.rim.contains(v);
         let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
-        // The apex of a large fan says nothing about slopes, and would tie all vertices round it to each other.
+        // The apex of a large fan says nothing about slopes, and would tie all vertices round it to
+        // each other.
         let is_centre =
             |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= MAX_FAN_TRIANGLES)) && !is_end(v);
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
@@ -232,9 +237,9 @@ impl<'a> Neighbourhood<'a> {
         Ok(())
     }
 
-    /// Moves the old vertices beyond the rims towards them or away, in the patch only, until they are as far as the rows are
-    /// from each other: the plate takes all edges to be of one length, and what lies beyond a rim is to tell it the slope
-    /// there.
+    /// Moves the old vertices beyond the rims towards them or away, in the patch only, until they
+    /// are as far as the rows are from each other: the plate takes all edges to be of one length,
+    /// and what lies beyond a rim is to tell it the slope there.
     fn space_evenly(
         &self,
         strip: &Strip,
@@ -273,15 +278,16 @@ impl<'a> Neighbourhood<'a> {
         self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.at(v))).overlaps(&around))
     }
 
-    /// The pairs of triangles that cut each other, and the strip's triangles that they are counted by.
+    /// The pairs of triangles that cut each other, and the strip's triangles that they are counted
+    /// by.
     fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
         let strip = self.strip_triangles()?;
         let soup = Soup { at: |v| self.at(v), new: &strip.corners, old: &old.corners };
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }
 
-    /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those near by; false if there are
-    /// none where anything is left to take back.
+    /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those
+    /// near by; false if there are none where anything is left to take back.
     fn back_off(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
         let mut distance = alloc::filled(BACK_OFF_RINGS, share.len())?;
         let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
@@ -310,7 +316,8 @@ impl<'a> Neighbourhood<'a> {
         Ok(true)
     }
 
-    /// The faces of cutting triangles, the strip's first, the larger one first if both are the strip's; each pair once.
+    /// The faces of cutting triangles, the strip's first, the larger one first if both are the
+    /// strip's; each pair once.
     fn faces(&self, old: &Triangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
         let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
             Some(k) => old.faces[k],

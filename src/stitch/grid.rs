@@ -1,11 +1,14 @@
-//! The paper's matrix P: rows of vertices between the rims, one column for each meridian, and the faces between them.
+//! The paper's matrix P: rows of vertices between the rims, one column for each meridian, and the
+//! faces between them.
 //!
-//! Row 0 lists the vertices of rim A, meridian by meridian, the last row those of rim B; both repeat a vertex where several
-//! meridians meet in it. The rows between divide each meridian evenly; their vertices are new. Four neighbours in P make
-//! a quad, or a triangle where P repeats a vertex. Of a closed band the last column is the first again.
+//! Row 0 lists the vertices of rim A, meridian by meridian, the last row those of rim B; both
+//! repeat a vertex where several meridians meet in it. The rows between divide each meridian
+//! evenly; their vertices are new. Four neighbours in P make a quad, or a triangle where P repeats
+//! a vertex. Of a closed band the last column is the first again.
 //!
-//! Rim A runs with its surface on the left, rim B the opposite way (so that they run side by side): the old faces run
-//! A_i -> A_i+1 and B_j+1 -> B_j, so the new ones run P(r, c+1) -> P(r, c) -> P(r+1, c) -> P(r+1, c+1).
+//! Rim A runs with its surface on the left, rim B the opposite way (so that they run side by side):
+//! the old faces run A_i -> A_i+1 and B_j+1 -> B_j, so the new ones run P(r, c+1) -> P(r, c) ->
+//! P(r+1, c) -> P(r+1, c+1).
 
 use super::meridian::Pair;
 use super::rim::{Bridges, Rim};
@@ -14,7 +17,8 @@ use crate::error::{Error, Result};
 use crate::mesh::MAX_ELEMENTS;
 use glam::DVec3;
 
-/// The matrix, in the strip's own numbers: rim A's vertices, then rim B's, then the new ones row by row.
+/// The matrix, in the strip's own numbers: rim A's vertices, then rim B's, then the new ones row by
+/// row.
 pub(super) struct Grid {
     /// Interior rows.
     rows: usize,
@@ -75,7 +79,8 @@ impl Grid {
         Ok(grid)
     }
 
-    /// Where new vertex `k` would lie if all edges had the same length: on a cylinder, or in a plane if the strip is open.
+    /// Where new vertex `k` would lie if all edges had the same length: on a cylinder, or in a
+    /// plane if the strip is open.
     pub(super) fn unrolled(&self, k: usize) -> DVec3 {
         let (column, t) = self.new[k];
         let (along, up) = (column as f64, t * (self.rows + 1) as f64);
@@ -90,21 +95,23 @@ impl Grid {
         self.matrix[row * self.columns + column]
     }
 
-    /// The two parents of the new vertices, by their own numbers: a vertex of rim A and one of rim B.
+    /// The two parents of the new vertices, by their own numbers: a vertex of rim A and one of rim
+    /// B.
     pub(super) fn parents(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
         self.new.iter().map(|&(column, _)| [self.at(0, column), self.at(self.rows + 1, column)])
     }
 
-    /// The faces, meridian by meridian from A to B. `quads`: four different neighbours stay one face; else they are split by
-    /// the shorter diagonal.
+    /// The faces, meridian by meridian from A to B. `quads`: four different neighbours stay one
+    /// face; else they are split by the shorter diagonal.
     ///
     /// # Errors
-    /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad there, repeat an edge that
-    /// the mesh already has.
+    /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad
+    /// there, repeat an edge that the mesh already has.
     pub(super) fn faces(&self, a: &Rim, b: &Rim, bridges: &Bridges, quads: bool) -> Result<FaceList> {
         let n = a.vertices.len() as u32;
         let bridges = (self.rows == 0 && !bridges.is_empty()).then_some(bridges);
-        // P's numbers are below n on A, and there are no others than A's and B's if there are no interior rows.
+        // P's numbers are below n on A, and there are no others than A's and B's if there are no
+        // interior rows.
         let taken = |p: u32, q: u32| {
             let (i, j) = (p.min(q), p.max(q));
             bridges.is_some_and(|bridges| bridges.has(a.vertices[i as usize], b.vertices[(j - n) as usize]))
@@ -156,10 +163,11 @@ impl Grid {
         }
     }
 
-    /// The column of the quad whose other diagonal has to be taken so that no edge of a closed strip without interior rows is
-    /// there twice; `n` is the number of vertices on A. With its diagonals the strip is a path of single steps: no edge is
-    /// there twice if one of its steps on A is not at B_0 and one on B is not at A_0. A single flip is enough, as rims have
-    /// three vertices.
+    /// The column of the quad whose other diagonal has to be taken so that no edge of a closed
+    /// strip without interior rows is there twice; `n` is the number of vertices on A. With its
+    /// diagonals the strip is a path of single steps: no edge is there twice if one of its steps on
+    /// A is not at B_0 and one on B is not at A_0. A single flip is enough, as rims have three
+    /// vertices.
     fn flipped(&self, n: u32, taken: &impl Fn(u32, u32) -> bool) -> Option<usize> {
         let cell =
             |column: usize| [self.at(0, column + 1), self.at(0, column), self.at(1, column), self.at(1, column + 1)];

@@ -18,26 +18,30 @@ use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{MeshView, concat, vertex_components};
 
-/// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of new faces.
+/// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of
+/// new faces.
 ///
-/// Loops that are left open are chosen as the two nearest ones: the least mean distance from the vertices of each to the
-/// nearest vertex of the other. Old positions are never changed, and every old face is kept.
+/// Loops that are left open are chosen as the two nearest ones: the least mean distance from the
+/// vertices of each to the nearest vertex of the other. Old positions are never changed, and every
+/// old face is kept.
 ///
-/// O(H log d) for the meshes' H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of
-/// vertices, beyond that and for the simple choices O((N + M) log M); plus the size of the strip, and a box test for each
-/// pair of loops where the choice is left open. Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F)
-/// log n) for F old faces in the box round the strip, and a test for each pair of triangles whose boxes overlap, which in the
-/// worst case (a wide fan) is all pairs. Extra memory is linear in the meshes and the strip, but for what
-/// [`Search::Exact`](super::Search) says.
+/// O(H log d) for the meshes' H half-edges and at most d edges at a vertex; plus for the meridians
+/// O(N M) up to 2^21 pairs of vertices, beyond that and for the simple choices O((N + M) log M);
+/// plus the size of the strip, and a box test for each pair of loops where the choice is left open.
+/// Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F) log n) for F old
+/// faces in the box round the strip, and a test for each pair of triangles whose boxes overlap,
+/// which in the worst case (a wide fan) is all pairs. Extra memory is linear in the meshes and the
+/// strip, but for what [`Search::Exact`](super::Search) says.
 ///
-/// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only; two arcs of one vertex each
-/// get one meridian and no face.
+/// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only;
+/// two arcs of one vertex each get one meridian and no face.
 ///
 /// # Errors
-/// [`Error::NoLoop`], [`Error::LoopTooShort`], [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`],
-/// [`Error::LoopNotOriented`], [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`],
-/// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// [`Error::NoLoop`], [`Error::LoopTooShort`], [`Error::LoopRepeatsVertex`],
+/// [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`], [`Error::LoopsShareVertex`],
+/// [`Error::PlanesUndecided`], [`Error::OrientationConflict`], [`Error::NoStrip`],
+/// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
     let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
@@ -56,7 +60,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         job.note("the second piece was inside out and has been turned over");
     }
 
-    // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing else.
+    // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing
+    // else.
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
     let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
@@ -75,7 +80,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);
     b.vertices.iter_mut().for_each(|v| *v = map_b.vertices[*v as usize]);
 
-    // On one oriented surface the rims run opposite ways; run B backwards, and they run side by side.
+    // On one oriented surface the rims run opposite ways; run B backwards, and they run side by
+    // side.
     if turn {
         b.turn();
     }

@@ -1,9 +1,10 @@
 //! Stitching: a strip of new faces between two boundary loops.
 //!
-//! Source: S. Nesterenko, *The algorithm for polygonal networks of cross-linking*. The paper joins two open meshes by a third,
-//! intermediate one spanned by **meridians**, the lines from a vertex of one rim to a vertex of the other. The rims are the
-//! arcs of two loops that face each other, as in the paper, or whole loops, so that the strip is a closed band; loops repeat
-//! their start, hence N + 1 and M + 1 points for loops of N and M vertices.
+//! Source: S. Nesterenko, *The algorithm for polygonal networks of cross-linking*. The paper joins
+//! two open meshes by a third, intermediate one spanned by **meridians**, the lines from a vertex
+//! of one rim to a vertex of the other. The rims are the arcs of two loops that face each other, as
+//! in the paper, or whole loops, so that the strip is a closed band; loops repeat their start,
+//! hence N + 1 and M + 1 points for loops of N and M vertices.
 //!
 //! The work in order, one file each:
 //!

@@ -4,7 +4,8 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// `count` points at equal arc lengths; of an open polyline both ends are among them. The polyline has at least one point.
+/// `count` points at equal arc lengths; of an open polyline both ends are among them. The polyline
+/// has at least one point.
 pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
     let n = points.len();
     let edges = if closed { n } else { n - 1 };

@@ -13,11 +13,11 @@ const REPORT_INTERVAL: usize = 1 << 16;
 /// Measures of the strip, and of the whole result's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quality {
-    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate. Quads are measured as the two
-    /// triangles that their shorter diagonals make.
+    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate. Quads are
+    /// measured as the two triangles that their shorter diagonals make.
     pub min_angle: f64,
-    /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
-    /// triangle, infinite for a degenerate one.
+    /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed
+    /// radius), 1 for an equilateral triangle, infinite for a degenerate one.
     pub max_aspect: f64,
     /// The longest edge of the strip, in the unit of the positions.
     pub max_edge: f64,

@@ -12,7 +12,8 @@ use std::ops::Range;
 /// What happens if the second piece is oriented against the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Orientation {
-    /// Its faces are turned over. Two loops of one connected piece are taken as they are: turning is no way out there.
+    /// Its faces are turned over. Two loops of one connected piece are taken as they are: turning
+    /// is no way out there.
     #[default]
     Fix,
     /// [`Error::OrientationConflict`](crate::Error::OrientationConflict).
@@ -37,8 +38,8 @@ pub enum Rows {
     /// None: every meridian is one edge.
     #[default]
     None,
-    /// So many that the parts of a meridian are, in the mean, about as long as the mean side of the faces of both pieces, as
-    /// the paper suggests: max(0, round(mean meridian / mean side) - 1).
+    /// So many that the parts of a meridian are, in the mean, about as long as the mean side of the
+    /// faces of both pieces, as the paper suggests: max(0, round(mean meridian / mean side) - 1).
     MeanEdge,
     /// This many.
     Count(u32),
@@ -69,8 +70,8 @@ pub enum Fairing {
     /// They divide their meridians evenly, as the paper has it.
     #[default]
     None,
-    /// They are moved so that the strip bends as a thin plate does and meets both pieces smoothly: see
-    /// [`stitch()`](super::stitch()). The rims stay where they are.
+    /// They are moved so that the strip bends as a thin plate does and meets both pieces smoothly:
+    /// see [`stitch()`](super::stitch()). The rims stay where they are.
     ThinPlate,
 }
 
@@ -83,10 +84,12 @@ impl Fairing {
     }
 }
 
-/// Whether faces of the strip that cut others are looked for. What they share by number, a vertex or an edge, is no cut.
+/// Whether faces of the strip that cut others are looked for. What they share by number, a vertex
+/// or an edge, is no cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Intersections {
-    /// Where rows are faired: there the fairing is taken back until nothing cuts that did not before.
+    /// Where rows are faired: there the fairing is taken back until nothing cuts that did not
+    /// before.
     #[default]
     Auto,
     /// Never.
@@ -116,16 +119,16 @@ pub struct Options {
     pub start: Start,
     /// What to do about a second piece that is inside out.
     pub orientation: Orientation,
-    /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim B that comes this many
-    /// places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Must be 0
-    /// if arcs are joined.
+    /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim
+    /// B that comes this many places later, counted in the direction in which rim A runs (negative:
+    /// earlier), and no other start is tried. Must be 0 if arcs are joined.
     pub twist: i64,
     /// How much of the loops is joined.
     pub extent: Extent,
     /// Which run of facing vertices is taken, where there are several.
     pub run: Run,
-    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions; `None` for what
-    /// round-off can do.
+    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the
+    /// positions; `None` for what round-off can do.
     pub tolerance: Option<f64>,
     /// The loops' centres, which the planes go through.
     pub centres: Centres,
@@ -141,9 +144,9 @@ pub struct Options {
 
 /// What to stitch: two loops of two meshes, or of one.
 ///
-/// A loop is the list of its vertices in order, in either direction, each consecutive pair (and the last with the first)
-/// being an edge with exactly one face. `None` leaves the choice open: the nearest loops are taken, see
-/// [`stitch()`](super::stitch()).
+/// A loop is the list of its vertices in order, in either direction, each consecutive pair (and the
+/// last with the first) being an edge with exactly one face. `None` leaves the choice open: the
+/// nearest loops are taken, see [`stitch()`](super::stitch()).
 #[derive(Clone, Copy)]
 pub struct Request<'a> {
     /// The first piece.
@@ -168,34 +171,38 @@ pub struct IndexMap {
 /// The result of stitching.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stitch {
-    /// Both pieces and the strip: vertices of A, then of B, then the new ones; faces of A, then of B, then the strip. Positions
-    /// are in the scalar type of A, and old ones keep their bits.
+    /// Both pieces and the strip: vertices of A, then of B, then the new ones; faces of A, then of
+    /// B, then the strip. Positions are in the scalar type of A, and old ones keep their bits.
     pub mesh: Mesh,
-    /// The strip alone: the N vertices of rim A in order, then the M of rim B, then the new ones, and its faces.
+    /// The strip alone: the N vertices of rim A in order, then the M of rim B, then the new ones,
+    /// and its faces.
     pub strip: Mesh,
     /// Old indices to new ones, for each piece; the second is empty if there is only one piece.
     pub maps: [IndexMap; 2],
     /// The strip's faces in [`Stitch::mesh`].
     pub strip_faces: Range<u32>,
-    /// The vertices of each rim in [`Stitch::mesh`], from the first meridian on, side by side: rim A has its surface on the
-    /// left, rim B on the right.
+    /// The vertices of each rim in [`Stitch::mesh`], from the first meridian on, side by side: rim
+    /// A has its surface on the left, rim B on the right.
     pub rims: [Vec<u32>; 2],
     /// The strip is a closed band between whole loops; else it joins two arcs.
     pub closed: bool,
-    /// The meridians as places (i, j) on the rims: the paper's matrix H. From (0, 0) to (N, M), place N being place 0 again, if
-    /// the band is closed, else to (N - 1, M - 1).
+    /// The meridians as places (i, j) on the rims: the paper's matrix H. From (0, 0) to (N, M),
+    /// place N being place 0 again, if the band is closed, else to (N - 1, M - 1).
     pub meridians: Vec<Pair>,
-    /// The paper's matrix P, row by row from rim A to rim B, one column for each meridian: vertices of [`Stitch::mesh`].
+    /// The paper's matrix P, row by row from rim A to rim B, one column for each meridian: vertices
+    /// of [`Stitch::mesh`].
     pub matrix: Vec<u32>,
     /// Interior rows; the matrix has two rows more.
     pub rows: u32,
-    /// Of each new vertex, the two vertices of [`Stitch::mesh`] that it lies between, on rim A and on rim B.
+    /// Of each new vertex, the two vertices of [`Stitch::mesh`] that it lies between, on rim A and
+    /// on rim B.
     pub parents: Vec<[u32; 2]>,
     /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
     pub weights: Vec<f64>,
-    /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the larger one if both are, in
-    /// ascending order; `None` if they were not looked for. Polygons are taken as triangles: quads split by their shorter
-    /// diagonals, others as fans; a polygon that cuts itself is paired with itself.
+    /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the
+    /// larger one if both are, in ascending order; `None` if they were not looked for. Polygons are
+    /// taken as triangles: quads split by their shorter diagonals, others as fans; a polygon that
+    /// cuts itself is paired with itself.
     pub intersections: Option<Vec<[u32; 2]>>,
     /// How often the fairing had to be taken back in places.
     pub back_offs: u32,

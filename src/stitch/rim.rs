@@ -7,7 +7,8 @@ use crate::error::{Error, Result, Side};
 use crate::mesh::MeshView;
 use glam::DVec3;
 
-/// A closed loop of free edges that passes each vertex once, with the surface on its left; or an arc of one.
+/// A closed loop of free edges that passes each vertex once, with the surface on its left; or an
+/// arc of one.
 pub(super) struct Rim {
     /// Whole; else an arc.
     pub(super) closed: bool,
@@ -16,12 +17,13 @@ pub(super) struct Rim {
     pub(super) vertices: Vec<u32>,
     /// Their positions, in a unit common to all rims of one stitch.
     pub(super) points: Vec<DVec3>,
-    /// Of each edge, from one place to the next, the unit normal of the face along it; 0 for a face without area.
+    /// Of each edge, from one place to the next, the unit normal of the face along it; 0 for a face
+    /// without area.
     pub(super) normals: Vec<DVec3>,
     /// A face on the rim.
     pub(super) face: u32,
-    /// The mean over the rim of the unit vectors that lead off the surface, square to the rim. Near 0 for a flat piece,
-    /// whose rim leads off it on all sides; near 1 long for the end of a tube.
+    /// The mean over the rim of the unit vectors that lead off the surface, square to the rim. Near
+    /// 0 for a flat piece, whose rim leads off it on all sides; near 1 long for the end of a tube.
     pub(super) outward: DVec3,
 }
 
@@ -160,7 +162,8 @@ impl Rim {
         }
     }
 
-    /// Its surface has been turned over: the rim runs the other way, so that the surface is on the left again.
+    /// Its surface has been turned over: the rim runs the other way, so that the surface is on the
+    /// left again.
     pub(super) fn turn(&mut self) {
         self.reverse();
         self.normals.iter_mut().for_each(|normal| *normal = -*normal);
@@ -174,7 +177,8 @@ impl Rim {
     }
 }
 
-/// The unit vector that leads off face `f` across its edge from `p` to `q`, square to it; 0 for a face without area.
+/// The unit vector that leads off face `f` across its edge from `p` to `q`, square to it; 0 for a
+/// face without area.
 fn off_the_face(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3) -> DVec3 {
     let corners = mesh.face(f as usize).map(|v| mesh.positions().get(v));
     // In the face's own unit, so that nothing overflows.
@@ -230,7 +234,8 @@ impl FreeEdges {
     }
 }
 
-/// The edges that one mesh already has between its two rims. No meridian may repeat one: the edge would have four faces.
+/// The edges that one mesh already has between its two rims. No meridian may repeat one: the edge
+/// would have four faces.
 pub(super) struct Bridges(Vec<(u32, u32)>);
 
 impl Bridges {

@@ -20,8 +20,8 @@ pub struct RuledOptions {
     pub meridians: Meridians,
     /// How hard the best ones are looked for.
     pub search: Search,
-    /// Closed polylines: which first meridians are tried; `None` for the one that joins their first points. Open ones always
-    /// begin there.
+    /// Closed polylines: which first meridians are tried; `None` for the one that joins their first
+    /// points. Open ones always begin there.
     pub start: Option<Start>,
 }
 
@@ -30,21 +30,22 @@ pub struct RuledOptions {
 pub struct Ruled {
     /// The points that the first meridian joins.
     pub start: [u32; 2],
-    /// The meridians as places counted from there: from (0, 0) to (N, M) between closed polylines of N and M points, place N
-    /// being place 0 again, else to (N - 1, M - 1).
+    /// The meridians as places counted from there: from (0, 0) to (N, M) between closed polylines
+    /// of N and M points, place N being place 0 again, else to (N - 1, M - 1).
     pub meridians: Vec<Pair>,
-    /// The triangles over the points of A, then those of B; where both sides advance at once a quad is split by its shorter
-    /// diagonal. They run A_i+1, A_i, B_j: against polyline A, and along B.
+    /// The triangles over the points of A, then those of B; where both sides advance at once a quad
+    /// is split by its shorter diagonal. They run A_i+1, A_i, B_j: against polyline A, and along B.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// A strip of triangles between two polylines that run side by side. `closed`: both are, and the last point is not the first
-/// again.
+/// A strip of triangles between two polylines that run side by side. `closed`: both are, and the
+/// last point is not the first again.
 ///
 /// Time and memory of [`stitch()`](super::stitch())'s meridians.
 ///
 /// # Errors [`Error::LoopTooShort`] for a closed polyline of fewer than three points or an open one without any,
-/// [`Error::NotFinite`], [`Error::TooLarge`], [`Error::NoStrip`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::NotFinite`], [`Error::TooLarge`], [`Error::NoStrip`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job: &Job<'_>) -> Result<Ruled> {
     let least = if closed { 3 } else { 1 };
     for (side, points) in [(Side::A, a), (Side::B, b)] {

@@ -14,14 +14,16 @@ use glam::DVec3;
 /// Samples of each rim.
 const SAMPLES: usize = 64;
 
-/// A difference smaller than this part of the rims' own spread decides nothing: the rims are then nearly straight there and
-/// back, or mirror images of themselves from where the other one stands.
+/// A difference smaller than this part of the rims' own spread decides nothing: the rims are then
+/// nearly straight there and back, or mirror images of themselves from where the other one stands.
 const MIN_RELATIVE_MARGIN: f64 = 0.01;
 
-/// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in orientation.
+/// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in
+/// orientation.
 fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     let (p, q) = (centred_samples(a)?, centred_samples(b)?);
-    // The sum of squared distances is |p|^2 + |q|^2 - 2 sum(p . q): the least distance is the greatest correlation.
+    // The sum of squared distances is |p|^2 + |q|^2 - 2 sum(p . q): the least distance is the
+    // greatest correlation.
     let best = |sign: usize| {
         (0..SAMPLES)
             .map(|shift| (0..SAMPLES).map(|k| p[k].dot(q[(shift + sign * k) % SAMPLES])).sum::<f64>())
@@ -32,11 +34,13 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     Ok(2.0 * (same - opposite) > MIN_RELATIVE_MARGIN * (spread(&p) + spread(&q)))
 }
 
-/// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their surfaces disagree in orientation.
+/// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their
+/// surfaces disagree in orientation.
 ///
-/// The comparison of the curves holds while the gap bends by less than a right angle, or one rim lies inside the other. Where
-/// both rims lead off their surfaces to the same side, as the ends of a U-bend do, each is judged by itself: whether its
-/// surface is on the left as seen from where it leads to. The ends of an oriented surface all agree in that.
+/// The comparison of the curves holds while the gap bends by less than a right angle, or one rim
+/// lies inside the other. Where both rims lead off their surfaces to the same side, as the ends of
+/// a U-bend do, each is judged by itself: whether its surface is on the left as seen from where it
+/// leads to. The ends of an oriented surface all agree in that.
 pub(super) fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
@@ -49,7 +53,8 @@ pub(super) fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
 /// A rim leads off its surface in a direction if the mean of its unit vectors is longer than this.
 const MIN_MEAN_DIRECTION: f64 = 0.3;
 
-/// The cosine of the angle between a rim's area vector and the direction in which it leads off its surface.
+/// The cosine of the angle between a rim's area vector and the direction in which it leads off its
+/// surface.
 fn turns(rim: &Rim) -> f64 {
     let n = rim.points.len();
     let centre = centre(&rim.points);
@@ -65,8 +70,9 @@ fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
     centres[0].distance(centres[1]) < 0.5 * largest
 }
 
-/// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that their surfaces disagree in
-/// orientation: laid side by side in the same direction they are nearer to each other than in opposite ones.
+/// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that
+/// their surfaces disagree in orientation: laid side by side in the same direction they are nearer
+/// to each other than in opposite ones.
 pub(super) fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     let (p, q) = (samples(a, false, SAMPLES)?, samples(b, false, SAMPLES)?);
     let apart = |at: fn(usize) -> usize| (0..SAMPLES).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();

@@ -33,8 +33,9 @@ const STAGE: &str = "looking for the closest pair";
 /// Samples of each rim for the rotation.
 const SAMPLES: usize = 1 << 10;
 
-/// The places (i, j) of the closest vertices of the two rims that are not joined by an edge already; of equally close
-/// pairs the smallest i, then j. `None` if every pair is joined. O((N + M) log M).
+/// The places (i, j) of the closest vertices of the two rims that are not joined by an edge
+/// already; of equally close pairs the smallest i, then j. `None` if every pair is joined. O((N +
+/// M) log M).
 pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
     let tree = KdTree::new(&b.points, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
@@ -53,9 +54,10 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
     Ok(best.1)
 }
 
-/// The places (i, j) of the closest vertices, not joined by an edge already, among those that meet when rim B is turned along
-/// rim A so that the sum of squared distances between points at equal arc lengths is least. The rims run side by side. O(N
-/// log M), and a Fourier transform of [`SAMPLES`] samples.
+/// The places (i, j) of the closest vertices, not joined by an edge already, among those that meet
+/// when rim B is turned along rim A so that the sum of squared distances between points at equal
+/// arc lengths is least. The rims run side by side. O(N log M), and a Fourier transform of
+/// [`SAMPLES`] samples.
 pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges) -> Result<Option<(usize, usize)>> {
     let shift = best_shift(&samples(&a.points, true, SAMPLES)?, &samples(&b.points, true, SAMPLES)?);
     let (along_a, along_b) = (parts(&a.points)?, parts(&b.points)?);
@@ -77,9 +79,9 @@ pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges) -> Result<Option<
 
 /// How far along `q`, as a part of its length, the point lies that belongs to the start of `p`.
 ///
-/// The sum of |p_k - q_(k + s)|^2 is least where the correlation sum of p_k . q_(k + s) is greatest, and that is for all s at
-/// once the inverse transform of conj(P) Q. The planner is told to use no vector instructions of its own: the same bits
-/// anywhere.
+/// The sum of |p_k - q_(k + s)|^2 is least where the correlation sum of p_k . q_(k + s) is
+/// greatest, and that is for all s at once the inverse transform of conj(P) Q. The planner is told
+/// to use no vector instructions of its own: the same bits anywhere.
 fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
     let n = p.len();
     let mut planner = FftPlanner::new();

@@ -22,11 +22,13 @@ pub(crate) struct Strip {
 }
 
 impl Strip {
-    /// Hangs a strip on two rims that run side by side, rim A with its surface on the left, rim B on the right. `mean_side`:
-    /// the mean side of the faces round it, in the rims' unit; asked for if the rows depend on it.
+    /// Hangs a strip on two rims that run side by side, rim A with its surface on the left, rim B
+    /// on the right. `mean_side`: the mean side of the faces round it, in the rims' unit; asked for
+    /// if the rows depend on it.
     ///
     /// # Errors
-    /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub(crate) fn between(
         mut a: Rim,
         mut b: Rim,

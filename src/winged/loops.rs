@@ -42,11 +42,12 @@ struct Step {
     forward: bool,
 }
 
-/// Every loop of free edges, in the order of their smallest edges, from which each starts. O(number of edges + the fans along
-/// the boundary).
+/// Every loop of free edges, in the order of their smallest edges, from which each starts. O(number
+/// of edges + the fans along the boundary).
 ///
-/// An edge with several records has a border along each of them, as [`NonManifold::Cut`](crate::boundary::NonManifold::Cut)
-/// has it; so has, here, an edge whose faces disagree in orientation. Walks start from edges without such marks.
+/// An edge with several records has a border along each of them, as
+/// [`NonManifold::Cut`](crate::boundary::NonManifold::Cut) has it; so has, here, an edge whose
+/// faces disagree in orientation. Walks start from edges without such marks.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -104,9 +105,10 @@ fn is_free(edge: &WingedEdge) -> bool {
 
 /// The free edge that follows `step` at the vertex `v` that it arrives at.
 ///
-/// The face on the step's left has, before the step's edge, another edge that arrives at v: the wing c or d. If nothing lies
-/// behind that edge it is the next one, left from v; else the face behind it is next. An edge with one face that is its
-/// own wing cannot occur: a face has three proper edges.
+/// The face on the step's left has, before the step's edge, another edge that arrives at v: the
+/// wing c or d. If nothing lies behind that edge it is the next one, left from v; else the face
+/// behind it is next. An edge with one face that is its own wing cannot occur: a face has three
+/// proper edges.
 fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
     let mut at = &tables.edges()[step.edge as usize];
     let mut forward = step.forward;
@@ -119,7 +121,8 @@ fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
             wing = if at.left != NONE { at.c } else { at.d };
             at = &tables.edges()[wing as usize];
         }
-        // The wing arrives at v; behind it lies L if it ends there, which runs it from N to M, else R.
+        // The wing arrives at v; behind it lies L if it ends there, which runs it from N to M, else
+        // R.
         let ends_here = at.n == v;
         let behind = if ends_here { at.left } else { at.right };
         if behind == NONE {

@@ -8,8 +8,9 @@ use crate::mesh::{Across, MeshView, NONE, Topology};
 /// How the faces of the mesh run, seen from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Winding {
-    /// Counter-clockwise, as modern libraries have it. The tables take each face's cycle backwards, so that they keep
-    /// Baumgart's convention, and L is on the left of somebody who walks on the outside from M to N.
+    /// Counter-clockwise, as modern libraries have it. The tables take each face's cycle backwards,
+    /// so that they keep Baumgart's convention, and L is on the left of somebody who walks on the
+    /// outside from M to N.
     #[default]
     CounterClockwise,
     /// Clockwise, as Baumgart has it.
@@ -49,7 +50,8 @@ impl EdgeMarks {
     pub const NON_MANIFOLD: u32 = 1;
     /// One of two records of an edge whose faces run it in the same direction; each has one face.
     pub const NOT_ORIENTED: u32 = 2;
-    /// It has no length in the connectivity (M = N), or belongs to a face of fewer than three proper edges.
+    /// It has no length in the connectivity (M = N), or belongs to a face of fewer than three
+    /// proper edges.
     pub const DEGENERATE: u32 = 4;
 }
 
@@ -66,10 +68,12 @@ pub struct WingedEdges {
 const REPORT_INTERVAL: usize = 1 << 16;
 
 impl WingedEdges {
-    /// Fills the tables. O(H log d) for H half-edges and vertices of degree d; extra memory: that of [`Topology`].
+    /// Fills the tables. O(H log d) for H half-edges and vertices of degree d; extra memory: that
+    /// of [`Topology`].
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, winding: Winding, job: &Job<'_>) -> Result<Self> {
         let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
         let faces = mesh.faces();
@@ -95,7 +99,8 @@ impl WingedEdges {
         Ok(tables)
     }
 
-    /// The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+    /// The edges in the order of their first half-edges; M is the vertex where that half-edge
+    /// starts.
     pub fn edges(&self) -> &[WingedEdge] {
         &self.edges
     }
@@ -153,7 +158,8 @@ impl WingedEdges {
             let before = cycle[(i + cycle.len() - 1) % cycle.len()];
             let after = cycle[(i + 1) % cycle.len()];
             let edge = &mut self.edges[cycle[i] as usize];
-            // The face as it is stored runs M to N: a mate runs the edge the other way and starts elsewhere.
+            // The face as it is stored runs M to N: a mate runs the edge the other way and starts
+            // elsewhere.
             let forward = v == edge.m;
             let f = f as u32;
             match (winding, forward) {

@@ -81,8 +81,9 @@ pub fn sheet(w: u32, h: u32) -> Soup {
     soup
 }
 
-/// The part of the unit sphere above (`sign` = 1) or below (-1) the height z = `sign` * `rim`: a pole, `rings` rings of
-/// `n` vertices, the last one being the rim; faces counter-clockwise from outside.
+/// The part of the unit sphere above (`sign` = 1) or below (-1) the height z = `sign` * `rim`: a
+/// pole, `rings` rings of `n` vertices, the last one being the rim; faces counter-clockwise from
+/// outside.
 pub fn cap(n: u32, rings: u32, rim: f64, sign: f64) -> Soup {
     let mut soup = Soup { points: vec![[0.0, 0.0, sign]], offsets: vec![0], ..Soup::default() };
     let end = rim.acos();
@@ -119,7 +120,8 @@ pub fn torus(n: u32, m: u32) -> Soup {
     soup
 }
 
-/// How often each edge is run from its smaller to its larger vertex, and back: counted by hashing, unlike the library.
+/// How often each edge is run from its smaller to its larger vertex, and back: counted by hashing,
+/// unlike the library.
 pub fn edge_counts<'a>(faces: impl Iterator<Item = &'a [u32]>) -> HashMap<(u32, u32), (u32, u32)> {
     let mut edges = HashMap::new();
     for face in faces {
@@ -143,7 +145,8 @@ pub fn euler<'a>(faces: impl Iterator<Item = &'a [u32]> + Clone) -> i64 {
     used.len() as i64 - edge_counts(faces.clone()).len() as i64 + faces.count() as i64
 }
 
-/// The volume enclosed, by the divergence theorem over fans of triangles; positive if faces look outwards.
+/// The volume enclosed, by the divergence theorem over fans of triangles; positive if faces look
+/// outwards.
 pub fn volume<'a>(point: impl Fn(u32) -> [f64; 3], faces: impl Iterator<Item = &'a [u32]>) -> f64 {
     let mut sum = 0.0;
     for face in faces {

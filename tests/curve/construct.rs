@@ -1,4 +1,5 @@
-//! What is made of curves: samples, texts, contours, splines, offsets; against formulas and what they were made of.
+//! What is made of curves: samples, texts, contours, splines, offsets; against formulas and what
+//! they were made of.
 
 use crate::curves::*;
 use glam::DVec3;
@@ -67,7 +68,8 @@ fn texts_and_contours_and_splines() {
     assert!(given.view().contour(0.0).is_err() && given.view().spline().is_err());
     let quartic = Given::one(&[v(0.0, 0.0, 0.0); 5]);
     assert!(matches!(quartic.view().svg_path(), Err(Error::OptionOutOfRange { .. })));
-    // Round control points with joints in the middle: all points off the curve; with a line, two on it.
+    // Round control points with joints in the middle: all points off the curve; with a line, two on
+    // it.
     let controls = [v(1.0, 0.3, 0.0), v(3.1, 0.7, 0.0), v(3.0, 2.0, 0.0), v(0.2, 1.9, 0.0)];
     let mut points = vec![controls[3].midpoint(controls[0])];
     for k in 0..4 {

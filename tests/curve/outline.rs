@@ -1,4 +1,5 @@
-//! Outlines: the curves pass their points, are smooth where they should be, and move with their points.
+//! Outlines: the curves pass their points, are smooth where they should be, and move with their
+//! points.
 
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
@@ -29,7 +30,8 @@ fn size_of(points: &[[f64; 2]]) -> f64 {
     span(0).max(span(1))
 }
 
-/// The curve passes each point whose status does not say otherwise, nothing is NaN, and joints are smooth but for corners.
+/// The curve passes each point whose status does not say otherwise, nothing is NaN, and joints are
+/// smooth but for corners.
 fn assert_passes(points: &[[f64; 2]], done: &Fit, name: &str) {
     let (curve, size) = (done.curve(0), size_of(points));
     assert_eq!(done.statuses().len(), points.len());
@@ -41,7 +43,8 @@ fn assert_passes(points: &[[f64; 2]], done: &Fit, name: &str) {
         }
         let scale = 1.0 / (size + far);
         let miss = (at(curve, done.place(i)) * scale).distance(lift(p) * scale) * (size + far);
-        // What is merged may be as far as the tolerance; the rest is rounding, of the coordinates too.
+        // What is merged may be as far as the tolerance; the rest is rounding, of the coordinates
+        // too.
         let merged = if done.statuses()[i] == PointStatus::Merged { 2e-12 * size } else { 0.0 };
         assert!(miss <= 4.0 * f64::EPSILON * (size + far) + merged, "{name}: point {i} {miss:e} of {size}");
     }
@@ -89,7 +92,8 @@ fn real_outlines_in_all_modes_by_all_methods() {
     }
 }
 
-/// The largest distance of the points of a dense polygon from a curve, by the nearest of many points of the curve and their chords.
+/// The largest distance of the points of a dense polygon from a curve, by the nearest of many
+/// points of the curve and their chords.
 fn deviation(curve: CurveView<'_>, truth: &[[f64; 2]]) -> f64 {
     let mut polyline = Vec::new();
     for segment in curve.segments() {
@@ -162,7 +166,8 @@ proptest! {
         prop_assert_eq!(report.not_ok as usize, done.statuses().iter().filter(|&&s| s != PointStatus::Ok).count());
     }
 
-    /// The curve moves with its points: turned, moved, enlarged, run through backwards, begun elsewhere.
+    /// The curve moves with its points: turned, moved, enlarged, run through backwards, begun
+    /// elsewhere.
     #[test]
     fn curves_move_with_their_points(
         radii in prop::collection::vec(0.7f64..1.3, 5..40),
@@ -358,7 +363,8 @@ fn closed_composites_of_a_regular_polygon_are_regular() {
         let done = one(&ring, true, &[], &Options { method, ..Options::default() });
         let curve = done.curve(0);
         assert!(curve.is_closed() && curve.len() == 12);
-        // All control points are alike, the seam's too: (1/4) J + (1/2) B + (1/4) J' = P with J half-way gives B = P / cos^2(15 degrees).
+        // All control points are alike, the seam's too: (1/4) J + (1/2) B + (1/4) J' = P with J
+        // half-way gives B = P / cos^2(15 degrees).
         let radius = 2.0 / (1.0 + (TAU / 24.0).cos().powi(2));
         for segment in curve.segments() {
             assert!((segment[1].length() - radius).abs() < 1e-14, "{method:?} {}", segment[1].length());
@@ -443,7 +449,8 @@ fn what_is_no_outline_is_refused() {
 
 #[test]
 fn repeats_at_the_end_of_a_closed_outline() {
-    // Two points that repeat the first one but not each other; and with corners, which turn the nodes round.
+    // Two points that repeat the first one but not each other; and with corners, which turn the
+    // nodes round.
     for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
         for corner in [false, true] {
             let e = 0.7e-12;

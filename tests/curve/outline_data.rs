@@ -1,4 +1,5 @@
-//! Outlines to try: those of the data directory, curves that are known, and hard cases; and what every solution must be.
+//! Outlines to try: those of the data directory, curves that are known, and hard cases; and what
+//! every solution must be.
 
 use glam::DVec3;
 use gusset::job::Job;
@@ -193,7 +194,8 @@ pub(crate) fn size(line: &Line) -> f64 {
     (high - low).max_element()
 }
 
-/// All coordinates are finite, every point that is not said to be missed lies on the curve, and the joints are smooth.
+/// All coordinates are finite, every point that is not said to be missed lies on the curve, and the
+/// joints are smooth.
 pub(crate) fn check(line: &Line, fit: &Fit, what: &str) {
     let curve = fit.curve(0);
     assert!(curve.points().iter().all(|p| p.is_finite()), "{what} {}: not finite", line.name);
@@ -211,7 +213,8 @@ pub(crate) fn check(line: &Line, fit: &Fit, what: &str) {
             continue;
         }
         let far = casteljau(controls, place.t).distance(*p);
-        // Rounding: of the solution, of control points far out, and of coordinates far from the origin.
+        // Rounding: of the solution, of control points far out, and of coordinates far from the
+        // origin.
         let out = controls.iter().map(|b| b.distance(*p)).fold(0.0, f64::max);
         let bound = 4e-15 * size.max(out)
             + 2.0 * controls.len() as f64 * f64::EPSILON * reach

@@ -51,7 +51,8 @@ fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
     FrameOptions { correspondence, across: CUBIC, along: CUBIC, ring: false }
 }
 
-/// The circle of a ball of radius 2 at height z, of n points from angle `from` on, forwards or backwards.
+/// The circle of a ball of radius 2 at height z, of n points from angle `from` on, forwards or
+/// backwards.
 fn circle(z: f64, n: usize, from: f64, backwards: bool) -> Vec<[f64; 3]> {
     let r = (4.0 - z * z).sqrt();
     (0..n)
@@ -148,7 +149,8 @@ fn new_sections_of_a_ball_have_its_girths_and_areas() {
 
 #[test]
 fn landmarks_belong_together() {
-    // Squares that turn on their way up, of 4 x 3, 4 x 4, ... points that begin at some corner: the corners are landmarks.
+    // Squares that turn on their way up, of 4 x 3, 4 x 4, ... points that begin at some corner: the
+    // corners are landmarks.
     let mut landmarks = Vec::new();
     let sections = Sections::of((0..5usize).map(|k| {
         let (n, first) = (3 + k, k % 4);
@@ -201,7 +203,8 @@ fn a_ring_goes_round() {
     assert_meets(&made);
     assert!((0..9).all(|i| made.along.curve(i).is_closed()));
     assert!(made.grid.min_sine > 1.0 - 1e-6);
-    // Each curve along crosses a plane through the axis twice; the first crossing is taken, and it is said.
+    // Each curve along crosses a plane through the axis twice; the first crossing is taken, and it
+    // is said.
     let cut = slice(&made.along, DVec3::ZERO, DVec3::Y, true, &CUBIC, &Job::default()).unwrap();
     assert_eq!(cut.ambiguous.len(), 9);
 }

@@ -1,7 +1,8 @@
-//! The iterations that find curves through points: do they solve the equations they should, and what becomes of hard data?
+//! The iterations that find curves through points: do they solve the equations they should, and
+//! what becomes of hard data?
 //!
-//! Everything is checked on what comes out, against the definitions: the curve is evaluated by de Casteljau's scheme here,
-//! the parameters of the method are computed from angles and lengths here.
+//! Everything is checked on what comes out, against the definitions: the curve is evaluated by de
+//! Casteljau's scheme here, the parameters of the method are computed from angles and lengths here.
 
 use crate::outline_data::{
     Line, adversarial, arc, blob, check, foot_half, outlines, random, sine, size, solve, solve_with,
@@ -316,7 +317,8 @@ fn lost_guides_are_told() {
     assert!(kept > 50 && lost > 50, "{kept} {lost}");
 }
 
-/// All but straight, with a tangent out of its plane: with guides, control points go astray with any shares of the joints.
+/// All but straight, with a tangent out of its plane: with guides, control points go astray with
+/// any shares of the joints.
 #[test]
 fn what_runs_away_with_any_joints_is_solved_by_parameters() {
     let points = [

@@ -8,7 +8,8 @@ use gusset::outline::Method;
 pub const METHODS: [Method; 5] =
     [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.3)];
 
-/// The plane outlines of the data folder, contour by contour: name, points, and whether they are closed; none if there is no such folder.
+/// The plane outlines of the data folder, contour by contour: name, points, and whether they are
+/// closed; none if there is no such folder.
 pub fn data() -> Vec<(String, Vec<[f64; 2]>, bool)> {
     let plane = |line: crate::outline_data::Line| {
         let points = line.points.iter().map(|p| [p.x, p.y]).collect();

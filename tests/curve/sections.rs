@@ -8,7 +8,8 @@ use proptest::prelude::*;
 
 #[test]
 fn the_bisector_halves_the_angle() {
-    // The triangle that tells the foot K / (1 + K) from the printed K: 48.56 degrees on both sides, not 75.5 and 21.6.
+    // The triangle that tells the foot K / (1 + K) from the printed K: 48.56 degrees on both sides,
+    // not 75.5 and 21.6.
     let [a, p, c] = [[0.0, 0.0], [3.0, 4.0], [10.0, 0.0]].map(lift);
     let section = Method::Bisector.section(a, p, c).unwrap();
     let guide = p - section.control;
@@ -72,7 +73,8 @@ fn tangent_sections_and_why_there_is_none() {
     assert!(casteljau(&[a, middle.control, c], middle.t).distance(p) < 1e-15);
     let direction = (middle.control - a) * (1.0 - middle.t) + (c - middle.control) * middle.t;
     assert!(direction.angle_between(along(1.0, 0.2)) < 1e-7);
-    // Between P and C; backwards; P farther from the tangent than C; no direction; out of the plane.
+    // Between P and C; backwards; P farther from the tangent than C; no direction; out of the
+    // plane.
     assert_eq!(section_by_start_tangent(a, p, c, along(2.0, 1.0)), Err(PointStatus::TangentSeparates));
     assert_eq!(section_by_start_tangent(a, p, c, along(-1.0, -2.0)), Err(PointStatus::TangentBackward));
     assert_eq!(section_by_start_tangent(a, p, c, along(1.0, -0.01)), Err(PointStatus::TangentBeyond));

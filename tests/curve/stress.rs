@@ -1,4 +1,5 @@
-//! Every operation on curves, on input that means no good: no panic, an end in time, nothing that is not a number where there is one.
+//! Every operation on curves, on input that means no good: no panic, an end in time, nothing that
+//! is not a number where there is one.
 
 use glam::DVec3;
 use gusset::Job;

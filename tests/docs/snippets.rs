@@ -1,6 +1,7 @@
-//! What the README and the guides show is what the tests compile and run: a block of code names the file that it is from, and, if it
-//! is a part of it, the part, which lies between two lines that end in `! [part]`. `GUSSET_UPDATE=1 cargo test --test docs` copies
-//! them in. A block that names no file may hold calls of make, whose targets there must be, or output.
+//! What the README and the guides show is what the tests compile and run: a block of code names the
+//! file that it is from, and, if it is a part of it, the part, which lies between two lines that
+//! end in `! [part]`. `GUSSET_UPDATE=1 cargo test --test docs` copies them in. A block that names
+//! no file may hold calls of make, whose targets there must be, or output.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};

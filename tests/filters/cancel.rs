@@ -1,4 +1,5 @@
-//! What a host hears of filters that have one long curve to work on: reports in proportion to the work, and a cancel at any of them.
+//! What a host hears of filters that have one long curve to work on: reports in proportion to the
+//! work, and a cancel at any of them.
 
 use crate::editor::{circle, polylines, values};
 use gusset::filters::Filter;

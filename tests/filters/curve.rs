@@ -116,7 +116,8 @@ fn offsets_of_circles_are_circles() {
         let centre = if plane { [1.0, 2.0, 3.0] } else { [0.0; 3] };
         let off = |p: &[f64; 3]| radius(&[0, 1, 2].map(|k| p[k] - centre[k]));
         let points = curve(lines(&outputs[0]), 0);
-        // To the left of a counter-clockwise circle is its inside; the suggested normal looks up, so that it may be clockwise.
+        // To the left of a counter-clockwise circle is its inside; the suggested normal looks up,
+        // so that it may be clockwise.
         let radii: Vec<f64> = points.iter().map(off).collect();
         let expected = if radii[0] < 2.0 { 1.5 } else { 2.5 };
         assert!(points.len() > 20 && radii.iter().all(|r| (r - expected).abs() < 1e-4), "{radii:?}");
@@ -140,7 +141,8 @@ fn offsets_of_circles_are_circles() {
 
 #[test]
 fn curves_meet_where_formulas_say() {
-    // A circle and a line at height 0.6, which meet at x = +-0.8; a figure of eight that meets itself; a line that passes the others by.
+    // A circle and a line at height 0.6, which meet at x = +-0.8; a figure of eight that meets
+    // itself; a line that passes the others by.
     let eight = (0..100).map(|k| {
         let (sin, cos) = (TAU * (f64::from(k) + 0.5) / 100.0).sin_cos();
         [10.0 + cos, sin * cos, 0.0]

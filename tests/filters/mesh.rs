@@ -64,7 +64,8 @@ fn fill_holes_closes_what_it_may() {
 
 #[test]
 fn check_names_what_is_wrong() {
-    // A sheet of 3 x 2 quads; then a fin on an inner edge, a face against its neighbours, a twin, a needle, a lone vertex.
+    // A sheet of 3 x 2 quads; then a fin on an inner edge, a face against its neighbours, a twin, a
+    // needle, a lone vertex.
     let mut soup = sheet(3, 2);
     let clean = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
     let clean = text(&clean[0]);
@@ -95,7 +96,8 @@ fn check_names_what_is_wrong() {
 
 #[test]
 fn facing_arcs_are_on_the_side_of_the_other_loop() {
-    // Two circles side by side in a plane: of each the half that looks at the other, without the two points abreast.
+    // Two circles side by side in a plane: of each the half that looks at the other, without the
+    // two points abreast.
     let loops = polylines(&[(circle(40, 1.0, [0.0; 3]), true), (circle(24, 1.0, [5.0, 0.0, 0.0]), true)]);
     let outputs = run_on_curves("facing_arcs", std::slice::from_ref(&loops), &[]).unwrap();
     let arcs = lines(&outputs[0]);

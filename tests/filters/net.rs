@@ -63,7 +63,8 @@ fn resampled_grids_keep_their_shape() {
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!((points.len(), common::euler(faces.iter().copied())), (39 * 60 + 2, 2));
     assert!(is_closed(&faces));
-    // Beyond a pole the splines go on straight: there they are off by an eighth of the square of the distance of rows.
+    // Beyond a pole the splines go on straight: there they are off by an eighth of the square of
+    // the distance of rows.
     let off = points.iter().map(|p| (radius(p) - 1.0).abs()).fold(0.0, f64::max);
     assert!(off < (PI / 16.0).powi(2) / 8.0, "{off}");
     assert_eq!(text(&outputs[1]), "17 rows and 25 columns made 41 and 61\n");
@@ -91,7 +92,8 @@ fn thinned_out_grids_stay_near() {
     let outputs = run("net_decimate", std::slice::from_ref(&tube), &[("tolerance", &[0.02])]).unwrap();
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!(common::euler(faces.iter().copied()), 0);
-    // A chord of a circle of radius 1 is off by at most half the tolerance: 1 - cos(x / 2) <= 0.01 for x <= 0.283.
+    // A chord of a circle of radius 1 is off by at most half the tolerance: 1 - cos(x / 2) <= 0.01
+    // for x <= 0.283.
     let columns = points.len() / 2;
     assert!((20..=33).contains(&columns), "{columns}");
     assert!(points.iter().all(|p| tube.points.contains(p)));
@@ -127,7 +129,8 @@ fn joined_grids_are_one() {
     }
     let outputs = run("net_join", &[tube(0.0), tube(2.0)], &[("bridge", &[2.0]), ("tolerance", &[1e-9])]);
     let faces = outputs.map(|outputs| mesh(&outputs[0]).1.len());
-    // Which side of the first tube is last is a matter of its first face: they lie on each other, or are the height of both apart.
+    // Which side of the first tube is last is a matter of its first face: they lie on each other,
+    // or are the height of both apart.
     assert!(faces == Ok(8 * 12) || matches!(faces, Err(Error::SidesApart { .. })), "{faces:?}");
     let refused = run("net_join", &[sheet(4, 3), sheet(7, 5)], &[("sizes", &[3.0])]);
     assert!(matches!(refused, Err(Error::SidesDiffer { .. })), "{:?}", refused.err());
@@ -150,7 +153,8 @@ fn measures_of_spheres_tori_and_saddles() {
     let report = run("net_measures", std::slice::from_ref(&two), &[("planarity", &[0.1])]).unwrap();
     let report = text(&report[0]);
     assert!(report.contains("1 quads off") && !report.contains("volume"), "{report}");
-    // Its corners are |(b - a) + (d - c)| / 4 along the normal from the plane between the diagonals.
+    // Its corners are |(b - a) + (d - c)| / 4 along the normal from the plane between the
+    // diagonals.
     let [a, b, c, d] = [two.points[0], two.points[1], two.points[4], two.points[3]].map(glam::DVec3::from);
     let normal = (c - a).cross(d - b).normalize();
     let off = ((a - b) + (c - d)).dot(normal).abs() / 4.0 / (c - a).length().max((d - b).length());

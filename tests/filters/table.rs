@@ -153,7 +153,8 @@ fn suggestions_are_in_range_whatever_the_mesh() {
                 assert!(param.accepts(value), "{} {} {value}", filter.id, param.id);
             }
         }
-        // A mesh a thousand times as large has lengths a thousand times as large, to the digits shown.
+        // A mesh a thousand times as large has lengths a thousand times as large, to the digits
+        // shown.
         let [small, large] = [&usual, &scaled(&usual, 1e3, 0.0)].map(|given| filter.defaults(&inputs(given)));
         let mut start = 0;
         for param in filter.params {

@@ -1,6 +1,7 @@
 //! The C interface as built: header, version, symbols, what the linker was told.
 //!
-//! `GUSSET_UPDATE=1 cargo test --test interface` rewrites the committed header and the list of symbols.
+//! `GUSSET_UPDATE=1 cargo test --test interface` rewrites the committed header and the list of
+//! symbols.
 
 use std::ffi::CStr;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,6 @@
-//! Rims that are hard to join, in every way that strips are made: what comes out is always a valid surface, what is said of its faces
-//! that cut each other is true, and neither units, axes, numbers nor threads change it.
+//! Rims that are hard to join, in every way that strips are made: what comes out is always a valid
+//! surface, what is said of its faces that cut each other is true, and neither units, axes, numbers
+//! nor threads change it.
 
 use crate::common::{Soup, Steady, edge_counts, euler, faces_of};
 use crate::cuts::{Point, cut, normal};
@@ -140,8 +141,9 @@ fn bits(positions: &PositionBuffer) -> Vec<[u64; 3]> {
     points.iter().map(|p| p.map(f64::to_bits)).collect()
 }
 
-/// Two-manifold and oriented, with the Euler characteristic and loops of the pieces less the two rims; old vertices bit for bit and
-/// old faces as they were or turned over; no NaN; pairs of faces that exist, each once.
+/// Two-manifold and oriented, with the Euler characteristic and loops of the pieces less the two
+/// rims; old vertices bit for bit and old faces as they were or turned over; no NaN; pairs of faces
+/// that exist, each once.
 fn assert_valid(a: &Shell, b: &Shell, joined: &Stitch, what: &str) {
     assert!(edge_counts(faces_of(&joined.mesh)).values().all(|&(f, g)| f <= 1 && g <= 1), "{what}");
     let found = check(&joined.mesh.view(&Job::default()).unwrap(), &Job::default()).unwrap();
@@ -243,7 +245,8 @@ fn three_against_three_thousand() {
     }
 }
 
-/// All pairs of triangles with an area that cut, one of them at least of the strip, and the library's own without the others.
+/// All pairs of triangles with an area that cut, one of them at least of the strip, and the
+/// library's own without the others.
 fn compare_cuts(joined: &Stitch, unit: f64) -> (BTreeSet<[u32; 2]>, BTreeSet<[u32; 2]>) {
     let at = |v: u32| -> Point {
         joined.mesh.positions.get(v).to_array().map(|x| {
@@ -300,7 +303,8 @@ fn the_better_of_two_starts_is_kept() {
         let (auto, closest) = (area(&a, &b, Start::Auto), area(&a, &b, Start::Closest));
         assert!(auto <= closest * (1.0 + 1e-5), "{name}: {auto} {closest}");
     }
-    // One vertex of A comes near B in a wrong place, a third of a turn away; numbers tell nothing of the places.
+    // One vertex of A comes near B in a wrong place, a third of a turn away; numbers tell nothing
+    // of the places.
     for shift in [0, 7, 20] {
         let circle = |z: f64| ring(30, |t| [t.cos(), 0.8 * t.sin(), z + 0.2 * (3.0 * t).sin()]);
         let (mut low, mut high) = (circle(0.0), circle(0.6));

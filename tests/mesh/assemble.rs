@@ -1,5 +1,5 @@
-//! Assembly: surfaces by formula are cut into pieces, moved apart, turned inside out and put together again; Euler's formula, volumes and
-//! the maps say whether that worked.
+//! Assembly: surfaces by formula are cut into pieces, moved apart, turned inside out and put
+//! together again; Euler's formula, volumes and the maps say whether that worked.
 
 use crate::common::{Soup, Steady, edge_counts, euler, faces_of, sheet, torus, volume};
 use crate::pieces::{around, cube, cut, shrunk, sphere};
@@ -42,8 +42,9 @@ fn volume_of(done: &Assembly) -> f64 {
     volume(|v| position(&done.mesh, v), faces_of(&done.mesh))
 }
 
-/// What must hold of every assembly: faces and positions of the pieces found through the maps, turned where the account says so;
-/// each new face and vertex the work of one joint or hole; counts that agree with the mesh.
+/// What must hold of every assembly: faces and positions of the pieces found through the maps,
+/// turned where the account says so; each new face and vertex the work of one joint or hole; counts
+/// that agree with the mesh.
 fn assert_account(pieces: &[Soup], done: &Assembly) {
     let faces: Vec<&[u32]> = faces_of(&done.mesh).collect();
     assert_eq!(done.maps.len(), pieces.len());
@@ -208,7 +209,8 @@ fn sides(done: &Assembly) -> BTreeSet<BTreeSet<[u64; 3]>> {
 
 #[test]
 fn a_face_may_be_turned_twice() {
-    // All of the second piece is inside out but for one face, which is turned to agree with its piece, and then with the first one.
+    // All of the second piece is inside out but for one face, which is turned to agree with its
+    // piece, and then with the first one.
     let (mut pieces, chi, _) = with_gaps().swap_remove(0);
     let (kept, mut other) =
         (pieces[1].clone(), Soup { points: pieces[1].points.clone(), offsets: vec![0], ..Soup::default() });
@@ -338,7 +340,8 @@ fn pieces_that_face_nothing_are_left() {
     assert_closed(&within(true), 0);
 }
 
-/// `n` bands of w x l cells round a ring, which is twisted by `half_turns` on the way, with gaps of `gap` of their length.
+/// `n` bands of w x l cells round a ring, which is twisted by `half_turns` on the way, with gaps of
+/// `gap` of their length.
 fn twisted_ring(n: u32, half_turns: u32, gap: f64) -> Vec<Soup> {
     let (w, l) = (4, 4);
     let piece = |k: u32| {
@@ -379,7 +382,8 @@ fn a_ring_with_a_twist_keeps_one_gap() {
 #[test]
 fn the_same_piece_twice_and_thrice() {
     let piece = sheet(3, 2);
-    // Two sheets that lie on one another are sewn all round, as a pillow; of three none is preferred.
+    // Two sheets that lie on one another are sewn all round, as a pillow; of three none is
+    // preferred.
     let done = run(&[piece.clone(), piece.clone()], &welding());
     assert_eq!((done.loops_left, done.non_manifold_edges, done.sewn_edges), (0, 0, 10));
     assert_closed(&done, 2);
@@ -436,7 +440,8 @@ fn the_order_of_vertices_and_the_threads_do_not_matter() {
     }
 }
 
-/// A pipe, or half of one: `n` x 6 quads round `span` of the circle of radius `r` about the x-shifted z-axis, outside out.
+/// A pipe, or half of one: `n` x 6 quads round `span` of the circle of radius `r` about the
+/// x-shifted z-axis, outside out.
 fn pipe(n: u32, span: std::ops::Range<f64>, r: f64, shift: f64, z: std::ops::Range<f64>) -> Soup {
     let closed = span.end - span.start > TAU - 1e-9;
     let columns = if closed { n } else { n + 1 };
@@ -478,7 +483,8 @@ fn pieces_side_by_side_are_joined_along_the_gap_only() {
 
 #[test]
 fn a_thin_pipe_in_a_wide_one_beside_its_axis_is_joined_all_round() {
-    // Between nearest vertices the gap is 0.04 to 1.2 wide, more than ten times as wide on one side as on the other.
+    // Between nearest vertices the gap is 0.04 to 1.2 wide, more than ten times as wide on one side
+    // as on the other.
     let (wide, thin) = (pipe(50, 0.0..TAU, 1.0, 0.0, -3.0..0.0), pipe(7, 0.0..TAU, 0.4, 0.57, 0.02..2.0));
     let done = run(&[wide, thin], &Options { max_gap: MaxGap::Given(0.9), ..Options::default() });
     assert_eq!(done.joints.len(), 1);

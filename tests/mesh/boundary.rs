@@ -36,7 +36,8 @@ fn check_fast(soup: &Soup) {
     }
 }
 
-/// What holds for every boundary of every mesh: the edges are real, each free edge is in exactly one loop, loops are simple.
+/// What holds for every boundary of every mesh: the edges are real, each free edge is in exactly
+/// one loop, loops are simple.
 fn check_invariants(soup: &Soup, found: &Boundary) {
     let counts = edge_counts(soup.faces());
     let mut seen = HashSet::new();
@@ -197,8 +198,8 @@ fn a_moebius_strip_has_one_loop() {
     assert_eq!((rim.vertices.len(), rim.flags.0), (2 * n, LoopFlags::NOT_ORIENTED));
 }
 
-/// A sheet of 30,000 cells with everything wrong somewhere: cells missing, flipped, split, doubled, of five corners, with
-/// a corner named twice, and vertices welded to others.
+/// A sheet of 30,000 cells with everything wrong somewhere: cells missing, flipped, split, doubled,
+/// of five corners, with a corner named twice, and vertices welded to others.
 fn odd_sheet() -> Soup {
     let mut full = sheet(200, 150);
     let mut state = 1u64;
@@ -258,7 +259,8 @@ fn the_same_for_any_thread_count() {
 
 #[test]
 fn many_faces_at_a_vertex_and_on_an_edge() {
-    // A book of 100 pages, and a fan of 100 triangles: each vertex in the middle has the smallest number, or the largest.
+    // A book of 100 pages, and a fan of 100 triangles: each vertex in the middle has the smallest
+    // number, or the largest.
     for (a, b, shift) in [(0, 1, 2), (100, 101, 0)] {
         let pages: Vec<[u32; 3]> =
             (0..100).map(|i| if i % 3 == 0 { [b, a, i + shift] } else { [a, b, i + shift] }).collect();
@@ -320,7 +322,8 @@ proptest! {
         prop_assert_eq!(edges(&one, false), edges(&two, true));
     }
 
-    /// A chessboard on a torus has only bow-ties, and indices in step: the sums at its vertices must not cancel for that.
+    /// A chessboard on a torus has only bow-ties, and indices in step: the sums at its vertices
+    /// must not cancel for that.
     #[test]
     fn chessboards_on_tori(
         w in 2u32..12,

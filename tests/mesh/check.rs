@@ -10,8 +10,8 @@ fn checked(soup: &Soup) -> Check {
     check(&soup.view(), &Job::default()).unwrap()
 }
 
-/// A w x h sheet whose left and right sides are one, turned over on the way if `twisted`; and, if `closed`, top and bottom
-/// too: tube, Moebius strip, torus, Klein bottle.
+/// A w x h sheet whose left and right sides are one, turned over on the way if `twisted`; and, if
+/// `closed`, top and bottom too: tube, Moebius strip, torus, Klein bottle.
 fn glued(w: u32, h: u32, twisted: bool, closed: bool) -> Soup {
     let rows = if closed { h } else { h + 1 };
     let at = |i: u32, j: u32| {
@@ -63,7 +63,8 @@ fn a_flipped_face_is_orientable_but_not_oriented() {
 
 #[test]
 fn each_defect_is_listed() {
-    // A triangle twice, once from another corner and once backwards, and a quad with the same vertices in another order.
+    // A triangle twice, once from another corner and once backwards, and a quad with the same
+    // vertices in another order.
     let c = checked(&Soup::flat(4, &[&[0, 1, 2, 3], &[0, 2, 1, 3], &[2, 3, 0, 1], &[1, 0, 3, 2]]));
     assert_eq!(c.duplicate_faces, [2, 3]);
     // Two cones that touch at their tips, closed below: a bow-tie without any boundary.
@@ -80,7 +81,8 @@ fn each_defect_is_listed() {
     let c = checked(&Soup::new(points, &list));
     assert_eq!((c.bow_ties.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0][..]));
     assert!(c.closed && !c.manifold && c.genus.is_none() && c.non_manifold_edges.is_empty() && c.components == 2);
-    // Three faces on an edge; a vertex nobody uses; a face that repeats a vertex, and touches another there.
+    // Three faces on an edge; a vertex nobody uses; a face that repeats a vertex, and touches
+    // another there.
     let c = checked(&Soup::flat(8, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[4, 5, 4, 7]]));
     assert_eq!((c.non_manifold_edges.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0, 1, 4][..]));
     assert_eq!((c.unused_vertices.as_slice(), c.degenerate_faces.as_slice(), c.closed), (&[6][..], &[3][..], false));
@@ -120,7 +122,8 @@ proptest! {
         let twins: Vec<u32> = (0..).zip(&faces).filter(|(_, f)| !seen.insert(canonical(f))).map(|(i, _)| i).collect();
         prop_assert_eq!(&c.duplicate_faces, &twins);
 
-        // Fans by flooding: faces at v, joined where they share an edge at v that has exactly two faces.
+        // Fans by flooding: faces at v, joined where they share an edge at v that has exactly two
+        // faces.
         let mut ties = Vec::new();
         for v in 0..8u32 {
             let at: Vec<usize> = (0..faces.len()).filter(|&f| faces[f].contains(&v)).collect();

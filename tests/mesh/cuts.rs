@@ -1,5 +1,6 @@
-//! Which triangles cut each other, in integers: slow, exact, and by another way than the library's, which asks edges about triangles.
-//! Here two planes meet in a line, and the parts of that line that lie in the triangles are compared.
+//! Which triangles cut each other, in integers: slow, exact, and by another way than the library's,
+//! which asks edges about triangles. Here two planes meet in a line, and the parts of that line
+//! that lie in the triangles are compared.
 
 use std::cmp::Ordering;
 
@@ -32,7 +33,8 @@ impl Ratio {
     }
 }
 
-/// The least and the greatest coordinate along `axis` of the points where a triangle is at height 0.
+/// The least and the greatest coordinate along `axis` of the points where a triangle is at height
+/// 0.
 fn span(t: [Point; 3], heights: [i128; 3], axis: usize) -> Option<[Ratio; 2]> {
     let mut found = Vec::new();
     for k in 0..3 {

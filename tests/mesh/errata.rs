@@ -1,5 +1,5 @@
-//! The paper as printed, word for word, and where it fails; beside each failure, our reading. Numbers are those of the list of
-//! errata that the sources quote: (n) in the names below.
+//! The paper as printed, word for word, and where it fails; beside each failure, our reading.
+//! Numbers are those of the list of errata that the sources quote: (n) in the names below.
 
 use crate::common::{Soup, cap, edge_counts, sheet};
 use glam::DVec3;
@@ -24,8 +24,9 @@ fn is_free(edge: &WingedEdge) -> bool {
     (edge.left == NONE) != (edge.right == NONE)
 }
 
-/// Algorithm 1 as printed but for its criterion: from the first free edge's initial vertex along it, then at each vertex the
-/// first incident free edge. `exclude`: not the one just traversed. Gives up after `limit` vertices.
+/// Algorithm 1 as printed but for its criterion: from the first free edge's initial vertex along
+/// it, then at each vertex the first incident free edge. `exclude`: not the one just traversed.
+/// Gives up after `limit` vertices.
 fn printed_walk(tables: &WingedEdges, exclude: bool, limit: usize) -> (Vec<u32>, bool) {
     let start = tables.edges().iter().position(is_free).unwrap();
     let first = tables.edges()[start].m;
@@ -65,8 +66,8 @@ fn e02_the_table_has_as_many_records_as_edges_not_faces() {
 
 #[test]
 fn e03_the_initial_vertex_leaves_the_direction_open() {
-    // The same sheet, faces counter-clockwise and clockwise: the printed walk starts at the same vertex and goes the same
-    // way, once with the surface on its left and once on its right.
+    // The same sheet, faces counter-clockwise and clockwise: the printed walk starts at the same
+    // vertex and goes the same way, once with the surface on its left and once on its right.
     let soup = sheet(3, 2);
     let turned = soup.turned();
     let walks = [&soup, &turned].map(|s| printed_walk(&tables(s), true, 100).0);
@@ -107,11 +108,13 @@ fn e05_there_may_be_several_loops_and_a_bow_tie_must_not_trap_the_walk() {
     let two = sheet(3, 2).and(&sheet(2, 2));
     assert_eq!(printed_walk(&tables(&two), true, 100).0.len() - 1, 10);
     assert_eq!(loops(&two).iter().map(Vec::len).collect::<Vec<_>>(), [10, 8]);
-    // Two triangles that share vertex 2: the printed walk stops early or runs on for ever, by the order of the edges.
+    // Two triangles that share vertex 2: the printed walk stops early or runs on for ever, by the
+    // order of the edges.
     let tie = Soup::flat(5, &[&[0, 1, 2], &[2, 3, 4]]);
     let (walk, _) = printed_walk(&tables(&tie), true, 100);
     let early = walk.len() - 1;
-    // The same with the start on the other triangle's far edge: it comes into the shared vertex and never finds its start.
+    // The same with the start on the other triangle's far edge: it comes into the shared vertex and
+    // never finds its start.
     let rho = Soup::flat(7, &[&[5, 6, 2], &[0, 1, 2], &[2, 3, 4]]);
     let (_, closed) = printed_walk(&tables(&rho), true, 1000);
     assert!(early != 6 || !closed, "one of the two fails");
@@ -138,7 +141,8 @@ fn e06_the_sign_alone_is_round_off_for_coaxial_rims() {
     ));
 }
 
-/// The program fragment, with the missing braces supplied: H as the j of each i, from 1; 0 where there is none.
+/// The program fragment, with the missing braces supplied: H as the j of each i, from 1; 0 where
+/// there is none.
 fn printed_meridians(n: i64, m: i64) -> Vec<i64> {
     let mut row = vec![0; n as usize];
     for i in 1..n {
@@ -188,7 +192,8 @@ fn e07_the_printed_loop_misses_meridians() {
     assert_eq!(index_rule(100_000, 99_999).last(), Some(99_999));
 }
 
-/// Two sheets with an upper arc of six and a lower arc of four vertices, as figure 5 has them, and the strip between.
+/// Two sheets with an upper arc of six and a lower arc of four vertices, as figure 5 has them, and
+/// the strip between.
 fn figure_5(rows: u32) -> (Soup, Soup, gusset::stitch::Stitch) {
     let (a, mut b) = (sheet(5, 1), sheet(3, 1));
     b.points.iter_mut().for_each(|p| *p = [p[0] * 5.0 / 3.0, p[1] + 3.0, 0.0]);
@@ -230,7 +235,8 @@ fn e10_the_rims_edges_exist_already() {
     let view = joined.mesh.view(&Job::default()).unwrap();
     let new = WingedEdges::new(&view, Winding::CounterClockwise, &Job::default()).unwrap();
     let old = [&a, &b].map(|s| tables(s).edges().len());
-    // Edges along rows: five on A and three on B exist; five in each of two rows are new. Along meridians: three on each of six.
+    // Edges along rows: five on A and three on B exist; five in each of two rows are new. Along
+    // meridians: three on each of six.
     let neighbours = 5 * 4 - 2 + 3 * 6;
     assert_eq!(new.edges().len(), old[0] + old[1] + neighbours - 5 - 3);
     // Each rim edge has got its other face, and the wings that go with it.
@@ -266,7 +272,8 @@ fn e12_single_vertices_and_closed_rims_have_an_answer() {
     // The model length (N - 1)(M - 1) is 0 for M = 1, and the closed form divides by it.
     assert!(index_rule(4, 0).eq([0; 5]));
     assert!(index_rule(0, 0).eq([0]));
-    // Closed rims repeat their start: N + 1 and M + 1 points, and no vertex of B is left without a meridian.
+    // Closed rims repeat their start: N + 1 and M + 1 points, and no vertex of B is left without a
+    // meridian.
     for (n, m) in [(3, 3), (6, 4), (50, 7)] {
         let js: Vec<u32> = index_rule(n, m).collect();
         assert_eq!((js[0], js[n as usize]), (0, m));

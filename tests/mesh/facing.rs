@@ -1,4 +1,5 @@
-//! Algorithm 2: which vertices of two loops face each other, on the cases where the printed text works and where it cannot.
+//! Algorithm 2: which vertices of two loops face each other, on the cases where the printed text
+//! works and where it cannot.
 
 use crate::common::Soup;
 use glam::{DMat3, DVec3};
@@ -57,7 +58,8 @@ fn a_tolerance_narrows_the_arc() {
 
 #[test]
 fn coaxial_rims_lie_in_their_planes() {
-    // Erratum 6: the printed sign is round-off, in runs without meaning; here the answer is that there is none.
+    // Erratum 6: the printed sign is round-off, in runs without meaning; here the answer is that
+    // there is none.
     let (a, b) = (circle(60, 1.0, 0.0, DVec3::ZERO), circle(40, 1.0, 0.3, DVec3::Z * 2.0));
     assert_eq!(facing(&a, &b, Some(1e-12), Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
     let tilt = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(1.1);
@@ -100,7 +102,8 @@ fn a_letter_c_has_two_runs() {
     assert_eq!(Some(longest.taken[0].count), count);
 }
 
-/// A flat ring of faces between a rim and the same rim grown, so that the rim is its inner loop; or a tube.
+/// A flat ring of faces between a rim and the same rim grown, so that the rim is its inner loop; or
+/// a tube.
 fn piece(rim: &[DVec3], away: DVec3, grow: f64) -> Soup {
     let n = rim.len() as u32;
     let middle = centre(rim);

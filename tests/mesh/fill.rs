@@ -1,4 +1,5 @@
-//! Filling, held against shapes of known area and volume, all triangulations of small loops, and Euler's formula.
+//! Filling, held against shapes of known area and volume, all triangulations of small loops, and
+//! Euler's formula.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
 use gusset::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
@@ -46,8 +47,9 @@ fn volume_of(mesh: &Mesh) -> f64 {
     volume(|v| mesh.positions.get(v).to_array(), faces(mesh))
 }
 
-/// A fan of long triangles round the loop through `points`, all to one far vertex: an open cone whose rim is the loop, seen from
-/// the far vertex clockwise, so that its filling faces away from it.
+/// A fan of long triangles round the loop through `points`, all to one far vertex: an open cone
+/// whose rim is the loop, seen from the far vertex clockwise, so that its filling faces away from
+/// it.
 fn cone(points: &[[f64; 3]], tip: [f64; 3]) -> Soup {
     let n = points.len() as u32;
     let mut soup = Soup { points: points.to_vec(), offsets: vec![0], ..Soup::default() };
@@ -264,8 +266,9 @@ fn a_saddle_rim() {
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
     }
-    // No disk over the rim has less area than its shadow on the plane has, and the saddle z = (x^2 - y^2) / 2 has the area below,
-    // the integral of sqrt(1 + r^2) over the disk; without vertices inside there must be more of it.
+    // No disk over the rim has less area than its shadow on the plane has, and the saddle z =
+    // (x^2 - y^2) / 2 has the area below, the integral of sqrt(1 + r^2) over the disk; without vertices
+    // inside there must be more of it.
     let saddle = TAU / 3.0 * (2f64.powf(1.5) - 1.0);
     let area = fill(&soup, &AREA).quality.area;
     assert!(area > 0.98 * PI && area < 1.15 * saddle, "{area} {saddle}");
@@ -273,7 +276,8 @@ fn a_saddle_rim() {
 
 #[test]
 fn no_edge_is_repeated() {
-    // Two of the four faces of a tetrahedron: of the two diagonals of the hole one is an edge already.
+    // Two of the four faces of a tetrahedron: of the two diagonals of the hole one is an edge
+    // already.
     let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let soup = Soup::new(corners.clone(), &[&[0, 2, 1], &[0, 1, 3]]);
     for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
@@ -317,7 +321,8 @@ fn no_edge_is_repeated() {
 
 #[test]
 fn holes_that_touch() {
-    // A sheet without two cells that meet at a vertex; and without two that share two vertices with cells between.
+    // A sheet without two cells that meet at a vertex; and without two that share two vertices with
+    // cells between.
     let all = sheet(6, 6);
     for missing in [vec![14, 21], vec![14, 21, 15], vec![7, 8, 14, 21, 22]] {
         let mut soup = Soup { points: all.points.clone(), offsets: vec![0], ..Soup::default() };

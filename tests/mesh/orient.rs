@@ -111,7 +111,8 @@ fn inside_out_is_turned_only_if_asked_and_closed() {
     // Neither has a sheet doubled.
     let flat = Soup::flat(3, &[&[0, 1, 2], &[0, 2, 1]]);
     assert_eq!(oriented(&flat, &OUTWARDS).turned_faces, 0);
-    // A bent one too, whatever round-off makes of its volume: the lower side starts each face elsewhere.
+    // A bent one too, whatever round-off makes of its volume: the lower side starts each face
+    // elsewhere.
     let mut bent = cap(9, 3, 0.3, 1.0);
     for face in bent.clone().faces() {
         let mut below: Vec<u32> = face.iter().rev().copied().collect();
@@ -156,7 +157,8 @@ fn edges_of_three_faces_connect_nothing() {
     let soup = Soup::flat(6, &[&[0, 1, 2], &[0, 1, 3], &[1, 0, 4], &[2, 1, 5]]);
     let done = oriented(&soup, &Options::default());
     assert_eq!((done.components, done.turned_faces), (3, 0));
-    // A degenerate face neither connects nor is turned, and a closed surface with one is closed without it.
+    // A degenerate face neither connects nor is turned, and a closed surface with one is closed
+    // without it.
     let mut soup = torus(4, 4).turned();
     soup.face(&[0, 0, 1]);
     soup.face(&[2, 3, 2]);

@@ -4,7 +4,8 @@ use crate::common::Soup;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// A sphere of `n` meridians and `rings` rings between the poles, a little out of round so that nothing is as near as anything else.
+/// A sphere of `n` meridians and `rings` rings between the poles, a little out of round so that
+/// nothing is as near as anything else.
 pub(crate) fn sphere(n: u32, rings: u32) -> Soup {
     let mut soup = Soup { points: vec![[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]], offsets: vec![0], ..Soup::default() };
     let at = |r: u32, i: u32| 2 + r * n + i % n;
@@ -50,7 +51,8 @@ pub(crate) fn cube(n: i32) -> Soup {
     soup
 }
 
-/// Pieces by the colours of the faces, from their centres, each with vertices of its own; faces without a colour are left out.
+/// Pieces by the colours of the faces, from their centres, each with vertices of its own; faces
+/// without a colour are left out.
 pub(crate) fn cut(whole: &Soup, colour: impl Fn([f64; 3]) -> Option<usize>) -> Vec<Soup> {
     let (mut pieces, mut numbers): (Vec<Soup>, Vec<HashMap<u32, u32>>) = (Vec::new(), Vec::new());
     for face in whole.faces() {

@@ -1,4 +1,5 @@
-//! Strips between arcs and between loops, with rows of new vertices: counts that H and P predict, valid and oriented meshes.
+//! Strips between arcs and between loops, with rows of new vertices: counts that H and P predict,
+//! valid and oriented meshes.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet};
 use gusset::boundary::{Options as BoundaryOptions, boundary_loops};
@@ -17,8 +18,9 @@ fn faces(mesh: &Mesh) -> impl Iterator<Item = &[u32]> + Clone {
     mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize])
 }
 
-/// A sheet of `count` vertices along its upper side (at least two cells wide where that is one), shifted by (x, y), and the
-/// place in its loop where the arc of `count` vertices on the upper or on the lower side begins.
+/// A sheet of `count` vertices along its upper side (at least two cells wide where that is one),
+/// shifted by (x, y), and the place in its loop where the arc of `count` vertices on the upper or
+/// on the lower side begins.
 fn sheet_with_arc(count: u32, x: f64, y: f64, upper: bool) -> (Soup, Arc) {
     let width = count.max(2) - 1;
     let mut soup = sheet(width, 1);
@@ -30,7 +32,8 @@ fn sheet_with_arc(count: u32, x: f64, y: f64, upper: bool) -> (Soup, Arc) {
     (soup, Arc { first, count: count as usize })
 }
 
-/// What every result must be: edges with one or two faces, two only in opposite directions, and what H and P say of it.
+/// What every result must be: edges with one or two faces, two only in opposite directions, and
+/// what H and P say of it.
 fn assert_predicted(joined: &Stitch, old: [&Soup; 2], cells: Cells) {
     for (edge, (forward, backward)) in edge_counts(faces(&joined.mesh)) {
         assert!(forward <= 1 && backward <= 1, "edge {edge:?}: {forward} {backward}");
@@ -57,7 +60,8 @@ fn assert_predicted(joined: &Stitch, old: [&Soup; 2], cells: Cells) {
     let most = if cells == Cells::Quads { 4 } else { 3 };
     assert!(sizes.iter().all(|&n| n == 3 || n == most));
 
-    // P: rims in the first and last row as H says, new vertices on the straight line between, parents and weights the same.
+    // P: rims in the first and last row as H says, new vertices on the straight line between,
+    // parents and weights the same.
     let at = |row: usize, column: usize| joined.matrix[row * columns + column];
     for (column, &[i, j]) in joined.meridians.iter().enumerate() {
         let [n, m] = joined.rims.each_ref().map(Vec::len);
@@ -91,7 +95,8 @@ fn arcs_of_1_to_50_vertices() {
                         assert!(!joined.closed && !joined.turned);
                         assert_eq!(joined.rims.each_ref().map(Vec::len), [n as usize, m as usize]);
                         assert_predicted(&joined, [&a, &b], cells);
-                        // Two discs and a disc between them make one; a single vertex is no edge to hang on.
+                        // Two discs and a disc between them make one; a single vertex is no edge to
+                        // hang on.
                         let pieces = match (n, m) {
                             (1, 1) => 2,
                             _ => 1,
@@ -138,7 +143,8 @@ fn the_row_count_follows_the_mean_side() {
         ..Options::default()
     };
     let joined = join(&a, &b, &options).unwrap();
-    // The centres lie at half height: the upper half of A faces B, which is its upper side of seven vertices.
+    // The centres lie at half height: the upper half of A faces B, which is its upper side of seven
+    // vertices.
     assert_eq!((joined.rows, joined.strip_faces.len()), (4, 30));
     assert!((joined.quality.max_edge - 1.0).abs() < 1e-12 && (joined.quality.area - 30.0).abs() < 1e-9);
     let found = check(&joined.mesh.view(&Job::default()).unwrap(), &Job::default()).unwrap();
@@ -178,7 +184,8 @@ fn arcs_count_along_the_loop_as_it_was_given() {
 fn arcs_of_pieces_that_disagree() {
     let (a, arc_a) = sheet_with_arc(6, 0.0, 0.0, true);
     let (b, _) = sheet_with_arc(6, 0.0, 2.0, false);
-    // The same sheet upside down: its loop runs the other way, its lower side is found from its other end.
+    // The same sheet upside down: its loop runs the other way, its lower side is found from its
+    // other end.
     let b = b.turned();
     let rim = boundary_loops(&b.view(), &BoundaryOptions::default(), &Job::default()).unwrap();
     let first = rim.get(0).unwrap().vertices.iter().position(|&v| v == 5).unwrap();
@@ -221,7 +228,8 @@ fn the_winged_edges_of_the_first_piece_keep_their_numbers() {
         let none = gusset::mesh::NONE;
         let mut filled = 0;
         for (before, after) in old.edges().iter().zip(new.edges()) {
-            // What was there stays; NULL sides along the rim, and they alone, are filled, wings and all.
+            // What was there stays; NULL sides along the rim, and they alone, are filled, wings and
+            // all.
             let slots = |e: &gusset::winged::WingedEdge| [e.m, e.n, e.b, e.c, e.d, e.e, e.left, e.right];
             for (x, y) in slots(before).into_iter().zip(slots(after)) {
                 assert!(x == y || x == none);

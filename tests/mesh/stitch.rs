@@ -1,4 +1,5 @@
-//! Stitching, held against Euler's formula, edge counts by hashing, and shapes whose area and volume are known.
+//! Stitching, held against Euler's formula, edge counts by hashing, and shapes whose area and
+//! volume are known.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
 use gusset::mesh::{Faces, Mesh, MeshView, Positions};
@@ -37,7 +38,8 @@ fn two_caps_make_a_sphere() {
             let quality = joined.quality;
             assert_eq!((quality.loops_left, quality.non_manifold_edges, quality.orientation_conflicts), (0, 0, 0));
             if n.min(m) >= 40 {
-                // The unit sphere's volume, and the area of its zone of height 0.2, up to the polygons' own error.
+                // The unit sphere's volume, and the area of its zone of height 0.2, up to the
+                // polygons' own error.
                 let v = volume(|v| joined.mesh.positions.get(v).to_array(), faces(&joined.mesh));
                 assert!((v - 4.0 / 3.0 * PI).abs() < 0.06, "{v}");
                 assert!((quality.area - 2.0 * PI * 0.2).abs() < 0.02, "{}", quality.area);
@@ -160,7 +162,8 @@ fn edges_that_the_mesh_already_has_are_avoided_or_the_strip_refused() {
     assert_closed(&joined.mesh);
     assert_eq!(euler(faces(&joined.mesh)), 0);
 
-    // A band of triangles round a prism uses six of the nine edges between its rims: no strip is left.
+    // A band of triangles round a prism uses six of the nine edges between its rims: no strip is
+    // left.
     let mut prism = band(3);
     prism.corners.clear();
     prism.offsets = vec![0];
@@ -255,7 +258,8 @@ fn any_unit_of_length() {
     }
 }
 
-/// `soup` swung about the line x = 1.5, z = 0 by an angle in degrees: from above to the right, to below.
+/// `soup` swung about the line x = 1.5, z = 0 by an angle in degrees: from above to the right, to
+/// below.
 fn swung(soup: &Soup, degrees: f64) -> Soup {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let mut swung = soup.clone();
@@ -278,8 +282,9 @@ fn orientation_is_judged_right_round_any_bend() {
         assert!(fixed.turned, "{degrees}");
         assert_eq!(fixed.mesh.positions, joined.mesh.positions);
         let signed = |s: &Stitch| volume(|v| s.mesh.positions.get(v).to_array(), faces(&s.mesh));
-        // Two cups and what lies between; a piece that is inside out would take its own volume away. (Quads are not plane, and
-        // a turned one starts at another corner, so that the two volumes are not quite the same.)
+        // Two cups and what lies between; a piece that is inside out would take its own volume
+        // away. (Quads are not plane, and a turned one starts at another corner, so that the two
+        // volumes are not quite the same.)
         let (one, other) = (signed(&joined), signed(&fixed));
         assert!(one > 2.0 && (one - other).abs() < 0.1, "{degrees}: {one} {other}");
     }
@@ -332,7 +337,8 @@ fn cancel_at_every_step() {
 }
 
 proptest! {
-    /// Rims of any shape: jagged, concave, far apart, on each other. Always closed, always the counts of Euler's formula.
+    /// Rims of any shape: jagged, concave, far apart, on each other. Always closed, always the
+    /// counts of Euler's formula.
     #[test]
     fn any_two_cones(
         rim_a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..20),
@@ -358,7 +364,8 @@ proptest! {
         prop_assert_eq!(joined.strip_faces.len(), rim_a.len() + rim_b.len());
     }
 
-    /// Whatever the pieces, a stitch that is made adds no edge with three faces and no conflict, and loses nothing.
+    /// Whatever the pieces, a stitch that is made adds no edge with three faces and no conflict,
+    /// and loses nothing.
     #[test]
     fn any_soups(
         a in prop::collection::vec(prop::collection::vec(0u32..9, 3..5), 1..12),
@@ -370,7 +377,8 @@ proptest! {
         cells in prop::sample::select(vec![Cells::Triangles, Cells::Quads]),
         twist in -3i64..4,
     ) {
-        // Faces of fewer than three proper edges have no border, for the library; they are left out here.
+        // Faces of fewer than three proper edges have no border, for the library; they are left out
+        // here.
         let proper = |f: &&[u32]| (0..f.len()).filter(|&i| f[i] != f[(i + 1) % f.len()]).count() >= 3;
         let soup = |faces: &[Vec<u32>], lift: f64| {
             let list: Vec<&[u32]> = faces.iter().map(Vec::as_slice).chain([&[0, 1, 2][..]]).filter(proper).collect();

@@ -21,7 +21,8 @@ fn repaired(soup: &Soup) -> Mesh {
     orient(&done.mesh.view(&Job::default()).unwrap(), &orient::Options::default(), &Job::default()).unwrap().mesh
 }
 
-/// The corners with vertices renamed in the order in which corners name them: equal for meshes that differ in numbers only.
+/// The corners with vertices renamed in the order in which corners name them: equal for meshes that
+/// differ in numbers only.
 fn pattern(corners: &[u32]) -> Vec<usize> {
     let mut names = HashMap::new();
     corners
@@ -33,7 +34,8 @@ fn pattern(corners: &[u32]) -> Vec<usize> {
         .collect()
 }
 
-/// The faces cut apart into pieces with vertices of their own; face f goes to piece `piece(f)` and is turned over if `turn(f)`.
+/// The faces cut apart into pieces with vertices of their own; face f goes to piece `piece(f)` and
+/// is turned over if `turn(f)`.
 fn cut(soup: &Soup, piece: impl Fn(usize) -> usize, turn: impl Fn(usize) -> bool) -> Soup {
     let mut pieces = Soup { offsets: vec![0], ..Soup::default() };
     let mut names = HashMap::new();
@@ -393,7 +395,8 @@ fn collapse_closes_what_short_edges_leave() {
 
 #[test]
 fn an_edge_of_three_faces_does_not_keep_its_ends_from_others() {
-    // Three triangles on the edge 0-1, and a fan of four that continues one of them with vertices of its own.
+    // Three triangles on the edge 0-1, and a fan of four that continues one of them with vertices
+    // of its own.
     let angle = |k: u32| [f64::cos(f64::from(k)), f64::sin(f64::from(k)), 0.0];
     let below = |k: u32| [f64::from(k), f64::from(k * k), -1.0];
     let mut points = vec![[0.0; 3], [0.0, 0.0, 1.0], angle(0), angle(1), angle(2), [0.0; 3], angle(1)];
@@ -406,7 +409,8 @@ fn an_edge_of_three_faces_does_not_keep_its_ends_from_others() {
 
 #[test]
 fn short_edges_are_sewn_by_their_neighbours() {
-    // Two sheets with an edge far shorter than the tolerance on their common border, listed first in both.
+    // Two sheets with an edge far shorter than the tolerance on their common border, listed first
+    // in both.
     let points = vec![
         [1.0, 0.0, 0.0],
         [1.001, 0.0, 0.0],

@@ -1,4 +1,5 @@
-//! Winged-edge tables: Baumgart's rules for every record, and algorithm 1 on them against the loops of the fast path.
+//! Winged-edge tables: Baumgart's rules for every record, and algorithm 1 on them against the loops
+//! of the fast path.
 
 use crate::common::{Soup, cap, edge_counts, sheet};
 use gusset::Job;
@@ -11,7 +12,8 @@ fn tables(soup: &Soup, winding: Winding) -> WingedEdges {
     WingedEdges::new(&soup.view(), winding, &Job::default()).unwrap()
 }
 
-/// The vertices of a face, walked through the tables: forwards over b and e, or backwards over d and c.
+/// The vertices of a face, walked through the tables: forwards over b and e, or backwards over d
+/// and c.
 fn cycle(tables: &WingedEdges, face: u32, forwards: bool) -> Vec<u32> {
     let first = tables.edge_of_face()[face as usize];
     let mut at = first;
@@ -116,7 +118,8 @@ fn shapes_and_odd_cases() {
         sheet(4, 3),
         cap(7, 3, 0.2, 1.0),
         cap(7, 3, 0.2, 1.0).and(&sheet(2, 2)),
-        // Two triangles that share a vertex; two holes that touch; three faces on an edge; zero-length corners.
+        // Two triangles that share a vertex; two holes that touch; three faces on an edge;
+        // zero-length corners.
         Soup::flat(5, &[&[0, 1, 2], &[2, 3, 4]]),
         Soup::flat(7, &[&[0, 1, 2], &[2, 3, 4], &[4, 5, 2], &[2, 6, 0]]),
         Soup::flat(5, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4]]),

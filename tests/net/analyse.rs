@@ -1,5 +1,5 @@
-//! Soft and hard deformations: the two counterexamples to the paper's Jacobian criterion, gluings found and absorbed,
-//! folds.
+//! Soft and hard deformations: the two counterexamples to the paper's Jacobian criterion, gluings
+//! found and absorbed, folds.
 
 use crate::space::{glued_bits_agree, sheet, sphere, torus};
 use glam::DVec3;
@@ -71,7 +71,8 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     let found = analyse(&net, &after, 0.0, &Job::default()).unwrap();
     let shape = net.shape();
     let type_at = |link: u32| found.contracted.iter().find(|c| c.link == link).map(|c| c.star.number());
-    // The row's closing link is contracted too, so that every star of the row is glued east and west.
+    // The row's closing link is contracted too, so that every star of the row is glued east and
+    // west.
     assert!((0..6).all(|j| type_at(2 * shape.node(0, j)) == Some(6)));
     // The corners of the cell: east and south, south and west, north and east.
     assert_eq!(type_at(2 * shape.node(2, 2)), Some(2));

@@ -133,7 +133,8 @@ fn boxes_of_three_sizes() {
     assert!(matches!(Cuboid::cube(BoxKind::Slit, u32::MAX).shape(), Err(Error::TooLarge { .. })));
 }
 
-/// The study's errata, E12: the crosswise cube's four corner vertices of a cap have four different orders.
+/// The study's errata, E12: the crosswise cube's four corner vertices of a cap have four different
+/// orders.
 #[test]
 fn orders_of_the_crosswise_cube() {
     for n in [2u32, 4, 7] {

@@ -91,7 +91,8 @@ fn holes_of_a_plane_have_loops_of_their_own() {
     }
     let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
     assert_eq!((complex.quads, complex.components), (99 - 12, 1));
-    // Round a hole the boundary follows the faces: at the common node of the two it turns from the one to the other.
+    // Round a hole the boundary follows the faces: at the common node of the two it turns from the
+    // one to the other.
     let mut lengths: Vec<_> = (0..complex.boundary.len()).map(|k| complex.boundary.edge_count(k)).collect();
     lengths.sort_unstable();
     assert_eq!(lengths, [8, 16, 40]);
@@ -99,7 +100,8 @@ fn holes_of_a_plane_have_loops_of_their_own() {
     assert_eq!(complex.euler_characteristic(), -2);
 }
 
-/// Two spheres joined pole to pole: a row of cells whose upper and lower side are a point each is one edge.
+/// Two spheres joined pole to pole: a row of cells whose upper and lower side are a point each is
+/// one edge.
 #[test]
 fn a_thread_is_one_wire() {
     let (h, w) = (6, 9);
@@ -135,7 +137,8 @@ fn three_sheets_at_one_edge() {
     assert!(complex.genus().is_none() && complex.conflicts.is_empty());
 }
 
-/// Of a pole only the first node is missing: its two cells are, and the pole is where the others are.
+/// Of a pole only the first node is missing: its two cells are, and the pole is where the others
+/// are.
 #[test]
 fn a_pole_survives_its_first_node() {
     let mut net = flat(Topology::of_sides(Shape::new(5, 6).unwrap(), Sides::TWO_POLES));

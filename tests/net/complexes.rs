@@ -1,4 +1,5 @@
-//! The quotient complex of a net by brute force, straight from its definition: what the library's is compared with.
+//! The quotient complex of a net by brute force, straight from its definition: what the library's
+//! is compared with.
 
 #![allow(dead_code, unreachable_pub)]
 
@@ -206,7 +207,8 @@ impl Dice {
     }
 }
 
-/// How many edges meet at each vertex: links between different classes, those with the same ends once.
+/// How many edges meet at each vertex: links between different classes, those with the same ends
+/// once.
 pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
     let shape = topology.shape();
     let class = gusset::net::Classes::of(topology).unwrap().table().unwrap();
@@ -223,13 +225,15 @@ pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
     degrees
 }
 
-/// Gauss and Bonnet for quads and triangles on a closed surface: the sum of 4 - degree is 4 chi less the triangles.
+/// Gauss and Bonnet for quads and triangles on a closed surface: the sum of 4 - degree is 4 chi
+/// less the triangles.
 pub fn check_gauss_bonnet(topology: &Topology, complex: &Complex) {
     let sum: i64 = degrees(topology).values().map(|&degree| 4 - degree as i64).sum();
     assert_eq!(sum, 4 * complex.euler_characteristic() - complex.triangles as i64);
 }
 
-/// Twice the area and six times the volume of what is left of the cells, cut into triangles; `place` of a node.
+/// Twice the area and six times the volume of what is left of the cells, cut into triangles;
+/// `place` of a node.
 pub fn area_and_volume(shape: Shape, place: impl Fn(usize, usize) -> glam::DVec3) -> (f64, f64) {
     let (mut area, mut volume) = (0.0, 0.0);
     for i in 0..shape.rows() - 1 {

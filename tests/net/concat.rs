@@ -237,7 +237,8 @@ fn refusals() {
 
 #[test]
 fn edits_survive_splitting() {
-    // Of different sizes, so that copies have to go; nodes move and gluing changes while they are one.
+    // Of different sizes, so that copies have to go; nodes move and gluing changes while they are
+    // one.
     let (a, b) = (sphere(5, 9, Scalar::F64, DVec3::ZERO), torus(8, 9, Scalar::F64, DVec3::ZERO));
     for direction in DIRECTIONS {
         let options = JoinOptions { equalise: Some(Replication::Last), ..JoinOptions::new(direction) };

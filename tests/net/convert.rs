@@ -212,7 +212,8 @@ fn closed_nets_become_closed_manifolds() {
             }
         }
     }
-    // The peers' 128 edges that stay open: here the unwelded mesh has rims, and the welded one none.
+    // The peers' 128 edges that stay open: here the unwelded mesh has rims, and the welded one
+    // none.
     let loose = nets[0].0.to_mesh(&MeshOptions { weld: false, ..MeshOptions::default() }, &job()).unwrap();
     let open = edge_counts(faces_of(&loose.mesh)).values().filter(|(a, b)| a + b == 1).count();
     assert_eq!(open, 2 * 8 + 2 * 16);
@@ -380,7 +381,8 @@ fn a_volcano() {
     assert_eq!((mesh.positions.len(), mesh.face_count()), (61 * 87, 60 * 86));
 }
 
-/// Where many nodes are one point, two cells may share three corners, and so a diagonal: then one takes the other.
+/// Where many nodes are one point, two cells may share three corners, and so a diagonal: then one
+/// takes the other.
 #[test]
 fn triangles_of_glued_nets_are_manifold() {
     for (primitive, chi) in [

@@ -112,7 +112,8 @@ fn twists_tapers_shears_and_wraps_have_the_volumes_that_their_formulas_say() {
         for (axis, w) in [(Axis::X, p.x), (Axis::Y, p.y), (Axis::Z, p.z)] {
             assert!(close(det(&Twist::new(axis, 0.7, 0.2).unwrap()), 1.0));
             assert!(close(det(&Taper::new(axis, 0.2, -0.1).unwrap()), (1.0 + 0.2 * (w + 0.1)).powi(2)));
-            // Lengths grow with the distance from the centre of curvature, which lies on the next axis.
+            // Lengths grow with the distance from the centre of curvature, which lies on the next
+            // axis.
             let u = [p.y, p.z, p.x][axis.index()];
             let bent = det(&Bend::new(axis, 0.3, -9.0, f64::INFINITY).unwrap());
             assert!(close(bent, 1.0 - 0.3 * u), "{axis:?} {bent}");
@@ -144,7 +145,8 @@ fn a_twist_turns_and_a_bend_keeps_the_length_of_its_axis() {
     assert!(axis(1.0 + PI / 2.0).distance(DVec3::new(1.0, 0.0, 2.0)) < 1e-15);
     assert!(axis(1.0 + PI).distance(DVec3::new(2.0, 0.0, 1.0)) < 1e-15);
     assert!(axis(2.0 + PI).distance(DVec3::new(2.0, 0.0, 0.0)) < 1e-15, "straight on");
-    // A quarter turn, and on in the direction that it has then; beside the axis, the same from the arc beside it.
+    // A quarter turn, and on in the direction that it has then; beside the axis, the same from the
+    // arc beside it.
     let quarter = Bend::new(Axis::Z, 1.0, 1.0, 1.0 + PI / 2.0).unwrap();
     let end = 1.0 + PI / 2.0 + 2.0;
     assert!(at(&quarter, 1.0, DVec3::new(0.0, 7.0, end)).distance(DVec3::new(3.0, 7.0, 2.0)) < 1e-15);
@@ -161,7 +163,8 @@ fn a_lattice_moves_what_its_control_points_say() {
     let zeros = vec![DVec3::ZERO; 24];
     let p = DVec3::new(0.3, 0.4, 2.0);
     assert_eq!(at(&Lattice::new(low, high, counts, &zeros).unwrap(), 1.0, p), p);
-    // Offsets that are an affine map of the grid make that map (Bernstein polynomials reproduce it).
+    // Offsets that are an affine map of the grid make that map (Bernstein polynomials reproduce
+    // it).
     let map = |p: DVec3| DVec3::new(0.1 * p.x - 0.3 * p.z, 0.2 + p.y, p.x);
     let place = |k: usize| DVec3::new((k % 4) as f64 / 3.0, (k / 4 % 3) as f64 / 2.0, (k / 12) as f64);
     let offsets: Vec<DVec3> = (0..24).map(|k| map(low + place(k) * (high - low))).collect();
@@ -344,7 +347,8 @@ fn projections_through_an_eye_are_as_exact_far_from_the_origin() {
 
 #[test]
 fn what_overflows_the_type_of_the_net_is_undefined() {
-    // In single precision the node that is nearly level with the eye goes further than there are numbers.
+    // In single precision the node that is nearly level with the eye goes further than there are
+    // numbers.
     let mut net = sheet(4, 5, Scalar::F32);
     net.coordinates_mut().set(2, 3, DVec3::new(3.0, 2.0, 1.0 - f64::from(f32::EPSILON) / 2.0));
     let before = bits(&net);

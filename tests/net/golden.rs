@@ -1,7 +1,9 @@
-//! Committed streams of every mode, decoded to the nets that they were made of: the format persists, so that a reader of today's
-//! streams must stay. Coordinates are integers in all but the wild ones, hence exact in every mode.
+//! Committed streams of every mode, decoded to the nets that they were made of: the format
+//! persists, so that a reader of today's streams must stay. Coordinates are integers in all but the
+//! wild ones, hence exact in every mode.
 //!
-//! `GUSSET_UPDATE=1 cargo test --test net golden::` writes those that are missing; none that is there is ever written anew.
+//! `GUSSET_UPDATE=1 cargo test --test net golden::` writes those that are missing; none that is
+//! there is ever written anew.
 
 use glam::DVec3;
 use gusset::Job;

@@ -5,7 +5,8 @@ use npyz::{DType, NpyFile, TypeChar};
 use std::fs::File;
 use std::path::PathBuf;
 
-/// Where the data are: the folder that GUSSET_DATA names, or its usual place. Says so if there is none.
+/// Where the data are: the folder that GUSSET_DATA names, or its usual place. Says so if there is
+/// none.
 pub fn folder() -> Option<PathBuf> {
     let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
     let folder = given.unwrap_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data"));

@@ -1,5 +1,5 @@
-//! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes, nothing of what is
-//! missing.
+//! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes,
+//! nothing of what is missing.
 
 use crate::space::{Random, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
@@ -20,7 +20,8 @@ impl Progress for Silent {
     }
 }
 
-/// The box from the origin to `size`, as a tube of 4 n columns with a pole in the middle of its floor and its roof.
+/// The box from the origin to `size`, as a tube of 4 n columns with a pole in the middle of its
+/// floor and its roof.
 fn cube(n: usize, size: DVec3, scalar: Scalar) -> Net<'static> {
     let (rows, columns) = (n + 3, 4 * n + 1);
     let topology = Topology::of_sides(Shape::new(rows, columns).unwrap(), Sides::TWO_POLES);

@@ -63,8 +63,8 @@ pub fn same(a: &Net<'_>, b: &Net<'_>) -> bool {
         && bits(a) == bits(b)
 }
 
-/// The surface that is left of a net's cells when classes are points: polygons of classes, each with its first cell, and the
-/// edges that no polygon has.
+/// The surface that is left of a net's cells when classes are points: polygons of classes, each
+/// with its first cell, and the edges that no polygon has.
 pub struct Surface {
     pub polygons: Vec<Vec<u32>>,
     pub wires: BTreeSet<[u32; 2]>,

@@ -49,7 +49,8 @@ fn on_spheres_and_tori_they_point_outwards_seams_and_poles_included() {
     }
 }
 
-/// Corner by corner over the polygons that are left of the cells, for each class; and unit vectors in the end.
+/// Corner by corner over the polygons that are left of the cells, for each class; and unit vectors
+/// in the end.
 fn by_force(net: &Net<'_>) -> Vec<DVec3> {
     let (shape, classes) = (net.shape(), Classes::of(net.topology()).unwrap());
     let mut sums = vec![(DVec3::ZERO, 0.0); shape.node_count()];
@@ -152,7 +153,8 @@ fn missing_nodes_and_hidden_bridges_leave_the_rest() {
         }
         agree(&net);
     }
-    // A hole in a plane: the normals beside it are those of the plane still, and the node itself has none.
+    // A hole in a plane: the normals beside it are those of the plane still, and the node itself
+    // has none.
     let mut net = sheet(9, 9, Scalar::F32);
     net.coordinates_mut().set(4, 4, DVec3::NAN);
     let (found, without) = of(&net);

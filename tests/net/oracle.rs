@@ -1,4 +1,5 @@
-//! All 2^18 characteristic matrices of a net of 3 x 3 nodes, and the 18 local gluings, against definitions.
+//! All 2^18 characteristic matrices of a net of 3 x 3 nodes, and the 18 local gluings, against
+//! definitions.
 
 use crate::complexes::Oracle;
 use gusset::net::complex::Complex;
@@ -43,7 +44,8 @@ fn cell([a, b, c, d]: [usize; 4]) -> Option<usize> {
         1 => Some(1),
         2 if top && bottom => Some(13),
         2 if left && right => Some(14),
-        // The node between the two: d, a, b, c have their links to the east and south, ... in the cell.
+        // The node between the two: d, a, b, c have their links to the east and south, ... in the
+        // cell.
         2 if top && left => Some(2),
         2 if top && right => Some(3),
         2 if right && bottom => Some(4),
@@ -141,7 +143,8 @@ fn normal(classes: impl IntoIterator<Item = BTreeSet<(i32, i32)>>) -> Partition 
     classes.iter().map(|class| class.iter().map(|&(i, j)| (i - least.0, j - least.1)).collect()).collect()
 }
 
-/// Section 2.4 of the theory: 13 partitions from stars, 11 from cells, 6 in both, 8 orbits under the symmetries of the square.
+/// Section 2.4 of the theory: 13 partitions from stars, 11 from cells, 6 in both, 8 orbits under
+/// the symmetries of the square.
 #[test]
 fn there_are_eighteen() {
     let around = [(0, 1), (1, 0), (0, -1), (-1, 0)];
@@ -152,7 +155,8 @@ fn there_are_eighteen() {
         })
         .collect();
     assert_eq!(stars.len(), 13);
-    // All partitions of four corners, as the smallest corner that each is one with: 15, of which one crosses.
+    // All partitions of four corners, as the smallest corner that each is one with: 15, of which
+    // one crosses.
     let corners = [(0, 0), (0, 1), (1, 1), (1, 0)];
     let mut all = 0;
     let mut crossing = 0;
@@ -198,12 +202,14 @@ fn there_are_eighteen() {
     assert_eq!(sizes, [1, 1, 2, 2, 2, 2, 4, 4], "the sub-figures of the paper's Fig. 4");
 }
 
-/// Each type, glued in the middle of a net, is found again, with the orders and the degenerate cells of the study's table.
+/// Each type, glued in the middle of a net, is found again, with the orders and the degenerate
+/// cells of the study's table.
 #[test]
 fn each_type_is_what_its_caption_says() {
     let shape = Shape::new(5, 5).unwrap();
     let sheet = Topology::of_sides(shape, Sides::SHEET);
-    // Order of the node, classes, edges lost to others, and cells that become triangle, digon, point, fold.
+    // Order of the node, classes, edges lost to others, and cells that become triangle, digon,
+    // point, fold.
     let caption = |kind: usize| match kind {
         0 | 1 => (2, 1, [2, 0, 0, 0]),
         2..=5 => (3, 1, [2, 1, 0, 0]),
@@ -236,7 +242,8 @@ fn each_type_is_what_its_caption_says() {
     assert_eq!(sheet.glued(&both), Err(Error::CrossingCell { cell: 5 }));
 }
 
-/// Rows longer than the 32 nodes that are taken at a time: classes, the canonical form and the histogram are those of the definition.
+/// Rows longer than the 32 nodes that are taken at a time: classes, the canonical form and the
+/// histogram are those of the definition.
 #[test]
 fn long_rows() {
     let mut dice = crate::complexes::Dice(5);

@@ -151,7 +151,8 @@ fn boxes_have_exact_measures() {
     }
 }
 
-/// Seams copy coordinates; that the formulas agree there shows in cells that are no longer across the seam than beside it.
+/// Seams copy coordinates; that the formulas agree there shows in cells that are no longer across
+/// the seam than beside it.
 #[test]
 fn immersions_have_no_jump_at_their_seams() {
     for (primitive, h, w) in [
@@ -186,7 +187,8 @@ fn lathes() {
     assert!(complex.is_closed() && !complex.is_manifold());
     check_duplicates(&hourglass);
     assert_eq!(hourglass.validate(0.0, &job).unwrap(), []);
-    // The other way round, and as the paper has it: the volume of faces taken the other way round is positive too.
+    // The other way round, and as the paper has it: the volume of faces taken the other way round
+    // is positive too.
     let ring = net(Primitive::Lathe { profile: &RING }, 0, 33, Scalar::F64);
     assert!(ring.topology().is_reversed());
     let turned: Vec<_> = RING.iter().rev().copied().collect();

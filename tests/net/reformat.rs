@@ -29,7 +29,8 @@ fn glued(topology: Topology) -> Net<'static> {
     .unwrap()
 }
 
-/// True if no row and no column says the same as the one before it, all links between them contracted.
+/// True if no row and no column says the same as the one before it, all links between them
+/// contracted.
 fn has_no_copies(net: &Net<'_>) -> bool {
     let (shape, topology) = (net.shape(), net.topology());
     let (h, w) = (shape.rows(), shape.columns());
@@ -61,7 +62,8 @@ proptest! {
         prop_assert_eq!(before.counts(), after.counts());
         prop_assert_eq!(before.edge_faces(), after.edge_faces());
         prop_assert!((before.volume(&net) - after.volume(&large)).abs() < 1e-12);
-        // Every node lies where its class does: glued nodes of the large net are glued nodes of the small one.
+        // Every node lies where its class does: glued nodes of the large net are glued nodes of the
+        // small one.
         let classes = Classes::of(large.topology()).unwrap();
         for node in 0..large.shape().node_count() as u32 {
             let [(i, j), (p, q)] = [node, classes.representative(node)].map(|node| large.shape().place(node));
@@ -72,7 +74,8 @@ proptest! {
             let large = numbered.reformatted(h + more.0, w + more.1, how, &job()).unwrap();
             let back = large.compacted(&job()).unwrap();
             if back.topology() != numbered.topology() {
-                // The same gluing, where seams that say a pair twice can be written in shorter ways.
+                // The same gluing, where seams that say a pair twice can be written in shorter
+                // ways.
                 prop_assert!(says_a_pair_twice(&net), "{:?} {:?}", back.topology(), numbered.topology());
                 prop_assert_eq!(Classes::of(back.topology()).unwrap().table(), Classes::of(net.topology()).unwrap().table());
             } else {

@@ -69,7 +69,8 @@ fn cubics_go_smoothly_across_seams() {
         off(&fine)
     });
     assert!(smooth < 0.01 && flat > 3.0 * smooth, "{flat} {smooth}: seams and all");
-    // The seam is nowhere special: a torus whose columns begin elsewhere is resampled to the same surface.
+    // The seam is nowhere special: a torus whose columns begin elsewhere is resampled to the same
+    // surface.
     let turned = Net::from_fn(net.topology().clone(), Scalar::F64, |i, j| net.get((i + 5) % 16, (j + 7) % 32)).unwrap();
     let [a, b] = [&net, &turned].map(|net| resample(net, 33, 65, Interpolation::Bicubic, &Job::default()).unwrap());
     for i in 0..33 {

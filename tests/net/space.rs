@@ -1,4 +1,5 @@
-//! Nets whose shapes are known, made without the library's own primitives, and an independent random source.
+//! Nets whose shapes are known, made without the library's own primitives, and an independent
+//! random source.
 #![allow(dead_code, unreachable_pub, reason = "each test program uses a part")]
 
 use glam::DVec3;

@@ -424,7 +424,8 @@ fn real_nets() -> Vec<(&'static str, Net<'static>)> {
 
 #[test]
 fn real_grids_come_back_and_are_small() {
-    // Bits a node that Draco 1.5.7 takes at 14 bits (the better of levels 7 and 10, without the isolated nodes).
+    // Bits a node that Draco 1.5.7 takes at 14 bits (the better of levels 7 and 10, without the
+    // isolated nodes).
     let draco = [("bun000", 10.72), ("bun045", 10.89), ("depthcam", 9.49), ("comb_i0", 11.11), ("comb_k0", 14.89)];
     for (name, net) in real_nets() {
         let shape = net.shape();

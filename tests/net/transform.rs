@@ -16,7 +16,8 @@ impl Progress for Silent {
     }
 }
 
-/// Turned about a unit axis by the right hand: the part along the axis stays, the rest goes round in its plane.
+/// Turned about a unit axis by the right hand: the part along the axis stays, the rest goes round
+/// in its plane.
 fn turned(p: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let along = p.dot(axis) * axis;
     let across = p - along;

@@ -208,7 +208,8 @@ fn a_cut_opens() {
     assert!((0..9).all(|j| net.get(0, j) == before[j]));
 }
 
-/// The whole rim folded about a corner: runs turn corners, now on the one side and now on the other.
+/// The whole rim folded about a corner: runs turn corners, now on the one side and now on the
+/// other.
 #[test]
 fn a_rim_folded_about_a_corner_is_derived() {
     for (h, w) in [(4, 9), (9, 4), (5, 5), (3, 8)] {

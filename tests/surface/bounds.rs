@@ -1,5 +1,5 @@
-//! Cells that bulge far out of the quadrilaterals of their corners: what meets only the top of a bulge is found, which half the
-//! bound of the bulge would lose.
+//! Cells that bulge far out of the quadrilaterals of their corners: what meets only the top of a
+//! bulge is found, which half the bound of the bulge would lose.
 
 use crate::pairs::meet;
 use glam::DVec3;

@@ -1,4 +1,5 @@
-//! Cones of normals: every normal of a block is in its cone and in those of all blocks above, also where patches jump, fold or end in poles.
+//! Cones of normals: every normal of a block is in its cone and in those of all blocks above, also
+//! where patches jump, fold or end in poles.
 
 use crate::shapes::{Random, SHAPES, Shape, WIGLEY, grid, rough};
 use glam::DVec3;
@@ -26,8 +27,8 @@ fn above(surface: &Surface<'_>, [i, j]: [usize; 2]) -> Vec<NormalCone> {
     (0..32).map_while(|level| surface.normal_cone(0, level, [i, j].map(|k| (k / BLOCK) >> level))).collect()
 }
 
-/// Samples the normals of all cells, limits at poles among them; returns how many cones of blocks tell something, and by how much the normals
-/// are within their cones at least.
+/// Samples the normals of all cells, limits at poles among them; returns how many cones of blocks
+/// tell something, and by how much the normals are within their cones at least.
 fn check(name: &str, sheet: Sheet<'_>, samples: usize) -> (usize, f64) {
     let surface = with_cones(sheet);
     let [rows, columns] = surface.sheet(0).cells();
@@ -146,7 +147,8 @@ fn normals_of_patches_are_in_their_cones() {
     }
 }
 
-/// Points, lines and planes; and a smooth sheet far from the origin, where rounding is what there is.
+/// Points, lines and planes; and a smooth sheet far from the origin, where rounding is what there
+/// is.
 #[test]
 fn degenerate_sheets_have_cones() {
     let flat = |map: fn(f64, f64) -> DVec3| {
@@ -185,7 +187,8 @@ fn cones_are_tight() {
     assert!(surface.normal_cone(0, 6, [0, 2]).is_none() && surface.normal_cone(1, 0, [0, 0]).is_none());
 }
 
-/// The same bits for any number of threads, also when threads ask at once; and within the memory that was promised.
+/// The same bits for any number of threads, also when threads ask at once; and within the memory
+/// that was promised.
 #[test]
 fn cones_are_built_once() {
     let shape = Shape { cells: [203, 401], ..SHAPES[1] };

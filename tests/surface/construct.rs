@@ -1,4 +1,5 @@
-//! Sheets from tangents, splines, patches, nets of curves and frames: what they contain, how smooth they are, how near to the truth.
+//! Sheets from tangents, splines, patches, nets of curves and frames: what they contain, how smooth
+//! they are, how near to the truth.
 
 use crate::shapes::{Random, wigley};
 use glam::DVec3;
@@ -9,7 +10,8 @@ use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
 
-/// The largest errors of position, and of the normal if it is asked for, at 5 x 5 places of every cell.
+/// The largest errors of position, and of the normal if it is asked for, at 5 x 5 places of every
+/// cell.
 fn errors(sheet: &Sheet<'_>, truth: impl Fn(f64, f64) -> (DVec3, DVec3)) -> [f64; 2] {
     let [h, w] = sheet.cells();
     let mut worst = [0.0_f64; 2];
@@ -293,7 +295,8 @@ fn nets_of_curves_contain_them() {
     let job = Job::default();
     let f = |u: f64, v: f64| DVec3::new(u, v, 0.3 * (2.0 * u + 0.5).sin() * (1.5 * v).cos());
     for (h, w) in [(2, 2), (3, 2), (4, 5), (7, 8)] {
-        // Uneven lines; columns beyond the rows and the other way round; every second one turned round.
+        // Uneven lines; columns beyond the rows and the other way round; every second one turned
+        // round.
         let (us, vs): (Vec<f64>, Vec<f64>) = (
             (0..h).map(|k| (k as f64).powf(1.2) / 2.0).collect(),
             (0..w).map(|k| 0.7 * k as f64 + 0.1 * (k as f64).sin()).collect(),
@@ -328,8 +331,9 @@ fn nets_on_a_torus_have_order_four() {
     let make = |h: usize| {
         let w = 2 * h;
         let at = |k: usize, n: usize| TAU * k as f64 / n as f64;
-        // Curves of degree 7 that are as good as the circles: Hermite data would do; here the quintic in each quarter of a mesh is not needed, as
-        // cubics with the exact tangents are of order 4 themselves.
+        // Curves of degree 7 that are as good as the circles: Hermite data would do; here the
+        // quintic in each quarter of a mesh is not needed, as cubics with the exact tangents are of
+        // order 4 themselves.
         let circle = |from: &dyn Fn(f64) -> DVec3, n: usize| {
             let mut points = Vec::new();
             let mut ends = vec![0];
@@ -387,7 +391,8 @@ fn coons_patches_poles_and_skins() {
     let sheet = Sheet::from_curves(&net, &job).unwrap();
     assert_eq!(sheet.poles(), [[true, false], [false, false]]);
     assert!(sheet.normal(0, 0, 0.0, 0.3).distance(DVec3::Z) < 1e-12);
-    // A skin of stations of Wigley's hull with different numbers of points contains them; rows alone, columns alone.
+    // A skin of stations of Wigley's hull with different numbers of points contains them; rows
+    // alone, columns alone.
     let stations: Vec<Curve> = (0..9)
         .map(|k| {
             let count = 4 + k % 3;

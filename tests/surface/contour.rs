@@ -1,4 +1,5 @@
-//! Sections, contours and curves of angle: against fine sampling, against circles, and against what closed surfaces demand.
+//! Sections, contours and curves of angle: against fine sampling, against circles, and against what
+//! closed surfaces demand.
 
 use crate::contours::{check, length, surface};
 use crate::shapes::{Random, SHAPES, Shape, grid, torus};
@@ -15,7 +16,8 @@ fn torus_of(cells: [usize; 2]) -> Surface<'static> {
     surface(&Shape { name: "torus", cells, closed: [true, true], point: |u, v| torus(u, v, 0.0) })
 }
 
-/// Connected parts of the zero set by marching over a very fine sampling of the surface: closed and open ones.
+/// Connected parts of the zero set by marching over a very fine sampling of the surface: closed and
+/// open ones.
 fn by_sampling(
     grid: &Grid<'_>,
     closed: [bool; 2],
@@ -35,7 +37,8 @@ fn by_sampling(
         let (r0, c0) = (if closed[0] { r % rows } else { r }, if closed[1] { c % columns } else { c });
         signs[r * (columns + 1) + c] = at(r0, c0);
     }
-    // Triangles: no saddles to decide. Edges are numbered by node and direction, and linked through triangles.
+    // Triangles: no saddles to decide. Edges are numbered by node and direction, and linked through
+    // triangles.
     let sign = |r: usize, c: usize| signs[r * (columns + 1) + c];
     let node = |r: usize, c: usize| {
         (if closed[0] { r % rows } else { r }) * (columns + 1) + if closed[1] { c % columns } else { c }
@@ -172,7 +175,8 @@ fn circles_and_orders() {
             let points = paths.points_of(k);
             for (i, point) in points.iter().enumerate() {
                 worst[0] = worst[0].max(off_torus(*point));
-                // Chords are no farther from the interpolant, and this from the torus, than they may be.
+                // Chords are no farther from the interpolant, and this from the torus, than they
+                // may be.
                 let middle = 0.5 * (*point + points[(i + 1) % points.len()]);
                 worst[1] = worst[1].max((middle.truncate().length() - truth).abs());
             }
@@ -241,7 +245,8 @@ fn lines_of_the_surface_and_tangent_planes() {
             assert!(paths.closed.iter().all(|&closed| closed) && paths.unresolved.is_empty(), "{normal} {offset}");
         }
     }
-    // Villarceau's circles: the plane touches the torus twice; and planes that touch it along a circle, and once.
+    // Villarceau's circles: the plane touches the torus twice; and planes that touch it along a
+    // circle, and once.
     let villarceau = DVec3::new(0.4, 0.0, (1.0_f64 - 0.16).sqrt());
     for (normal, offset) in [(villarceau, 0.0), (DVec3::Z, 0.4), (DVec3::X, 0.6), (DVec3::X, 1.4)] {
         for shift in [0.0, 1e-9, -1e-9, 1e-5, -1e-5, 1e-15] {
@@ -270,7 +275,8 @@ fn loops_round_every_summit() {
     assert!(tops.len() > 3 && tops.unresolved.is_empty(), "{tops:?}");
     let mut loops = 0;
     for &top in &tops.points {
-        // A little below a summit, above a pit: a closed curve round it, within a cell; or none, at saddles.
+        // A little below a summit, above a pit: a closed curve round it, within a cell; or none, at
+        // saddles.
         for shift in [-1e-8, 1e-8] {
             let planes = Planes { point: top, normal: DVec3::Z, offsets: &[shift] };
             let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();

@@ -1,4 +1,5 @@
-//! Isophotes of many angles at once: each is what it is alone, whatever others are asked for with it.
+//! Isophotes of many angles at once: each is what it is alone, whatever others are asked for with
+//! it.
 
 use crate::shapes::{Random, SHAPES, grid, rough};
 use glam::DVec3;

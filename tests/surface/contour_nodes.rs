@@ -1,4 +1,5 @@
-//! Sections and contours through nodes, and curves of angle next to poles and creases: every point is where it is said to be.
+//! Sections and contours through nodes, and curves of angle next to poles and creases: every point
+//! is where it is said to be.
 
 use crate::contours::surface;
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
@@ -13,7 +14,8 @@ fn creased(shape: &Shape) -> Grid<'static> {
     Grid::new(grid(shape).nodes().clone(), shape.closed, Scheme::FourPoint).unwrap()
 }
 
-/// Sections by random planes through nodes, and contours at nodes' values: 0 at a corner is no reason to leave the plane next to it.
+/// Sections by random planes through nodes, and contours at nodes' values: 0 at a corner is no
+/// reason to leave the plane next to it.
 fn through_nodes(grid: Grid<'static>, closed: [bool; 2], scheme: Scheme, planes: usize, levels: usize) {
     let job = Job::default();
     let ([h, w], nodes) = (grid.cells(), grid.nodes().clone());
@@ -70,8 +72,8 @@ fn planes_and_contours_through_nodes() {
     through_nodes(rough([8, 9], [false; 2], Scheme::SixTap, 3), [false; 2], Scheme::SixTap, 150, 40);
 }
 
-/// Every point of a curve of angle has the angle, or its cell is reported. Returns how many points were looked at, and how many are in
-/// reported cells only.
+/// Every point of a curve of angle has the angle, or its cell is reported. Returns how many points
+/// were looked at, and how many are in reported cells only.
 fn check_angles(surface: &Surface<'_>, axis: DVec3, angle: f64) -> [usize; 2] {
     let paths = surface.isophotes(axis, &[angle], false, PointSpacing::Auto, &Job::default()).unwrap();
     let mut counts = [0; 2];

@@ -1,4 +1,5 @@
-//! Sections and curves of angle of patches that are given, of several sheets, and where normals jump.
+//! Sections and curves of angle of patches that are given, of several sheets, and where normals
+//! jump.
 
 use crate::contours::{check, length, surface};
 use crate::shapes::{Random, SHAPES, grid};
@@ -71,7 +72,8 @@ fn normals_that_jump() {
             let axis = random.point(1.0);
             let angles = [0.4 + 0.8 * random.next(), FRAC_PI_2, 2.0];
             let paths = surface.isophotes(axis, &angles, false, PointSpacing::CellEdges, &job).unwrap();
-            // Where a crease itself is the curve for more than a cell, curves end, and their ends are reported.
+            // Where a crease itself is the curve for more than a cell, curves end, and their ends
+            // are reported.
             let open = paths.closed.iter().filter(|&&closed| !closed).count();
             // Both ends may be in one cell, which is listed once.
             assert!(paths.unresolved.len() >= open, "{} {k}: {open} {:?}", shape.name, paths.unresolved);

@@ -1,5 +1,5 @@
-//! Cells that corners alone decide about, against the general way through cells: a section is the contour of the plane's function, of
-//! which nothing is known but the nodes.
+//! Cells that corners alone decide about, against the general way through cells: a section is the
+//! contour of the plane's function, of which nothing is known but the nodes.
 
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
@@ -37,7 +37,8 @@ fn check(a: &Paths, b: &Paths, name: &str) {
     }
 }
 
-/// Random planes, planes through nodes, along axes too, and planes that touch the surface, or nearly.
+/// Random planes, planes through nodes, along axes too, and planes that touch the surface, or
+/// nearly.
 fn planes(name: &str, grid: Grid<'static>, count: usize) {
     let ([h, w], nodes) = (grid.cells(), grid.nodes().clone());
     let surface = Surface::new(vec![Sheet::Grid(grid)], None, &Job::default()).unwrap();

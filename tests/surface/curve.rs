@@ -1,4 +1,5 @@
-//! Curves that meet surfaces, and curves as surfaces: through points, along sheets, near to each other.
+//! Curves that meet surfaces, and curves as surfaces: through points, along sheets, near to each
+//! other.
 
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
@@ -305,7 +306,8 @@ fn approaches_against_samples() {
 #[test]
 fn curves_that_cross_touch_and_run_together() {
     let job = Job::default();
-    // Two circles through each other's points, in different planes; with a common point at a joint of both.
+    // Two circles through each other's points, in different planes; with a common point at a joint
+    // of both.
     let ring = |turned: bool| -> Curve {
         let nodes: Vec<DVec3> = (0..=40)
             .map(|k| {

@@ -1,4 +1,5 @@
-//! Surfaces of real things: a ship's table of offsets, nets of sketched curves, a foot, Newell's teapot. Skipped where the data is not.
+//! Surfaces of real things: a ship's table of offsets, nets of sketched curves, a foot, Newell's
+//! teapot. Skipped where the data is not.
 
 use glam::DVec3;
 use gusset::outline::frame::{Correspondence, FrameOptions, frame};
@@ -50,7 +51,8 @@ fn stations(hull: &Value) -> Vec<Vec<DVec3>> {
     (0..count).map(|i| (0..levels).filter_map(|j| point(i, j)).collect()).collect()
 }
 
-/// A station as `width` nodes: all given points, and between the lowest two as many more as are missing.
+/// A station as `width` nodes: all given points, and between the lowest two as many more as are
+/// missing.
 fn filled(points: &[DVec3], width: usize) -> Vec<DVec3> {
     let missing = width - points.len();
     let lowest = points[1.min(points.len() - 1)];

@@ -1,4 +1,5 @@
-//! The errata of the paper's search, E1 to E8: each counterexample is lost by the rule to the letter and kept by the corrected one.
+//! The errata of the paper's search, E1 to E8: each counterexample is lost by the rule to the
+//! letter and kept by the corrected one.
 
 use crate::shapes::{Random, torus};
 use glam::DVec3;
@@ -37,7 +38,8 @@ fn within(sheet: &Sheet<'_>, diameters: &Diameters, object: Object, tau: f64) ->
     incidence(sheet, diameters, object, &SearchOptions::new(Goal::Within(tau)), &Job::default()).unwrap()
 }
 
-/// E1, the strip: cells 1 x 0.01, the plane x = 0.5, visits at x = -3 and x = 4 zero all four corners of the cells that it crosses.
+/// E1, the strip: cells 1 x 0.01, the plane x = 0.5, visits at x = -3 and x = 4 zero all four
+/// corners of the cells that it crosses.
 #[test]
 fn e1_nodes_on_rims_are_corners_outside() {
     let strip = sheet([7, 3], [false; 2], |i, j| DVec3::new(i as f64 - 3.0, 0.01 * j as f64, 0.0));
@@ -53,7 +55,8 @@ fn e1_nodes_on_rims_are_corners_outside() {
     assert!((0..3).all(|j| found.mask.get([3, j])));
 }
 
-/// E1 on a closed surface with random planes: many lose cells to the rule as written, none to the corrected one.
+/// E1 on a closed surface with random planes: many lose cells to the rule as written, none to the
+/// corrected one.
 #[test]
 fn e1_random_planes() {
     let bumpy = bumpy(100);
@@ -125,7 +128,8 @@ fn e3_the_rule_does_not_find_the_nearest() {
     assert!(lost > 350, "{lost}");
 }
 
-/// E4: at an angle other than 0 the rule compares the wrong thing; the deviation from the angle is right.
+/// E4: at an angle other than 0 the rule compares the wrong thing; the deviation from the angle is
+/// right.
 #[test]
 fn e4_angles() {
     let job = Job::default();
@@ -172,13 +176,15 @@ fn e5_lines_that_must_not_be_dropped() {
     let target = object.target().unwrap();
     let distance = |[i, j]: [usize; 2]| target.distance(wide.corner(i, j));
     let lattice = Lattice::of(&wide);
-    // From the first node: r = 4.004, d = sqrt 2, J = 2, 2 J = 4: not beyond the dimension; a lower d, as of cells with no width, is.
+    // From the first node: r = 4.004, d = sqrt 2, J = 2, 2 J = 4: not beyond the dimension; a lower
+    // d, as of cells with no width, is.
     let left = literal(lattice, 1.0, distance, true).unwrap();
     assert!(!left.has_cell([0, 3]));
     let found = within(&wide, &diameters, object, 0.0);
     assert!(found.mask.get([0, 3]) && d > 1.0);
 
-    // A strip that turns back: a block amid it is dropped, and the two ends, taken for neighbours, exclude each other.
+    // A strip that turns back: a block amid it is dropped, and the two ends, taken for neighbours,
+    // exclude each other.
     let strip = sheet([40, 1], [false; 2], |i, j| {
         let x = if i <= 20 { i as f64 } else { 40.0 - i as f64 };
         DVec3::new(x, 0.0, 0.001 * j as f64 + if i <= 20 { 0.0 } else { 0.5 })
@@ -241,7 +247,8 @@ fn e6_half_the_perimeter_is_no_bound() {
     assert!(within(&bump, &diameters, object, 0.0).mask.get([0, 0]));
 }
 
-/// E7: a section may be a loop within one cell, cross a side twice, or touch; the signs at the nodes do not show it.
+/// E7: a section may be a loop within one cell, cross a side twice, or touch; the signs at the
+/// nodes do not show it.
 #[test]
 fn e7_what_signs_at_nodes_do_not_show() {
     let bump = bump(1.0);

@@ -38,7 +38,8 @@ fn limits_at_poles() {
         // A little away from it the normal is regular, and nearly the same.
         let near = smooth.normal_limit(0, 3, 1e-3, 0.5);
         assert!(near.kind == NormalKind::Regular && near.direction.distance(DVec3::Z) < 2e-3 + noise, "{near:?}");
-        // A cone has a normal along each line, and none at the tip: they are 90 degrees apart from one another across.
+        // A cone has a normal along each line, and none at the tip: they are 90 degrees apart from
+        // one another across.
         let cone = cap(12, 32, shift, size, |r| 1.0 - r);
         let normal = cone.normal_limit(0, 0, 0.0, 0.0);
         let along = DVec3::new(1.0, 0.0, 1.0).normalize();
@@ -57,7 +58,8 @@ fn limits_at_poles() {
 
 #[test]
 fn limits_on_patches() {
-    // Two rows of control points in one point: S_u vanishes with S_v, and the limit is in the third coefficient.
+    // Two rows of control points in one point: S_u vanishes with S_v, and the limit is in the third
+    // coefficient.
     let mut net = [DVec3::ZERO; 16];
     for (k, point) in net.iter_mut().enumerate().skip(8) {
         let (a, b) = ((k / 4) as f64 - 1.0, (k % 4) as f64 / 3.0);
@@ -69,7 +71,8 @@ fn limits_on_patches() {
         assert_eq!(normal.kind, NormalKind::Limit);
         assert!(normal.direction.distance(sheet.normal(0, 0, 1e-3, v)) < 1e-2, "{normal:?}");
     }
-    // The same, with the pole at the end of u, in v, and with the sides exchanged: the limit is what is next to it.
+    // The same, with the pole at the end of u, in v, and with the sides exchanged: the limit is
+    // what is next to it.
     let turned = |f: fn(usize, usize) -> usize| {
         let net: Vec<DVec3> = (0..16).map(|k| net[f(k / 4, k % 4)]).collect();
         Sheet::Cubic(Patches::new(&net, [3, 3], 1, 1).unwrap())
@@ -251,7 +254,8 @@ fn estimates_are_near_the_errors() {
     assert!(bilinear < 1e-15 && (triangles - 0.25).abs() < 1e-15);
 }
 
-/// The Euler characteristic, and whether each edge has two faces that pass it in opposite directions.
+/// The Euler characteristic, and whether each edge has two faces that pass it in opposite
+/// directions.
 fn topology(made: &SurfaceMesh) -> (i64, bool) {
     let mut edges: HashMap<(u32, u32), i64> = HashMap::new();
     for face in made.mesh.faces() {

@@ -355,7 +355,8 @@ fn any_size_and_anywhere() {
     }
 }
 
-/// Parameters at which a line meets the torus: the roots of a quartic, by bisection between dense samples.
+/// Parameters at which a line meets the torus: the roots of a quartic, by bisection between dense
+/// samples.
 fn torus_roots(line: &Line) -> Vec<f64> {
     let f = |t: f64| {
         let p = line.origin + t * line.direction;

@@ -1,4 +1,5 @@
-//! Lines through poles, seams, nodes and creases: hits are counted as the surface is passed or touched, wherever it lies.
+//! Lines through poles, seams, nodes and creases: hits are counted as the surface is passed or
+//! touched, wherever it lies.
 
 use crate::shapes::{Random, SHAPES};
 use glam::DVec3;
@@ -37,7 +38,8 @@ fn through_a_node_or_side(surface: &Surface<'_>, random: &mut Random, k: usize) 
 
 #[test]
 fn poles_have_normals_and_count_by_their_cells() {
-    // Rows at the poles are one point each. The surface is not quite smooth there: some lines touch the tip.
+    // Rows at the poles are one point each. The surface is not quite smooth there: some lines touch
+    // the tip.
     let sphere = sheet_of([10, 20], [false, true], Scheme::SixTap, |u, v| {
         let (polar, turn) = (std::f64::consts::PI * u, std::f64::consts::TAU * v);
         let ring = if u == 0.0 || u == 1.0 { 0.0 } else { polar.sin() };

@@ -9,7 +9,8 @@ fn surface(grid: &Grid<'static>) -> Surface<'static> {
     Surface::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap()
 }
 
-/// Points to which steps of alternating search lead from all places of a lattice that are no farther than their neighbours on the surface.
+/// Points to which steps of alternating search lead from all places of a lattice that are no
+/// farther than their neighbours on the surface.
 fn by_force(grid: &Grid<'_>, closed: [bool; 2], query: DVec3) -> Vec<f64> {
     let [h, w] = grid.cells();
     let fine = 8;
@@ -84,7 +85,8 @@ fn minima_by_force() {
             let minima = surface.local_minima(query, f64::INFINITY, 0, &Job::default()).unwrap();
             assert!(minima.complete);
             let found: Vec<f64> = minima.points.iter().map(|point| point.distance).collect();
-            // Each one of brute force is there; and no others, but that brute force joins those at the same distance.
+            // Each one of brute force is there; and no others, but that brute force joins those at
+            // the same distance.
             for expected in &truth {
                 let there = found.iter().any(|distance| (distance - expected).abs() < 1e-8);
                 assert!(there, "{} {query}: {expected} of {truth:?} not in {found:?}", shape.name);
@@ -180,7 +182,8 @@ fn through(rows: usize, columns: usize, node: impl Fn(usize, usize) -> [f64; 3])
 
 #[test]
 fn a_fold_that_meets_a_border() {
-    // x overshoots between nodes that are alike: S_u = 0 on lines that end on the borders, where the nearest points are.
+    // x overshoots between nodes that are alike: S_u = 0 on lines that end on the borders, where
+    // the nearest points are.
     let small = through(4, 2, |i, j| [[0.0, 0.0, 1.0, 1.0][i], j as f64, 0.0]);
     let large = through(6, 6, |i, j| [(i / 2) as f64, j as f64, 0.0]);
     let queries = [[3.0, -3.0, 3.0], [-3.0, -3.0, 3.0], [3.0, 8.0, 3.0], [100.0, -100.0, 100.0], [3.0, 0.5, 0.0]];

@@ -7,7 +7,8 @@ use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Element, Error, Job, Progress};
 use std::ops::ControlFlow;
 
-/// The smallest distance of many points of every cell, each improved by steps of alternating search: an upper bound, near the truth.
+/// The smallest distance of many points of every cell, each improved by steps of alternating
+/// search: an upper bound, near the truth.
 fn by_force(grid: &Grid<'_>, query: DVec3) -> f64 {
     let [h, w] = grid.cells();
     let mut best = f64::INFINITY;
@@ -139,7 +140,8 @@ fn the_centre_of_a_sphere_has_a_tight_bound() {
         let found = surface.closest(DVec3::ZERO, f64::INFINITY).unwrap();
         assert!((found.distance - 1.0).abs() < 0.01 && found.bound <= found.distance, "{found:?}");
         assert!(found.bound >= (1.0 - 1e-3) * found.distance, "{found:?}");
-        // The surface through the nodes is no sphere: if one of its cells is nearest, that is proved; else it is said.
+        // The surface through the nodes is no sphere: if one of its cells is nearest, that is
+        // proved; else it is said.
         assert!(found.proven || found.bound < found.distance - surface.tolerance());
         let minima = surface.local_minima(DVec3::ZERO, f64::INFINITY, 3, &Job::default()).unwrap();
         assert!(minima.points.len() <= 3 && !minima.points.is_empty());
@@ -148,7 +150,8 @@ fn the_centre_of_a_sphere_has_a_tight_bound() {
 
 #[test]
 fn near_a_centre_the_answer_is_still_the_nearest() {
-    // All of the sphere is nearly as near, and no search can prove much: but it goes where the surface is nearest.
+    // All of the sphere is nearly as near, and no search can prove much: but it goes where the
+    // surface is nearest.
     let surface = sphere(500, 1.0, DVec3::ZERO);
     let mut random = Random(11);
     for off in [1e-4, 1e-3, 1e-2, 1e-1] {

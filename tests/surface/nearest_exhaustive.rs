@@ -1,4 +1,5 @@
-//! Nearest points of six surfaces against full brute force, dense samples, and their own lower bounds: long, in release.
+//! Nearest points of six surfaces against full brute force, dense samples, and their own lower
+//! bounds: long, in release.
 
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
@@ -103,7 +104,8 @@ fn focus(jet: &Jet, random: &mut Random) -> Option<DVec3> {
     Some(jet.point + jet.normal().try_normalize()? / curvature).filter(|point| point.is_finite())
 }
 
-/// The distance of the best place that steps of Newton's method, shortened and kept within the cell, lead to.
+/// The distance of the best place that steps of Newton's method, shortened and kept within the
+/// cell, lead to.
 fn improved(surface: &Surface<'_>, query: DVec3, start: Place) -> f64 {
     let mut place = start;
     let mut jet = surface.jet(place);

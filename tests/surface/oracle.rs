@@ -1,5 +1,5 @@
-//! The paper's search, corrected, against the index: the same answers, cell for cell and value for value, on six surfaces. They have
-//! nothing in common but the patches.
+//! The paper's search, corrected, against the index: the same answers, cell for cell and value for
+//! value, on six surfaces. They have nothing in common but the patches.
 
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
@@ -139,7 +139,8 @@ fn compare_nearest(queries: usize, seed: u64) {
     }
 }
 
-/// The mask of cells within a distance of a point: the paper's is the index's, but for cells that come as near as the tolerance.
+/// The mask of cells within a distance of a point: the paper's is the index's, but for cells that
+/// come as near as the tolerance.
 #[test]
 fn regions_of_cells() {
     let mut count = 0;
@@ -224,8 +225,8 @@ fn compare_lines(lines: usize, seed: u64) -> usize {
     count
 }
 
-/// Task d): the cells that a plane crosses, against the sections that the index finds: each has a piece of a curve, or is listed as
-/// unresolved.
+/// Task d): the cells that a plane crosses, against the sections that the index finds: each has a
+/// piece of a curve, or is listed as unresolved.
 #[test]
 fn cells_of_sections() {
     let mut count = 0;

@@ -132,7 +132,8 @@ pub fn summary(paths: &Paths) -> String {
     format!("{} paths {sizes:?}, {} unresolved", paths.len(), paths.unresolved.len())
 }
 
-/// Places where a function of the points of A changes its sign along rows and columns of a dense sampling.
+/// Places where a function of the points of A changes its sign along rows and columns of a dense
+/// sampling.
 pub fn changes(a: &Grid<'_>, dense: usize, f: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let [h, w] = a.cells();
     let mut found = Vec::new();

@@ -1,4 +1,5 @@
-//! The theorems behind the paper's search, by brute force on surfaces without any regularity, and cell regions.
+//! The theorems behind the paper's search, by brute force on surfaces without any regularity, and
+//! cell regions.
 
 use crate::shapes::{Random, SHAPES, grid, rough};
 use glam::DVec3;
@@ -84,7 +85,8 @@ fn diameters_bound_distances_and_lengths() {
             for (a, _) in &points {
                 assert!(points.iter().all(|(b, _)| a.distance(*b) <= euclidean));
             }
-            // Straight in the parameters from corner to corner and from side to side: no path of these is longer than the bound.
+            // Straight in the parameters from corner to corner and from side to side: no path of
+            // these is longer than the bound.
             for (a, b) in [((0.0, 0.0), (1.0, 1.0)), ((1.0, 0.0), (0.0, 1.0)), ((0.0, 0.3), (1.0, 0.8))] {
                 let at = |t: f64| sheet.jet(cell[0], cell[1], a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)).point;
                 let length: f64 = (0..50).map(|k| at(f64::from(k) / 50.0).distance(at(f64::from(k + 1) / 50.0))).sum();
@@ -106,7 +108,8 @@ impl Progress for Silent {
     }
 }
 
-/// T1: no point of a block is farther from its node than the sum of rings, and that is no more than J d.
+/// T1: no point of a block is farther from its node than the sum of rings, and that is no more than
+/// J d.
 #[test]
 fn blocks_stay_within_their_sums() {
     for sheet in sheets() {
@@ -410,7 +413,8 @@ fn regions_are_no_wider_than_their_bounds() {
     }
 }
 
-/// The normal by two sections is of third order, as the derivative of a cubic through four points is.
+/// The normal by two sections is of third order, as the derivative of a cubic through four points
+/// is.
 #[test]
 fn normals_by_sections_are_of_third_order() {
     let error = |n: usize| {

@@ -62,9 +62,10 @@ pub fn grid(shape: &Shape) -> Grid<'static> {
     Grid::new(nodes, shape.closed, Scheme::SixTap).unwrap()
 }
 
-/// The port half of Wigley's hull, whose offsets are y = B/2 (1 - 4 x^2 / L^2) (1 - z^2 / T^2): length L = 1, beam B = 1/10, draught
-/// T = 1/16; x forward, z up. Rows are stations from stem to stern, columns waterlines from the keel to the water at z = 0, normals outwards. It is of
-/// degree 2 in each parameter, so that grids are the hull itself.
+/// The port half of Wigley's hull, whose offsets are y = B/2 (1 - 4 x^2 / L^2) (1 - z^2 / T^2):
+/// length L = 1, beam B = 1/10, draught T = 1/16; x forward, z up. Rows are stations from stem to
+/// stern, columns waterlines from the keel to the water at z = 0, normals outwards. It is of degree
+/// 2 in each parameter, so that grids are the hull itself.
 pub const WIGLEY: Shape =
     Shape { name: "hull", cells: [40, 12], closed: [false, false], point: |u, v| wigley(0.5 - u, (v - 1.0) / 16.0) };
 

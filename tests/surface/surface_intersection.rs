@@ -1,4 +1,5 @@
-//! Intersections of two surfaces: against equations, against dense sampling, and against each other.
+//! Intersections of two surfaces: against equations, against dense sampling, and against each
+//! other.
 
 use crate::pairs::{
     Quiet, ball, changes, check, distance, flat, from_torus, grid, length, meet, ring, summary, surface, turn,
@@ -29,7 +30,8 @@ fn tori_by_equations_and_sampling() {
             let miss = from_torus(point).abs().max(from_torus(back * (point - shift)).abs());
             assert!(miss < 1e-5, "{k}: {point} {miss}");
         }
-        // Near tangency the tori differ from their interpolants by more: there the place of the curve does too.
+        // Near tangency the tori differ from their interpolants by more: there the place of the
+        // curve does too.
         let truth = changes(&own, 8, |point| from_torus(back * (point - shift)));
         let far = truth.iter().map(|&point| distance(&paths, point)).fold(0.0, f64::max);
         assert!(far < 5e-3, "{k}: {far} {}", summary(&paths));
@@ -57,7 +59,8 @@ fn fourth_order_on_tori() {
 fn planes_cut_tori_in_known_curves() {
     let shape = ring(24, 48);
     let a = surface(&shape, |p| p);
-    // Through lines of nodes: two circles, of radius 0.6 and 1.4. Through the axis: two of radius 0.4. Villarceau's: two of radius 1.
+    // Through lines of nodes: two circles, of radius 0.6 and 1.4. Through the axis: two of radius
+    // 0.4. Villarceau's: two of radius 1.
     let villarceau = (0.4_f64).asin();
     let cases = [
         (DMat3::IDENTITY, [0.6, 1.4], 1e-3),
@@ -168,7 +171,8 @@ fn the_same_for_any_number_of_threads_and_any_scale() {
     }
     let far = DVec3::new(1e6, -2e6, 1e6);
     let (a, b) = (surface(&shape, |p| p + far), surface(&shape, |p| turn * p + shift + far));
-    // Nodes are rounded there, so that a chord more or less may be needed: fine ones, whose lengths hardly tell their number.
+    // Nodes are rounded there, so that a chord more or less may be needed: fine ones, whose lengths
+    // hardly tell their number.
     let fine = Options { chord: Some(1e-6), ..Options::default() };
     let moved = a.meet(&b, &fine, &Job::default()).unwrap();
     assert_eq!(moved.closed, paths[0].closed);
@@ -255,7 +259,8 @@ fn bad_options_and_cancel() {
     assert!(meet(&a, &far).is_empty());
 }
 
-/// Random positions of several pairs of shapes, against dense sampling: nothing is lost, everything is closed.
+/// Random positions of several pairs of shapes, against dense sampling: nothing is lost, everything
+/// is closed.
 #[test]
 #[ignore = "some minutes"]
 fn exhaustive_random_positions() {
@@ -275,7 +280,8 @@ fn exhaustive_random_positions() {
         let truth = changes(&grid(own, Scheme::SixTap, |p| p), 8, height);
         for &point in &truth {
             let far = distance(&paths, point);
-            // Where the surfaces nearly touch, those of the equation and of the nodes may meet elsewhere.
+            // Where the surfaces nearly touch, those of the equation and of the nodes may meet
+            // elsewhere.
             let place = a.closest(point, f64::INFINITY).unwrap().place;
             let step = 1e-6 * a.normal(place).any_orthonormal_vector();
             let other = 1e-6 * a.normal(place).cross(step).normalize();
@@ -288,7 +294,8 @@ fn exhaustive_random_positions() {
     assert!(points > 100_000 && unresolved == 0, "{points} {unresolved}");
 }
 
-/// A wave of the fifth degree along whose chord both ends and the middle lie: what a cubic through the ends does not show.
+/// A wave of the fifth degree along whose chord both ends and the middle lie: what a cubic through
+/// the ends does not show.
 #[test]
 fn waves_between_points_are_seen() {
     for c in [0.05, 0.25, 1.0, 4.0] {

@@ -1,4 +1,5 @@
-//! Intersections where surfaces touch, coincide, end in poles, or have lines of nodes in common; and sheets of other kinds.
+//! Intersections where surfaces touch, coincide, end in poles, or have lines of nodes in common;
+//! and sheets of other kinds.
 
 use crate::pairs::{ball, changes, distance, flat, from_torus, grid, length, meet, one, ring, summary, surface, turn};
 use crate::shapes::{Random, Shape};
@@ -27,7 +28,8 @@ fn equal_tori_that_are_shifted_touch_where_their_curves_cross() {
 
 #[test]
 fn lines_of_nodes_that_meet_lines_of_nodes() {
-    // Two equal tori, one above the other: two circles, which cross all columns of both where they meet each other.
+    // Two equal tori, one above the other: two circles, which cross all columns of both where they
+    // meet each other.
     let shape = ring(24, 48);
     for turn in [DMat3::IDENTITY, DMat3::from_rotation_y(0.6) * DMat3::from_rotation_z(1.0)] {
         for height in [0.02, 0.1, 0.3, 0.7] {
@@ -116,7 +118,8 @@ fn what_coincides_is_reported() {
 
 #[test]
 fn patches_of_any_degree_and_several_sheets() {
-    // A quarter of the plane z = x y as one bilinear patch, raised, against four flat sheets that share sides.
+    // A quarter of the plane z = x y as one bilinear patch, raised, against four flat sheets that
+    // share sides.
     let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
     let saddle: Vec<DVec3> = corners.map(|[x, y]: [f64; 2]| DVec3::new(x, y, x * y)).to_vec();
     let (cubic, high) = (Patches::<4>::new(&saddle, [1, 1], 1, 1), Patches::<8>::new(&saddle, [1, 1], 1, 1));
@@ -129,7 +132,8 @@ fn patches_of_any_degree_and_several_sheets() {
         };
         Surface::new((0..4).map(quarter).collect(), None, &Job::default()).unwrap()
     };
-    // The same saddle in two halves that are turned against each other: their common side is found once.
+    // The same saddle in two halves that are turned against each other: their common side is found
+    // once.
     let half = |x: f64| {
         let points = [[0.0, -1.0], [0.0, 1.0], [x, -1.0], [x, 1.0]].map(|[x, y]: [f64; 2]| DVec3::new(x, y, x * y));
         Sheet::Cubic(Patches::new(&points, [1, 1], 1, 1).unwrap())
@@ -144,7 +148,8 @@ fn patches_of_any_degree_and_several_sheets() {
         assert!(paths.points.iter().all(|p| (p.x * p.y - 0.25).abs() < 1e-12));
         let spots = [0.25, 1.0].map(|x: f64| DVec3::new(x, 0.25 / x, 0.25));
         assert!(spots.iter().all(|&p| distance(&paths, p) < 1e-3 && distance(&paths, -p.with_z(-0.25)) < 1e-3));
-        // Two lines, on the common sides of the sheets: each is found once, though two sheets have it; they cross where the surfaces touch.
+        // Two lines, on the common sides of the sheets: each is found once, though two sheets have
+        // it; they cross where the surfaces touch.
         let paths = meet(&a, &quarters(0.0));
         assert!((length(&paths) - 4.0).abs() < 1e-3, "{} {}", summary(&paths), length(&paths));
         assert!(!paths.unresolved.is_empty());

@@ -1,4 +1,5 @@
-//! The crate parry3d-f64 behind a few functions in C, for the benchmarks of surfaces. The caller keeps to the lengths it gives.
+//! The crate parry3d-f64 behind a few functions in C, for the benchmarks of surfaces. The caller
+//! keeps to the lengths it gives.
 
 use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::BvhNode;

@@ -32,7 +32,8 @@ pub struct gusset_offset_report {
     pub corners: usize,
     /// 1 if the deviation is within the tolerance.
     pub reached: u32,
-    /// 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs backwards there.
+    /// 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs
+    /// backwards there.
     pub tight: u32,
 }
 

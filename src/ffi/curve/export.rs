@@ -16,7 +16,8 @@ pub struct gusset_curve_form {
     degree: usize,
 }
 
-/// The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
+/// The parts of a form; those that it does not have are empty. Pointers are valid until it is
+/// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_form_view {

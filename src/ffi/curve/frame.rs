@@ -10,15 +10,17 @@ use glam::DVec3;
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
-/// Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than
-/// the first one is taken backwards.
+/// Equal parts of the arc length of each section from its first point on; a closed section that
+/// runs the other way round than the first one is taken backwards.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: u32 = 1;
-/// Where half-planes at equal angles round the axis meet each section; the farthest place where there are several.
+/// Where half-planes at equal angles round the axis meet each section; the farthest place where
+/// there are several.
 pub const GUSSET_CORRESPONDENCE_ANGLE: u32 = 2;
 /// Landmarks of each section, and equal parts of the arc length between them.
 pub const GUSSET_CORRESPONDENCE_LANDMARKS: u32 = 3;
 
-/// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing of the points.
+/// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing
+/// of the points.
 pub struct gusset_frame {
     pub(crate) grid: NodeGrid,
     pub(crate) across: gusset_outline,
@@ -37,8 +39,8 @@ pub struct gusset_frame_options {
     pub struct_size: usize,
     /// GUSSET_CORRESPONDENCE_...
     pub correspondence: u32,
-    /// The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each landmark to the
-    /// next.
+    /// The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
+    /// parts from each landmark to the next.
     pub columns: u32,
     /// 1: the last section is followed by the first one. 0 or 1.
     pub ring: u32,
@@ -50,7 +52,8 @@ pub struct gusset_frame_options {
     pub axis_direction: [f64; 3],
     /// For ANGLE: towards the nodes of column 0; any vector not along the axis.
     pub reference: [f64; 3],
-    /// For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
+    /// For LANDMARKS: for each section its landmarks in order, places among its own points; as many
+    /// for each.
     pub landmarks: gusset_indices,
     /// How the curves across are made; NULL for the defaults.
     pub across: *const gusset_outline_options,
@@ -70,7 +73,8 @@ pub struct gusset_frame_view {
     pub columns: usize,
     /// x, y, z of each node.
     pub nodes: *const f64,
-    /// The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is none.
+    /// The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is
+    /// none.
     pub across: *const f64,
     /// The direction of the curve along.
     pub along: *const f64,
@@ -78,7 +82,8 @@ pub struct gusset_frame_view {
     pub turned: *const u8,
     /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
     pub ambiguous: gusset_indices,
-    /// The largest distance between the two curves at a node, relative to the size of the nodes' box.
+    /// The largest distance between the two curves at a node, relative to the size of the nodes'
+    /// box.
     pub max_gap: f64,
     /// The smallest sine of the angle at which two curves cross at a node.
     pub min_sine: f64,

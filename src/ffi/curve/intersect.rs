@@ -32,14 +32,15 @@ pub struct gusset_places_view {
     pub points: *const f64,
     /// Of intersections: the places on the second curve, or the later ones on the same; else NULL.
     pub others: *const gusset_place,
-    /// Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
-    /// each.
+    /// Parts that two segments have in common: start and end on the first, the same start and end
+    /// on the second; four places each.
     pub overlaps: *const gusset_place,
     /// How many, each of four places.
     pub overlap_count: usize,
     /// Of crossings: the segments that lie in the line or plane altogether.
     pub inside: gusset_indices,
-    /// 1 if some pair of segments was given up: they run beside each other within rounding for a long way.
+    /// 1 if some pair of segments was given up: they run beside each other within rounding for a
+    /// long way.
     pub undecided: u32,
     /// 0.
     pub reserved: u32,
@@ -49,10 +50,11 @@ versioned! { gusset_places_view: 80 }
 
 /// gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
 pub const GUSSET_SAMPLE_COUNT: u32 = 0;
-/// gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
+/// gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always
+/// the last.
 pub const GUSSET_SAMPLE_STEP: u32 = 1;
-/// gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
-/// 20 times, which leaves 1e-12 of its size.
+/// gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between
+/// the points; each segment is halved at most 20 times, which leaves 1e-12 of its size.
 pub const GUSSET_SAMPLE_CHORD: u32 = 2;
 
 fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {

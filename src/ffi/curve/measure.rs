@@ -15,8 +15,8 @@ pub struct gusset_curve_nearest_point {
     pub distance: f64,
 }
 
-/// The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
-/// clockwise count negative.
+/// The moments of the region that a plane curve encloses; an open curve is closed by its chord.
+/// Regions that it runs round clockwise count negative.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_moment_report {

@@ -14,7 +14,8 @@ use crate::outline::{Curve, CurveView, Place, Points};
 use glam::DVec3;
 use libc::c_void;
 
-/// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used from many threads.
+/// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
+/// from many threads.
 pub struct gusset_curve(pub(crate) Curve);
 
 /// A place on a curve.
@@ -39,8 +40,8 @@ pub struct gusset_curve_view {
     pub points: *const f64,
     /// How many.
     pub point_count: usize,
-    /// 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
-    /// ends[k + 1].
+    /// 0, then the place of the last control point of each segment among the points: segment k has
+    /// the points ends[k] to ends[k + 1].
     pub ends: gusset_indices,
     /// 1: the curve ends where it begins and goes on there.
     pub closed: u32,

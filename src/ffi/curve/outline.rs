@@ -25,8 +25,9 @@ pub struct gusset_constraint {
     pub tangent: [f64; 3],
 }
 
-/// Outlines in the caller's memory: all points one after another. Nothing is copied on the way in. The arrays may have any
-/// alignment, must be as long as the counts say, and must not change during a call.
+/// Outlines in the caller's memory: all points one after another. Nothing is copied on the way in.
+/// The arrays may have any alignment, must be as long as the counts say, and must not change during
+/// a call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outlines {
@@ -38,18 +39,20 @@ pub struct gusset_outlines {
     pub point_stride: usize,
     /// The number of points of all outlines, at most 2^30.
     pub point_count: usize,
-    /// Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first, never decreasing. NULL with
-    /// outline_count 0 for a single outline of all points.
+    /// Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first,
+    /// never decreasing. NULL with outline_count 0 for a single outline of all points.
     pub offsets: *const u32,
     /// The number of outlines, or 0.
     pub outline_count: usize,
-    /// In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
+    /// In ascending order of their points, at most one for each; or NULL. Of points that are merged
+    /// the first one's holds.
     pub constraints: *const gusset_constraint,
     /// How many.
     pub constraint_count: usize,
     /// 2 or 3.
     pub dimension: u32,
-    /// 1: from the last point of each outline back to its first one; a last point that repeats the first does no harm. 0: open.
+    /// 1: from the last point of each outline back to its first one; a last point that repeats the
+    /// first does no harm. 0: open.
     pub closed: u32,
 }
 
@@ -58,9 +61,10 @@ pub struct gusset_outline(pub(crate) Fit);
 
 /// All curves in one. Pointers are valid until the outline is destroyed.
 ///
-/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
-/// starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
-/// both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
+/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane
+/// outlines), and the ends starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier
+/// curve of its control points ends[s] to ends[s + 1], both included, counted from the curve's
+/// first one. A closed curve repeats its first control point at its end.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_view {
@@ -100,7 +104,8 @@ pub struct gusset_outline_report {
     pub steps: u64,
     /// The longest side of the outline's box, in the unit of the points.
     pub size: f64,
-    /// The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
+    /// The largest distance of a point from its place on the curve; merged points count as the one
+    /// that they repeat.
     pub max_residual: f64,
     /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
     pub max_joint_sine: f64,
@@ -115,8 +120,8 @@ pub struct gusset_outline_report {
 /// The sections of outlines. Opaque and immutable.
 pub struct gusset_sections(Sections);
 
-/// One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
-/// valid until the sections are destroyed.
+/// One section for each point: the quadratic from the point before over the control point to the
+/// point after. Pointers are valid until the sections are destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sections_view {
@@ -124,7 +129,8 @@ pub struct gusset_sections_view {
     pub struct_size: usize,
     /// The number of points.
     pub count: usize,
-    /// x, y, z of the control points; the ends of open outlines, which have no section, have themselves.
+    /// x, y, z of the control points; the ends of open outlines, which have no section, have
+    /// themselves.
     pub controls: *const f64,
     /// The parameter of each point on its section; 0 and 1 at the ends of open outlines.
     pub parameters: *const f64,

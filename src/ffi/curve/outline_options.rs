@@ -5,13 +5,16 @@ use crate::outline::{Ends, JointParameter, Lock, Method, Mode, Options, Solver};
 
 /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
 pub const GUSSET_CURVE_COMPOSITE: u32 = 0;
-/// One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end tangent, and n + 2 through n points of a
-/// closed outline, whose seam is smooth. Above degree 64 a composite curve takes its place. Good for up to some 20 points.
+/// One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end
+/// tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64 a
+/// composite curve takes its place. Good for up to some 20 points.
 pub const GUSSET_CURVE_SINGLE: u32 = 1;
-/// Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1
-/// with the normal). With the bisector the centripetal Catmull-Rom spline.
+/// Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of
+/// the method's exponent (G1 with the normal). With the bisector the centripetal Catmull-Rom
+/// spline.
 pub const GUSSET_CURVE_BLEND_C1: u32 = 2;
-/// Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the normal).
+/// Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
+/// normal).
 pub const GUSSET_CURVE_BLEND_C2: u32 = 3;
 /// The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent.
 pub const GUSSET_CURVE_CUBIC_C2: u32 = 4;
@@ -24,17 +27,18 @@ pub const GUSSET_METHOD_MEDIAN: u32 = 1;
 pub const GUSSET_METHOD_NORMAL: u32 = 2;
 /// On the symmedian. For all points.
 pub const GUSSET_METHOD_SYMMEDIAN: u32 = 3;
-/// The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median
-/// at alpha = 0, the bisector at 1/2, the symmedian at 1.
+/// The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
+/// its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
 pub const GUSSET_METHOD_ALPHA: u32 = 4;
 
 /// The parameter of a point is that of the method on the triangle of the data. Always solvable.
 pub const GUSSET_LOCK_PARAMETER: u32 = 0;
-/// The parameter is that of the method on the section's own triangle. With the normal there may be several solutions; which one is
-/// found depends on the solver.
+/// The parameter is that of the method on the section's own triangle. With the normal there may be
+/// several solutions; which one is found depends on the solver.
 pub const GUSSET_LOCK_SELF_CONSISTENT: u32 = 1;
-/// The control point lies on the guide of the data's triangle, where that is possible. Outlines must lie in a plane, any plane; points
-/// of others get GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
+/// The control point lies on the guide of the data's triangle, where that is possible. Outlines
+/// must lie in a plane, any plane; points of others get GUSSET_POINT_OUT_OF_PLANE and the lock by
+/// parameter.
 pub const GUSSET_LOCK_DATA_GUIDE: u32 = 2;
 
 /// Sections join in the middle between their control points.
@@ -63,11 +67,11 @@ pub const GUSSET_REPEATS_GIVEN: u32 = 1;
 pub const GUSSET_POINT_OK: u32 = 0;
 /// Its parameter was brought within the limits.
 pub const GUSSET_POINT_CLAMPED_PARAMETER: u32 = 1;
-/// It repeats a point before it (or the first one, at the end of a closed outline), and was left out: the curve passes that one,
-/// which is within the tolerance for repeats.
+/// It repeats a point before it (or the first one, at the end of a closed outline), and was left
+/// out: the curve passes that one, which is within the tolerance for repeats.
 pub const GUSSET_POINT_MERGED: u32 = 2;
-/// It is so near the first or last point of its section that this has no control point by the method; the median took its
-/// place.
+/// It is so near the first or last point of its section that this has no control point by the
+/// method; the median took its place.
 pub const GUSSET_POINT_REPEATED: u32 = 3;
 /// Its triangle is flat: it has no guide, or no perpendicular.
 pub const GUSSET_POINT_COLLINEAR: u32 = 4;
@@ -81,7 +85,8 @@ pub const GUSSET_POINT_NO_CROSSING: u32 = 7;
 pub const GUSSET_POINT_TANGENT_SEPARATES: u32 = 8;
 /// The curve would have to run backwards along the tangent.
 pub const GUSSET_POINT_TANGENT_BACKWARD: u32 = 9;
-/// The tangent cannot be reached by a quadratic: the point is farther from it than the section's end.
+/// The tangent cannot be reached by a quadratic: the point is farther from it than the section's
+/// end.
 pub const GUSSET_POINT_TANGENT_BEYOND: u32 = 10;
 /// The tangent is not in the plane of the section.
 pub const GUSSET_POINT_OUT_OF_PLANE: u32 = 11;
@@ -91,7 +96,8 @@ pub const GUSSET_POINT_NO_TANGENT: u32 = 12;
 pub const GUSSET_POINT_FELL_BACK: u32 = 13;
 /// The iteration ended before it was still.
 pub const GUSSET_POINT_NOT_CONVERGED: u32 = 14;
-/// The curve misses it: the outline has too few different points, or its equations have no solution.
+/// The curve misses it: the outline has too few different points, or its equations have no
+/// solution.
 pub const GUSSET_POINT_MISSED: u32 = 15;
 
 /// As asked.
@@ -104,13 +110,14 @@ pub const GUSSET_FIT_NOT_CONVERGED: u32 = 2;
 pub const GUSSET_FIT_DIVERGED: u32 = 3;
 /// The equations are so nearly singular that control points lie far outside the outline.
 pub const GUSSET_FIT_ILL_CONDITIONED: u32 = 4;
-/// Fewer than two different points, or three of a closed outline: there is no curve, or what two points give.
+/// Fewer than two different points, or three of a closed outline: there is no curve, or what two
+/// points give.
 pub const GUSSET_FIT_TOO_FEW_POINTS: u32 = 5;
 /// A single curve would have a degree above 64; a composite one took its place.
 pub const GUSSET_FIT_DEGREE_TOO_HIGH: u32 = 6;
 
-/// How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
-/// its box.
+/// How outlines are identified; all zero is the default. Lengths are relative to the size of the
+/// outline, the longest side of its box.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_options {
@@ -126,15 +133,19 @@ pub struct gusset_outline_options {
     pub joint: u32,
     /// GUSSET_SOLVER_...
     pub solver: u32,
-    /// GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent demanded there comes first.
+    /// GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent
+    /// demanded there comes first.
     pub ends: u32,
     /// Read for GUSSET_METHOD_ALPHA; 0 to 1.
     pub alpha: f64,
-    /// Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
+    /// Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for
+    /// 1/6.
     pub parameter_limit: f64,
-    /// Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
+    /// Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0,
+    /// below 1.
     pub repeat_tolerance: f64,
-    /// Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for none.
+    /// Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for
+    /// none.
     pub corner_angle: f64,
     /// Iterations end when nothing moves farther, below 1; 0 for 1e-12.
     pub tolerance: f64,

@@ -14,10 +14,10 @@ pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
 /// Nothing is welded.
 pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
 
-/// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
-/// distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
-/// loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
-/// larger of the two.
+/// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller
+/// loop, which is the mean distance of its vertices from their centre; runs of loops where the gap
+/// is at most half that wide, and four edges of the loop with the longer ones. The width is the
+/// mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;
@@ -31,7 +31,8 @@ pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
 /// Left: every strip would repeat an edge that the mesh already has.
 pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
 
-/// No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
+/// No other loop that it may be joined to (one of another component, not excluded) is near enough,
+/// or not along enough of both.
 pub const GUSSET_LEFT_FACES_NOTHING: u32 = 0;
 /// It is open, or the faces along it disagree in orientation or are not manifold there.
 pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
@@ -46,7 +47,8 @@ pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
 pub struct gusset_loop_pair {
     /// The piece of each.
     pub piece: [u32; 2],
-    /// A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in exclusions only.
+    /// A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in
+    /// exclusions only.
     pub vertex: [u32; 2],
 }
 
@@ -58,8 +60,9 @@ pub struct gusset_assembly_options {
     pub struct_size: usize,
     /// GUSSET_ASSEMBLY_WELD or GUSSET_ASSEMBLY_NO_WELD.
     pub weld: u32,
-    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each
-    /// other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
+    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
+    /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
+    /// turned.
     pub orientation: u32,
     /// GUSSET_GAP_...
     pub gap: u32,
@@ -69,23 +72,23 @@ pub struct gusset_assembly_options {
     pub within_components: u32,
     /// 1: holes that are left in the end are filled. 0 or 1.
     pub fill: u32,
-    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0
-    /// leaves all open.
+    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
+    /// finite and at least 0; 0 leaves all open.
     pub max_gap: f64,
-    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is
-    /// named twice. Errors name a pair by its number from 0.
+    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
+    /// different loops, and none is named twice. Errors name a pair by its number from 0.
     pub pairs: *const gusset_loop_pair,
     /// How many.
     pub pair_count: usize,
-    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that no loop
-    /// passes, as it was welded, excludes nothing.
+    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same,
+    /// and a vertex that no loop passes, as it was welded, excludes nothing.
     pub excluded: *const gusset_loop_pair,
     /// How many.
     pub excluded_count: usize,
     /// How to weld; NULL for the defaults.
     pub weld_options: *const gusset_weld_options,
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are
-    /// read; the other fields must be valid too.
+    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing
+    /// and intersections are read; the other fields must be valid too.
     pub strip_options: *const gusset_stitch_options,
     /// How to fill, NULL for the defaults.
     pub fill_options: *const gusset_fill_options,
@@ -95,7 +98,8 @@ pub struct gusset_assembly_options {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_piece_map {
-    /// Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if it was left out.
+    /// Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if
+    /// it was left out.
     pub vertices: gusset_indices,
     /// Per face, its index in the result, or UINT32_MAX.
     pub faces: gusset_indices,
@@ -105,7 +109,8 @@ pub struct gusset_piece_map {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
-    /// The vertices of each side in the result, in order; if joined, side by side from the first meridian on.
+    /// The vertices of each side in the result, in order; if joined, side by side from the first
+    /// meridian on.
     pub side: [gusset_indices; 2],
     /// The mean width of the gap.
     pub gap: f64,
@@ -141,7 +146,8 @@ pub struct gusset_left_loop {
     pub reserved: u32,
 }
 
-/// The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the count is 0.
+/// The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the
+/// count is 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_assembly_view {
@@ -151,7 +157,8 @@ pub struct gusset_assembly_view {
     pub pieces: *const gusset_piece_map,
     /// How many.
     pub piece_count: usize,
-    /// The pairs that face each other: those that were given, in their order, then the others, nearest first.
+    /// The pairs that face each other: those that were given, in their order, then the others,
+    /// nearest first.
     pub joints: *const gusset_joint,
     /// How many.
     pub joint_count: usize,

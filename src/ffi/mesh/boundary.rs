@@ -5,18 +5,23 @@ use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::mesh::{Defect, NONE};
 
-/// At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
+/// At an edge with three or more faces each face has a border of its own; loops run along it and
+/// are always closed.
 pub const GUSSET_NON_MANIFOLD_CUT: u32 = 0;
-/// Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
+/// Only edges with exactly one face belong to loops; one that meets an edge with more ends there,
+/// as an open chain.
 pub const GUSSET_NON_MANIFOLD_STOP: u32 = 1;
 
-/// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+/// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on
+/// the loops.
 pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
-/// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
-/// touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
-/// the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
-/// there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
-/// to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+/// As little is looked at as will give the loops, which is many times faster. Where the boundary
+/// itself is odd (open, touching itself, badly oriented, with three faces on an edge) the whole
+/// mesh is looked at after all. But what is away from the boundary is not reported, nor an edge
+/// with as many faces one way as the other, two or more each; loops are not cut there. The answer
+/// rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that
+/// was made to deceive may hide a boundary. For meshes from hostile hands take
+/// GUSSET_SURVEY_WHOLE_MESH.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: u32 = 1;
 
 /// The chain does not close: it has one vertex more than it has edges.
@@ -55,7 +60,8 @@ const _: () = assert!(
 pub const GUSSET_DEFECT_DEGENERATE_FACE: u32 = 1;
 /// An edge whose two faces run it in the same direction: half-edges index and other.
 pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: u32 = 2;
-/// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
+/// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
+/// half-edge is index.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: u32 = 3;
 /// A vertex (index) where the surface touches itself: its faces form more than one fan.
 pub const GUSSET_DEFECT_BOW_TIE: u32 = 4;
@@ -78,8 +84,8 @@ pub struct gusset_boundary_options {
     pub survey: u32,
 }
 
-/// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
-/// vertices[0]. Pointers are valid until the boundary is destroyed.
+/// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a
+/// closed loop back to vertices[0]. Pointers are valid until the boundary is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_loop_view {

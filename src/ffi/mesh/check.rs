@@ -16,8 +16,8 @@ pub const GUSSET_MESH_ORIENTABLE: u32 = 8;
 /// What a check found. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_check(Check);
 
-/// Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
-/// destroyed.
+/// Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are
+/// valid until the check is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_check_view {
@@ -37,8 +37,8 @@ pub struct gusset_check_view {
     pub properties: u32,
     /// Used vertices - edges + faces.
     pub euler: i64,
-    /// The number of handles of all components together; -1 if the mesh is not manifold or not orientable, or has a
-    /// degenerate face.
+    /// The number of handles of all components together; -1 if the mesh is not manifold or not
+    /// orientable, or has a degenerate face.
     pub genus: i64,
     /// The half-edges of the edges with exactly one face.
     pub boundary_edges: gusset_indices,
@@ -50,7 +50,8 @@ pub struct gusset_check_view {
     pub bow_ties: gusset_indices,
     /// The first half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: gusset_indices,
-    /// Faces with the same cycle of vertices, in either direction, as a face before them; degenerate ones apart.
+    /// Faces with the same cycle of vertices, in either direction, as a face before them;
+    /// degenerate ones apart.
     pub duplicate_faces: gusset_indices,
     /// Faces that repeat a vertex.
     pub degenerate_faces: gusset_indices,

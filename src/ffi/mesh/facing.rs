@@ -1,4 +1,5 @@
-//! The steps of stitching that can be called by themselves: facing arcs, and the rule for meridians.
+//! The steps of stitching that can be called by themselves: facing arcs, and the rule for
+//! meridians.
 
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::mesh::stitch_options::tolerance;
@@ -10,7 +11,8 @@ use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
 use glam::DVec3;
 
-/// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
+/// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
+/// points.
 pub struct gusset_facing {
     found: Facing,
     runs: [Vec<u32>; 2],
@@ -26,8 +28,8 @@ pub struct gusset_facing_options {
     pub run: u32,
     /// GUSSET_TOLERANCE_...
     pub tolerance_mode: u32,
-    /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read for
-    /// GUSSET_TOLERANCE_GIVEN.
+    /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read
+    /// for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
     /// GUSSET_CENTRES_...
     pub centres: u32,
@@ -35,7 +37,8 @@ pub struct gusset_facing_options {
     pub reserved: u32,
 }
 
-/// What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is destroyed.
+/// What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is
+/// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_facing_view {
@@ -45,11 +48,14 @@ pub struct gusset_facing_view {
     pub centre: [[f64; 3]; 2],
     /// The vectors C_2 - C_1 and C_1 - C_2 (6), the normals of the planes (7).
     pub normal: [[f64; 3]; 2],
-    /// The distance of each vertex from its loop's plane, positive on the side of the other loop; as many as the loop has.
+    /// The distance of each vertex from its loop's plane, positive on the side of the other loop;
+    /// as many as the loop has.
     pub distances: [*const f64; 2],
-    /// All runs of facing vertices: first place and number of vertices, by turns; a run may pass the loop's end.
+    /// All runs of facing vertices: first place and number of vertices, by turns; a run may pass
+    /// the loop's end.
     pub runs: [gusset_indices; 2],
-    /// The run taken: first place and number of vertices, as gusset_stitch_options takes them in arc_a and arc_b.
+    /// The run taken: first place and number of vertices, as gusset_stitch_options takes them in
+    /// arc_a and arc_b.
     pub taken: [[u32; 2]; 2],
 }
 

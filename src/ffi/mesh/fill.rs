@@ -7,10 +7,11 @@ use crate::ffi::prelude::*;
 use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
 
-/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
-/// faces. By area alone if the rim is planar.
+/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
+/// of the angle between its faces. By area alone if the rim is planar.
 pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 0;
-/// The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
+/// The least largest angle between neighbouring faces, those beyond the rim included, and then the
+/// least area, as Liepa has it.
 pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 1;
 /// The least area, exactly.
 pub const GUSSET_WEIGHT_AREA: u32 = 2;
@@ -57,9 +58,11 @@ pub struct gusset_fill_options {
     pub refine: u32,
     /// GUSSET_FAIRING_..., read if new vertices are asked for.
     pub fairing: u32,
-    /// 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
+    /// 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all
+    /// loops are asked for. 0 or 1.
     pub keep_longest: u32,
-    /// About how many new vertices a hole gets at the most; where more would be needed the triangles are larger. 0 is 50,000.
+    /// About how many new vertices a hole gets at the most; where more would be needed the
+    /// triangles are larger. 0 is 50,000.
     pub max_new_vertices: u32,
     /// Loops of more edges are left alone. 0 is no limit.
     pub max_edges: u32,
@@ -73,8 +76,8 @@ pub struct gusset_fill_options {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple,
-    /// free or oriented, as given.
+    /// Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given
+    /// loop that is not simple, free or oriented, as given.
     pub rim_first: usize,
     /// How many they are.
     pub rim_count: usize,
@@ -98,8 +101,8 @@ pub struct gusset_hole {
 pub struct gusset_fill_view {
     /// sizeof(gusset_fill_view), set by the caller.
     pub struct_size: usize,
-    /// One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_get_loop numbers them. NULL if
-    /// there are none.
+    /// One for each loop: those given, in their order, or all that the mesh has, as
+    /// gusset_boundary_get_loop numbers them. NULL if there are none.
     pub holes: *const gusset_hole,
     /// How many.
     pub hole_count: usize,

@@ -37,14 +37,16 @@ pub struct gusset_indices {
     pub count: usize,
 }
 
-/// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way in.
+/// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing
+/// is copied on the way in.
 ///
-/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
-/// least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates at all
-/// vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment. They must
-/// be as long as the counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS and SIZE_OVERFLOW; counts are
-/// held against the limits before any element is read.
+/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many
+/// corners (TOO_LARGE); at least three corners a face (FACE_TOO_SMALL); indices below vertex_count
+/// (INDEX_OUT_OF_RANGE); finite coordinates at all vertices that faces use (NOT_FINITE), while
+/// unused ones may hold anything. The arrays may have any alignment. They must be as long as the
+/// counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
+/// and SIZE_OVERFLOW; counts are held against the limits before any element is read.
 ///
 /// As output: packed positions, face_offsets given, face_size 0.
 #[repr(C)]
@@ -58,9 +60,11 @@ pub struct gusset_mesh_view {
     pub position_stride: usize,
     /// The number of vertices.
     pub vertex_count: usize,
-    /// face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if face_size is given.
+    /// face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1.
+    /// NULL if face_size is given.
     pub face_offsets: *const c_void,
-    /// The vertex at each corner, face after face. Corner h is also the name of the half-edge that starts there.
+    /// The vertex at each corner, face after face. Corner h is also the name of the half-edge that
+    /// starts there.
     pub face_corners: *const c_void,
     /// The number of faces.
     pub face_count: usize,
@@ -127,7 +131,8 @@ fn checked<'a>(view: *const gusset_mesh_view, job: &Job<'_>) -> Result<MeshView<
         Faces::uniform(corners, view.face_size, view.face_count)?
     } else {
         let offsets = input::bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
-        // The offsets first: a wrong last entry would say that the corners reach further than they do.
+        // The offsets first: a wrong last entry would say that the corners reach further than they
+        // do.
         let corners = Faces::check_offsets(offsets, view.face_count, job)?;
         let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
         Faces::with_offsets(offsets, corners, view.face_count)?

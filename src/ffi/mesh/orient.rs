@@ -6,8 +6,8 @@ use crate::repair::orient::{Options, Oriented, Outward, orient};
 
 /// Closed components face as most of their faces did.
 pub const GUSSET_OUTWARD_KEEP: u32 = 0;
-/// Closed components face outwards, each by its own volume: of shells inside one another each one encloses what is within it.
-/// One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
+/// Closed components face outwards, each by its own volume: of shells inside one another each one
+/// encloses what is within it. One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
 pub const GUSSET_OUTWARD_CLOSED: u32 = 1;
 
 /// An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -28,7 +28,8 @@ pub struct gusset_orient_options {
     pub reserved: u32,
 }
 
-/// What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
+/// What was turned, and what could not be oriented. Pointers are valid until the handle is
+/// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_orient_view {
@@ -38,13 +39,15 @@ pub struct gusset_orient_view {
     pub turned: *const u8,
     /// The number of faces.
     pub face_count: usize,
-    /// The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
+    /// The smallest face of each component that cannot be oriented, ascending. Such components stay
+    /// as they are.
     pub one_sided_faces: gusset_indices,
     /// For each of them, a half-edge of it at which two faces disagree when others agree.
     pub one_sided_half_edges: gusset_indices,
     /// The number of faces turned over.
     pub turned_faces: u32,
-    /// Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
+    /// Components: faces that hang together across edges of two faces. A degenerate face is one of
+    /// its own.
     pub component_count: u32,
     /// Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
     pub inverted_components: u32,

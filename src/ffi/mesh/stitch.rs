@@ -8,30 +8,36 @@ use crate::stitch::{Quality, Request, Stitch, stitch};
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
 pub struct gusset_stitch(Stitch);
 
-/// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
+/// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1
+/// the second.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_stitch_view {
     /// sizeof(gusset_stitch_view), set by the caller.
     pub struct_size: usize,
-    /// Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
+    /// Per old vertex of each mesh, its index in the result; empty for the second if there was only
+    /// one mesh.
     pub vertex_map: [gusset_indices; 2],
     /// Per old face, its index in the result.
     pub face_map: [gusset_indices; 2],
-    /// The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
-    /// surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
+    /// The vertices of each rim, by their indices in the result, from the first meridian on, side
+    /// by side: rim 0 has its surface on the left, rim 1 on the right. They are also the strip's
+    /// own first vertices in order: rim 0, then rim 1.
     pub rim: [gusset_indices; 2],
-    /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
-    /// (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
-    /// the rule by index, both.
+    /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is
+    /// (data[2 k], data[2 k + 1]). They go from (0, 0) to (N, M) for whole rims of N and M
+    /// vertices, where place N is place 0 again, and to (N - 1, M - 1) for arcs; count is twice the
+    /// number of meridians. From one to the next i advances by 1, or j, or, by the rule by index,
+    /// both.
     pub meridians: gusset_indices,
-    /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+    /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices
+    /// of the result.
     pub matrix: gusset_indices,
-    /// Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
-    /// rim 1, by turns.
+    /// Of each new vertex (they are the last ones of the result), the two vertices that it lies
+    /// between, on rim 0 and on rim 1, by turns.
     pub parents: gusset_indices,
-    /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
+    /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
+    /// this.
     pub weights: *const f64,
     /// The first of the strip's faces in the result; they are the last ones.
     pub strip_face_first: usize,
@@ -41,14 +47,15 @@ pub struct gusset_stitch_view {
     pub row_count: u32,
     /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
     pub closed: u32,
-    /// 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
-    /// corner. Other components stay as they are.
+    /// 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way,
+    /// each from its own first corner. Other components stay as they are.
     pub turned: u32,
     /// 1 if faces that cut each other were looked for, else 0.
     pub intersections_known: u32,
-    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
-    /// they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
-    /// by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
+    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the
+    /// larger one if both are. What they share by number, a vertex or an edge, is no cut; touching
+    /// is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
+    /// as fans from their first corners; a polygon that cuts itself is paired with itself.
     pub intersections: gusset_indices,
     /// How often the fairing had to be taken back in places.
     pub back_off_count: u32,
@@ -64,8 +71,8 @@ pub struct gusset_quality_report {
     pub struct_size: usize,
     /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
     pub min_angle: f64,
-    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
-    /// triangle, infinite for a degenerate one.
+    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius),
+    /// 1 for an equilateral triangle, infinite for a degenerate one.
     pub max_aspect: f64,
     /// The longest edge of the new faces, in the unit of the positions.
     pub max_edge: f64,

@@ -14,21 +14,24 @@ pub const GUSSET_MERIDIANS_ARC_LENGTH: u32 = 2;
 pub const GUSSET_MERIDIANS_GREEDY: u32 = 3;
 /// The strip of triangles whose meridians have the least total length.
 pub const GUSSET_MERIDIANS_MIN_DIAGONAL: u32 = 4;
-/// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle
-/// between the normals).
+/// The strip of triangles with the least bends: the sum over its edges, rims included, of length
+/// times (1 - cos of the angle between the normals).
 pub const GUSSET_MERIDIANS_SMOOTH: u32 = 5;
-/// The least sum of the meridians' squared lengths where steps on both rims at once are allowed (dynamic time warping): quads
-/// where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+/// The least sum of the meridians' squared lengths where steps on both rims at once are allowed
+/// (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for strips
+/// with interior rows.
 pub const GUSSET_MERIDIANS_QUAD: u32 = 6;
 
-/// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time,
-/// linear memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+/// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
+/// fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
+/// the best on all rims that were measured.
 pub const GUSSET_SEARCH_AUTO: u32 = 0;
 /// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch_create.
 pub const GUSSET_SEARCH_EXACT: u32 = 1;
 
-/// The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned
-/// along rim A to where it fits best; the better strip of the two is kept.
+/// The first meridian of a closed band joins the closest pair of vertices, or the closest pair
+/// after rim B has been turned along rim A to where it fits best; the better strip of the two is
+/// kept.
 pub const GUSSET_START_AUTO: u32 = 0;
 /// The closest pair.
 pub const GUSSET_START_CLOSEST: u32 = 1;
@@ -36,24 +39,26 @@ pub const GUSSET_START_CLOSEST: u32 = 1;
 /// gusset_strip_create only: the first points.
 pub const GUSSET_START_GIVEN: u32 = 2;
 
-/// New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it, those of a
-/// patch lie on the triangles of its first triangulation.
+/// New vertices stay where they were first put: those of a strip divide their meridians evenly, as
+/// the paper has it, those of a patch lie on the triangles of its first triangulation.
 pub const GUSSET_FAIRING_NONE: u32 = 0;
-/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the
-/// squared Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
+/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one
+/// smoothly: the sum of the squared Laplacians over them and the rims is least. The rims, and the
+/// ends of an open strip, stay where they are.
 pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 
-/// Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until
-/// nothing cuts, or nothing is left to take back.
+/// Faces of the strip that cut others are looked for where rows are faired; there the fairing is
+/// taken back in places until nothing cuts, or nothing is left to take back.
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
 /// They are not looked for.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
 /// They are always looked for; where rows are faired, with the same consequences.
 pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
 
-/// A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
-/// piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off them to the
-/// same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
+/// A second piece that is oriented against the first is turned over: the component that rim B is
+/// on. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
+/// and by where their surfaces lie if both lead off them to the same side, as at the ends of a
+/// U-bend; where nothing is clear, nothing is turned.
 pub const GUSSET_ORIENTATION_FIX: u32 = 0;
 /// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
 pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
@@ -62,10 +67,11 @@ pub const GUSSET_ORIENTATION_KEEP: u32 = 2;
 
 /// All of both loops, by a closed band.
 pub const GUSSET_EXTENT_WHOLE_LOOPS: u32 = 0;
-/// The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
+/// The runs of vertices that face the other loop, as the paper has it:
+/// GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
 pub const GUSSET_EXTENT_OPEN_ARCS: u32 = 1;
-/// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or if the
-/// planes cannot tell; else open arcs.
+/// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of
+/// their centres, or if the planes cannot tell; else open arcs.
 pub const GUSSET_EXTENT_AUTO: u32 = 2;
 /// The arcs given in arc_a and arc_b.
 pub const GUSSET_EXTENT_ARCS: u32 = 3;
@@ -92,8 +98,8 @@ pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
 /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
 pub const GUSSET_CELLS_QUADS: u32 = 1;
 
-/// No tolerance is given: facing vertices are found with what round-off of the coordinates can do; vertices are welded if their
-/// positions are equal.
+/// No tolerance is given: facing vertices are found with what round-off of the coordinates can do;
+/// vertices are welded if their positions are equal.
 pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
 /// The tolerance is the one given.
 pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
@@ -108,9 +114,10 @@ pub struct gusset_stitch_options {
     pub meridians: u32,
     /// GUSSET_ORIENTATION_...
     pub orientation: u32,
-    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so
-    /// many places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any
-    /// value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+    /// The first meridian joins the closest pair that is not joined by an edge already; with a
+    /// twist, the vertex of rim B so many places later, counted in the direction in which rim A
+    /// runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
+    /// rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
     pub twist: i64,
     /// GUSSET_EXTENT_...
     pub extent: u32,
@@ -124,11 +131,12 @@ pub struct gusset_stitch_options {
     pub cells: u32,
     /// GUSSET_TOLERANCE_...
     pub tolerance_mode: u32,
-    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
-    /// for GUSSET_TOLERANCE_GIVEN.
+    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the
+    /// positions, at least 0; read for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
-    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length.
-    /// The arc runs along the loop as it was given, and may pass its end.
+    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of
+    /// vertices, 1 to its length. The arc runs along the loop as it was given, and may pass its
+    /// end.
     pub arc_a: [u32; 2],
     /// The same on loop B.
     pub arc_b: [u32; 2],

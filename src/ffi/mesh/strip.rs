@@ -33,11 +33,13 @@ pub struct gusset_strip_view {
     pub struct_size: usize,
     /// The points of A and of B that the first meridian joins.
     pub start: [u32; 2],
-    /// The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M
-    /// points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
+    /// The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for
+    /// closed polylines of N and M points, where place N is place 0 again, and to (N - 1, M - 1)
+    /// for open ones; count is twice the number of meridians.
     pub meridians: gusset_indices,
-    /// The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j:
-    /// against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
+    /// The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow.
+    /// They run A_i+1, A_i, B_j: against polyline A, and along B. Where both sides advance at once
+    /// a quad is split by its shorter diagonal.
     pub triangles: gusset_indices,
 }
 

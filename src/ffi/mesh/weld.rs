@@ -12,7 +12,8 @@ pub const GUSSET_WELD_ALL: u32 = 1;
 
 /// Corners of one face stay apart.
 pub const GUSSET_COLLAPSE_NEVER: u32 = 0;
-/// Corners of one face may become one; a face that keeps fewer than three different vertices is dropped.
+/// Corners of one face may become one; a face that keeps fewer than three different vertices is
+/// dropped.
 pub const GUSSET_COLLAPSE_ALLOW: u32 = 1;
 
 /// Vertices that no face uses stay.
@@ -31,8 +32,8 @@ pub struct gusset_weld_options {
     pub struct_size: usize,
     /// Which vertices: GUSSET_WELD_...
     pub vertices: u32,
-    /// GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0 equals 0. GUSSET_TOLERANCE_GIVEN: if
-    /// they are not farther apart than the tolerance.
+    /// GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0
+    /// equals 0. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
     pub tolerance_mode: u32,
     /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
@@ -42,8 +43,8 @@ pub struct gusset_weld_options {
     pub unused: u32,
 }
 
-/// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
-/// destroyed.
+/// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid
+/// until the weld is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_weld_view {
@@ -53,8 +54,9 @@ pub struct gusset_weld_view {
     pub vertex_map: gusset_indices,
     /// Per old face, its index in the result; UINT32_MAX if it was dropped.
     pub face_map: gusset_indices,
-    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
-    /// together there, or sewing would have collapsed a face or made an edge of three or more faces.
+    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces
+    /// with it: three or more lie together there, or sewing would have collapsed a face or made an
+    /// edge of three or more faces.
     pub left_edges: gusset_indices,
     /// Vertices that lie together with another and are not one with it.
     pub left_vertices: gusset_indices,

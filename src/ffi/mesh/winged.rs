@@ -4,7 +4,8 @@ use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, free_loops};
 
-/// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
+/// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables
+/// take them backwards.
 pub const GUSSET_FACES_COUNTER_CLOCKWISE: u32 = 0;
 /// Faces are stored clockwise seen from outside, as Baumgart has it.
 pub const GUSSET_FACES_CLOCKWISE: u32 = 1;
@@ -40,7 +41,8 @@ pub struct gusset_winged_options {
     pub reserved: u32,
 }
 
-/// One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen from outside.
+/// One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen
+/// from outside.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_edge {
@@ -70,7 +72,8 @@ pub struct gusset_winged_edge {
 pub struct gusset_winged_view {
     /// sizeof(gusset_winged_view), set by the caller.
     pub struct_size: usize,
-    /// The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+    /// The edges in the order of their first half-edges; M is the vertex where that half-edge
+    /// starts.
     pub edges: *const gusset_winged_edge,
     /// How many.
     pub edge_count: usize,
@@ -80,7 +83,8 @@ pub struct gusset_winged_view {
     pub edge_of_face: gusset_indices,
     /// Per vertex, an edge at it, or UINT32_MAX.
     pub edge_of_vertex: gusset_indices,
-    /// The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop, surface on the left.
+    /// The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop,
+    /// surface on the left.
     pub loop_vertices: gusset_indices,
     /// The edges along them; edge i starts at vertex i.
     pub loop_edges: gusset_indices,

@@ -27,22 +27,25 @@ impl gusset_net_analysis {
 pub struct gusset_net_analysis_view {
     /// sizeof(gusset_net_analysis_view), set by the caller.
     pub struct_size: usize,
-    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
-    /// new length divided by its old one; NaN if it had none, or an end is missing.
+    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column
+    /// and row included), its new length divided by its old one; NaN if it had none, or an end is
+    /// missing.
     pub links: *const f64,
     /// 2 * rows * columns.
     pub link_count: usize,
-    /// Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
-    /// gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is not there.
+    /// Of each cell, its new area divided by its old one; negative where the surface is folded over
+    /// or, after gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is
+    /// not there.
     pub cells: *const f64,
-    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analysis_create.
+    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after
+    /// gusset_net_analysis_create.
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
     /// The links that have become a point and are not glued: see gusset_net_absorb.
     pub contracted: *const u32,
-    /// Of each of them, what the star of its first node has become with all of them contracted: the number of the local
-    /// gluing, 0 to 17.
+    /// Of each of them, what the star of its first node has become with all of them contracted: the
+    /// number of the local gluing, 0 to 17.
     pub stars: *const u32,
     /// How many.
     pub contracted_count: usize,

@@ -21,7 +21,8 @@ pub const GUSSET_REPLICATE_FIRST: gusset_replication = 1;
 pub const GUSSET_REPLICATE_LAST: gusset_replication = 2;
 /// The one whose index is given.
 pub const GUSSET_REPLICATE_AT: gusset_replication = 3;
-/// The first and the last one, if they are a point each, in equal shares; if one of them is, that one; else as UNIFORM.
+/// The first and the last one, if they are a point each, in equal shares; if one of them is, that
+/// one; else as UNIFORM.
 pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
 /// None: sizes that differ are refused. For gusset_join_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;

@@ -21,15 +21,17 @@ pub const GUSSET_NET_ORIENTED: u32 = 4;
 /// Faces can be turned over so that there is none.
 pub const GUSSET_NET_ORIENTABLE: u32 = 8;
 
-/// The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the net.
+/// The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the
+/// net.
 pub struct gusset_net_complex {
     complex: Complex,
     /// 1 for each chain of the boundary that is open.
     open: Vec<u32>,
 }
 
-/// Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are given by their smallest nodes, edges as pairs of
-/// them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
+/// Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are
+/// given by their smallest nodes, edges as pairs of them, one pair after the other, in order.
+/// Pointers are valid until the complex is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_complex_view {
@@ -61,11 +63,14 @@ pub struct gusset_net_complex_view {
     pub properties: u32,
     /// 0.
     pub reserved: u32,
-    /// 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are chains.
+    /// 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are
+    /// chains.
     pub boundary_offsets: gusset_indices,
-    /// The vertices of all chains, with the faces on the left; the last of a chain is followed by its first.
+    /// The vertices of all chains, with the faces on the left; the last of a chain is followed by
+    /// its first.
     pub boundary_nodes: gusset_indices,
-    /// For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its last vertex is followed by none.
+    /// For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its
+    /// last vertex is followed by none.
     pub boundary_open: gusset_indices,
     /// Edges of no face.
     pub wires: gusset_indices,

@@ -7,46 +7,50 @@ use crate::net::field::*;
 use glam::DVec3;
 use libc::{c_int, c_void};
 
-/// What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x
-/// and y after z.
+/// What a field does, and what its values are. An axis and those that follow it: y and z after x, z
+/// and x after y, x and y after z.
 pub type gusset_field_kind = u32;
-/// An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way. Unlike gusset_net_transform it leaves
-/// the net's flag `reversed` alone where it mirrors.
+/// An affine map: values[0] to values[11], three rows of four. In part: that part of the straight
+/// way. Unlike gusset_net_transform it leaves the net's flag `reversed` alone where it mirrors.
 pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
-/// Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on.
-/// In part: by that part of the angle.
+/// Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the
+/// coordinate values[1] on. In part: by that part of the angle.
 pub const GUSSET_FIELD_TWIST: gusset_field_kind = 2;
-/// Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In
-/// part: at that part of the rate.
+/// Distances from `axis` grow by values[0] times themselves for each unit along it from the
+/// coordinate values[1] on. In part: at that part of the rate.
 pub const GUSSET_FIELD_TAPER: gusset_field_kind = 3;
-/// Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an arc of the curvature
-/// values[0], towards the axis that follows; what lies beyond goes on straight. In part: with that part of the
-/// curvature.
+/// Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an
+/// arc of the curvature values[0], towards the axis that follows; what lies beyond goes on
+/// straight. In part: with that part of the curvature.
 pub const GUSSET_FIELD_BEND: gusset_field_kind = 4;
-/// The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of the rate.
+/// The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of
+/// the rate.
 pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
-/// Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its
-/// centre, where it is not defined. In part: that part of the way.
+/// Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] >
+/// 0, straight from its centre, where it is not defined. In part: that part of the way.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
-/// Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above
-/// a cylinder of the radius values[0] > 0: with the first u and the second v they become (r + v) sin(u / r) and
-/// (r + v) cos(u / r). In part: that part of the straight way.
+/// Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the
+/// second the height above a cylinder of the radius values[0] > 0: with the first u and the second
+/// v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part: that part of the straight way.
 pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
-/// Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0
-/// (of the tube): of the two axes that follow, the first goes round the axis and the second round the tube; the axis
-/// itself becomes the height above the torus. In part: that part of the straight way.
+/// Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube)
+/// and values[1] > 0 (of the tube): of the two axes that follow, the first goes round the axis and
+/// the second round the tube; the axis itself becomes the height above the torus. In part: that
+/// part of the straight way.
 pub const GUSSET_FIELD_TORUS_WRAP: gusset_field_kind = 8;
-/// Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control
-/// points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first,
-/// then y. Outside the box nothing moves. In part: that part of the way.
+/// Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x
+/// counts[2] control points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its
+/// place in the even grid, x running first, then y. Outside the box nothing moves. In part: that
+/// part of the way.
 pub const GUSSET_FIELD_LATTICE: gusset_field_kind = 9;
-/// A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part:
-/// that part of the straight way, as for the other projections.
+/// A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate
+/// becomes 0. In part: that part of the straight way, as for the other projections.
 pub const GUSSET_FIELD_PROJECTION: gusset_field_kind = 10;
-/// Onto the plane through values[0..2] with the normal values[3..5], along the direction values[6..8].
+/// Onto the plane through values[0..2] with the normal values[3..5], along the direction
+/// values[6..8].
 pub const GUSSET_FIELD_PARALLEL: gusset_field_kind = 11;
-/// Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not
-/// defined level with the eye.
+/// Onto the plane through values[3..5] with the normal values[6..8], along the lines through the
+/// eye values[0..2]. Not defined level with the eye.
 pub const GUSSET_FIELD_PERSPECTIVE: gusset_field_kind = 12;
 
 /// How a strength goes from one key to the next.
@@ -72,12 +76,13 @@ pub struct gusset_field {
     pub other_axis: gusset_axis,
     /// Between keys; one of GUSSET_EASING_...
     pub easing: gusset_easing,
-    /// How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what they say.
+    /// How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what
+    /// they say.
     pub strength: f64,
     /// What the kind says; the rest is not read.
     pub values: [f64; 16],
-    /// Pairs of time and strength, times increasing; before the first and after the last time the strength is that
-    /// there. NULL: the strength does not depend on the time.
+    /// Pairs of time and strength, times increasing; before the first and after the last time the
+    /// strength is that there. NULL: the strength does not depend on the time.
     pub keys: *const f64,
     /// The number of pairs.
     pub key_count: usize,
@@ -91,9 +96,9 @@ pub struct gusset_field {
 
 versioned! { gusset_field: 200 reserved }
 
-/// Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates,
-/// float or double as the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the
-/// context nor throw nor longjmp.
+/// Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z:
+/// their coordinates, float or double as the net's are, to be changed in place. Return nonzero to
+/// stop. It must neither use the net or the context nor throw nor longjmp.
 pub type gusset_rows_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,

@@ -9,18 +9,23 @@ use crate::net::topology::{Diagonal, Gluing, GluingType, Groups};
 
 /// What a gusset_gluing glues.
 pub type gusset_gluing_kind = u32;
-/// The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node of the row (of the last one to the first),
-/// 2 * node + 1 that to the next of the column; node (i, j) is i * columns + j.
+/// The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node
+/// of the row (of the last one to the first), 2 * node + 1 that to the next of the column; node (i,
+/// j) is i * columns + j.
 pub const GUSSET_GLUING_LINK: gusset_gluing_kind = 0;
-/// Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8, round the sides of the net.
+/// Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north
+/// 8, round the sides of the net.
 pub const GUSSET_GLUING_STAR: gusset_gluing_kind = 1;
-/// The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8. Cell (i, j) is i * (columns - 1) + j.
+/// The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8.
+/// Cell (i, j) is i * (columns - 1) + j.
 pub const GUSSET_GLUING_CELL: gusset_gluing_kind = 2;
-/// Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the fourth.
+/// Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the
+/// fourth.
 pub const GUSSET_GLUING_DIAGONAL: gusset_gluing_kind = 3;
 /// The two runs of nodes of the seam.
 pub const GUSSET_GLUING_SEAM: gusset_gluing_kind = 4;
-/// The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element` from GUSSET_TYPE_TOP_BOTTOM on.
+/// The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element`
+/// from GUSSET_TYPE_TOP_BOTTOM on.
 pub const GUSSET_GLUING_TYPE: gusset_gluing_kind = 5;
 
 /// Nodes to be glued, or no longer to be.

@@ -5,8 +5,9 @@ use crate::ffi::prelude::*;
 use crate::net::topology::{Links, Run};
 use crate::net::{Matrix, Seam, Shape, Sides, Topology};
 
-/// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k * column_step_a) and
-/// node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to count - 1.
+/// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k *
+/// column_step_a) and node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to
+/// count - 1.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_seam {
@@ -50,7 +51,8 @@ pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
 pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
 /// Rows closed; the first and the last row are rims.
 pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
-/// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and pyramids with their caps.
+/// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and
+/// pyramids with their caps.
 pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
 /// All four sides are one point: a disc whose rim is drawn together.
 pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
@@ -63,9 +65,10 @@ pub const GUSSET_SIDES_TORUS: gusset_sides = 3;
 pub struct gusset_net_gluing {
     /// sizeof(gusset_net_gluing), set by the caller.
     pub struct_size: usize,
-    /// The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for others. Row 2i has the horizontal
-    /// links of the nodes of row i, each to the next node and the last one to the first; row 2i + 1 the vertical ones, those of the
-    /// last row to the first row. NULL: sides says it all.
+    /// The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for
+    /// others. Row 2i has the horizontal links of the nodes of row i, each to the next node and the
+    /// last one to the first; row 2i + 1 the vertical ones, those of the last row to the first row.
+    /// NULL: sides says it all.
     pub matrix: *const u8,
     /// Runs of nodes glued to runs of nodes, besides.
     pub seams: *const gusset_seam,

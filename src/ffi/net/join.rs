@@ -14,8 +14,8 @@ pub type gusset_bridge_mode = u32;
 pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
 /// They are not there.
 pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
-/// The two sides coincide, to a tolerance, and are one: the links between them are contracted. Nodes stay where they are; where they
-/// coincide not quite, gusset_net_snap makes them equal.
+/// The two sides coincide, to a tolerance, and are one: the links between them are contracted.
+/// Nodes stay where they are; where they coincide not quite, gusset_net_snap makes them equal.
 pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
 
 /// What a bridge looks like.
@@ -41,7 +41,8 @@ pub struct gusset_bridge_properties {
     pub user: u64,
 }
 
-/// How nets are joined. All zeros: each right of the one before, the smaller ones enlarged uniformly, bridges kept.
+/// How nets are joined. All zeros: each right of the one before, the smaller ones enlarged
+/// uniformly, bridges kept.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_join_options {
@@ -61,7 +62,8 @@ pub struct gusset_join_options {
     pub equalise_index: u32,
     /// Each net but the first is turned by so many places along its side, which is closed then.
     pub twist: u32,
-    /// 1: nets whose faces are taken the other way round than those of the first are flipped along the side; 0: refused.
+    /// 1: nets whose faces are taken the other way round than those of the first are flipped along
+    /// the side; 0: refused.
     pub turn: u32,
 }
 

@@ -12,8 +12,8 @@ pub struct gusset_net_measure_report {
     pub struct_size: usize,
     /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
     pub area: f64,
-    /// What the net encloses, if it is closed and has two sides; positive if the normals look outwards. For open ones: of the cone to the
-    /// first node.
+    /// What the net encloses, if it is closed and has two sides; positive if the normals look
+    /// outwards. For open ones: of the cone to the first node.
     pub volume: f64,
     /// The sum of the cells' area vectors; 0 for closed nets.
     pub area_vector: [f64; 3],
@@ -33,8 +33,8 @@ pub struct gusset_net_moment_report {
     pub volume: f64,
     /// The centre of mass; NaN if the volume is 0.
     pub centroid: [f64; 3],
-    /// The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it
-    /// those of -x y and so on.
+    /// The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2
+    /// and so on, beside it those of -x y and so on.
     pub inertia: [f64; 9],
 }
 
@@ -44,8 +44,8 @@ pub struct gusset_net_moment_report {
 pub struct gusset_net_planarity_report {
     /// sizeof(gusset_net_planarity_report), set by the caller.
     pub struct_size: usize,
-    /// The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
-    /// cells.
+    /// The largest distance of corners from the plane between them, as a part of the longer
+    /// diagonal; 0 if there are no cells.
     pub worst: f64,
     /// Its cell; 2^64 - 1 if there are no cells.
     pub worst_cell: u64,

@@ -14,12 +14,14 @@ use std::sync::Arc;
 pub type gusset_net_faces = u32;
 /// Quads, and triangles where a side of a cell is one point.
 pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
-/// Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there is already, the other one.
+/// Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there
+/// is already, the other one.
 pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
 /// Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
 pub const GUSSET_NET_TRIANGLES_FIXED: gusset_net_faces = 2;
 
-/// How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only vertices that something uses.
+/// How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only
+/// vertices that something uses.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_mesh_options {
@@ -39,7 +41,8 @@ pub struct gusset_net_mesh_options {
     pub reserved: u32,
 }
 
-/// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
+/// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL
+/// where the count is 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_mesh_view {
@@ -51,9 +54,11 @@ pub struct gusset_net_mesh_view {
     pub node_of_vertex: gusset_indices,
     /// For each face its cell: cell (i, j) is i * (columns - 1) + j.
     pub cell_of_face: gusset_indices,
-    /// Edges without faces, two vertices each: threads, and whatever else is left of cells whose opposite sides are glued.
+    /// Edges without faces, two vertices each: threads, and whatever else is left of cells whose
+    /// opposite sides are glued.
     pub wires: gusset_indices,
-    /// For each corner of the mesh its pair of texture coordinates; empty unless they were asked for.
+    /// For each corner of the mesh its pair of texture coordinates; empty unless they were asked
+    /// for.
     pub texture_corners: gusset_indices,
     /// Pairs u, v from 0 to 1: column and row. A vertex on a seam has one on each side of it.
     pub texture_coordinates: *const f64,
@@ -71,11 +76,13 @@ pub struct gusset_heights {
     pub rows: usize,
     /// The number of columns, at least 2.
     pub columns: usize,
-    /// Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN and infinities are missing.
+    /// Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN
+    /// and infinities are missing.
     pub values: *const c_void,
     /// Bytes from row to row; 0 for rows without gaps.
     pub row_stride: usize,
-    /// x from column to column and y from row to row; finite and not 0, negative where rows run against y.
+    /// x from column to column and y from row to row; finite and not 0, negative where rows run
+    /// against y.
     pub spacing: [f64; 2],
     /// Where the first node is if its height is 0.
     pub origin: [f64; 3],

@@ -26,13 +26,15 @@ use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 use libc::c_void;
 use std::sync::Arc;
 
-/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take it as const may run at the same
-/// time in many threads; those that change it need it for themselves.
+/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take
+/// it as const may run at the same time in many threads; those that change it need it for
+/// themselves.
 pub struct gusset_net(Arc<Net<'static>>);
 
-/// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
-/// x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
-/// number and a column_stride of a column.
+/// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
+/// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
+/// is three numbers; matrices kept by columns have a row_stride of one number and a column_stride
+/// of a column.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
@@ -100,7 +102,8 @@ pub(crate) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Fai
     input::exclusive(net, "net")?.edit()
 }
 
-/// How the caller's matrices lie: bytes from row to row, from number to number, and all that one matrix spans.
+/// How the caller's matrices lie: bytes from row to row, from number to number, and all that one
+/// matrix spans.
 struct Layout {
     row: usize,
     column: usize,
@@ -241,8 +244,8 @@ pub unsafe extern "C" fn gusset_net_create(
 ///     and unmoved until the net is destroyed.
 /// @param gluing the gluing.
 /// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT, NULL_ARGUMENT,
-///     OVERLAP.
+/// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
+///     NULL_ARGUMENT, OVERLAP.
 /// @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -29,7 +29,8 @@ impl Buffers {
         Ok(Planes::borrowed(net.shape(), 0, matrices)?)
     }
 
-    /// The buffers must share memory neither with each other nor with the coordinates, which a host may have been lent.
+    /// The buffers must share memory neither with each other nor with the coordinates, which a host
+    /// may have been lent.
     fn check_overlap(self, net: &Net<'_>, bytes: usize) -> Result<(), Failure> {
         let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
             planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))

@@ -17,13 +17,16 @@ pub const GUSSET_NET_ONE_POLE_SPHERE: gusset_net_shape = 2;
 pub const GUSSET_NET_TUBE: gusset_net_shape = 3;
 /// A cylinder with caps: radius, height. At least 4 rows and columns.
 pub const GUSSET_NET_CYLINDER: gusset_net_shape = 4;
-/// A prism over a regular polygon: sides, radius (of the circle through its corners), height. At least 4 rows, and a column more than sides.
+/// A prism over a regular polygon: sides, radius (of the circle through its corners), height. At
+/// least 4 rows, and a column more than sides.
 pub const GUSSET_NET_PRISM: gusset_net_shape = 5;
 /// A cone with its base: radius, height. At least 3 rows and 4 columns.
 pub const GUSSET_NET_CONE: gusset_net_shape = 6;
-/// A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than sides.
+/// A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than
+/// sides.
 pub const GUSSET_NET_PYRAMID: gusset_net_shape = 7;
-/// A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a row.
+/// A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a
+/// row.
 pub const GUSSET_NET_LATHE: gusset_net_shape = 8;
 /// A torus: radius, minor_radius (of the tube, the smaller). At least 4 rows and columns.
 pub const GUSSET_NET_TORUS: gusset_net_shape = 9;
@@ -31,16 +34,19 @@ pub const GUSSET_NET_TORUS: gusset_net_shape = 9;
 pub const GUSSET_NET_BOX: gusset_net_shape = 10;
 /// A Moebius strip: radius (of its middle line), size[0] (its width). At least 4 columns.
 pub const GUSSET_NET_MOEBIUS: gusset_net_shape = 11;
-/// A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius. At least 4 rows and columns.
+/// A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius.
+/// At least 4 rows and columns.
 pub const GUSSET_NET_KLEIN: gusset_net_shape = 12;
 /// A projective plane, Boy's surface: radius (a scale). At least 4 rows and columns.
 pub const GUSSET_NET_PROJECTIVE_PLANE: gusset_net_shape = 13;
-/// Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At least 3 rows, and 5, 7, ... columns.
+/// Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At
+/// least 3 rows, and 5, 7, ... columns.
 pub const GUSSET_NET_PILLOW: gusset_net_shape = 14;
 
 /// How the two caps of a box are covered.
 pub type gusset_net_box = u32;
-/// Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and no seams are needed.
+/// Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and
+/// no seams are needed.
 pub const GUSSET_NET_BOX_SLIT: gusset_net_box = 0;
 /// The paper's crosswise unwrapping. All faces are unit quads; two seams.
 pub const GUSSET_NET_BOX_CROSS: gusset_net_box = 1;
@@ -69,8 +75,8 @@ pub struct gusset_net_primitive {
     pub height: f64,
     /// See the shapes; above 0, along x, y and z.
     pub size: [f64; 3],
-    /// Distance from the axis, at least 0, and height of each point, from below to above, at any alignment. A row on the axis is a pole; a
-    /// profile that ends where it begins makes a ring.
+    /// Distance from the axis, at least 0, and height of each point, from below to above, at any
+    /// alignment. A row on the axis is a pole; a profile that ends where it begins makes a ring.
     pub profile: *const f64,
     /// The number of points, twice as many numbers; at least 2.
     pub profile_count: usize,

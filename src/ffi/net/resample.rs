@@ -7,7 +7,8 @@ use crate::net::resample::{Interpolation, decimate, pyramid, resample};
 
 /// How positions between nodes are found.
 pub type gusset_interpolation = u32;
-/// On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across seams too.
+/// On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across
+/// seams too.
 pub const GUSSET_INTERPOLATION_BICUBIC: gusset_interpolation = 0;
 /// On the bilinear patches of the cells.
 pub const GUSSET_INTERPOLATION_BILINEAR: gusset_interpolation = 1;

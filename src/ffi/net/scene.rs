@@ -14,8 +14,9 @@ pub const GUSSET_SCENE_NET: gusset_scene_kind = 0;
 /// A group of entries.
 pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
 
-/// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are never given
-/// twice. Functions that take it as const may run at the same time in many threads; those that change it need it for themselves.
+/// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
+/// indices, which are never given twice. Functions that take it as const may run at the same time
+/// in many threads; those that change it need it for themselves.
 pub struct gusset_scene(Scene);
 
 /// An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
@@ -70,7 +71,8 @@ pub struct gusset_scene_instance {
     pub world: gusset_transform,
     /// The entry.
     pub entry: u32,
-    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in none.
+    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in
+    /// none.
     pub parent: u32,
     /// 1 unless it or a group on the way is hidden.
     pub visible: u32,

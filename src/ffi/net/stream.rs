@@ -14,7 +14,8 @@ pub type gusset_stream_mode = u32;
 pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
 /// Compressed, bit for bit, NaN too.
 pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
-/// As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are mapped into memory.
+/// As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are
+/// mapped into memory.
 pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 
 /// How a net is to be stored.
@@ -23,14 +24,15 @@ pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 pub struct gusset_stream_options {
     /// sizeof(gusset_stream_options), set by the caller.
     pub struct_size: usize,
-    /// Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in each, and for one block of all
-    /// rows if the mode is RAW.
+    /// Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in
+    /// each, and for one block of all rows if the mode is RAW.
     pub rows_per_block: usize,
     /// How coordinates are stored.
     pub mode: gusset_stream_mode,
     /// For QUANTISED, the bits of a coordinate, 8 to 24; 0 for 14. Else 0.
     pub bits: u32,
-    /// For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all follows from the longest. Else 0.
+    /// For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all
+    /// follows from the longest. Else 0.
     pub per_axis: u32,
     /// 0.
     pub reserved: u32,
@@ -52,8 +54,8 @@ pub struct gusset_stream_report {
     pub prelude_size: u64,
     /// QUANTISED: the coordinates of level 0; a coordinate of level k is origin + k * step. Else 0.
     pub origin: [f64; 3],
-    /// QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it is rounded to its type, half a unit
-    /// in its last place. Else 0.
+    /// QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it
+    /// is rounded to its type, half a unit in its last place. Else 0.
     pub step: [f64; 3],
     /// GUSSET_F32 or GUSSET_F64.
     pub scalar: u32,

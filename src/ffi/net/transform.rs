@@ -18,14 +18,15 @@ pub const GUSSET_AXIS_Z: gusset_axis = 2;
 pub type gusset_operation_kind = u32;
 /// Moves by the vector values[0] to values[2].
 pub const GUSSET_OPERATION_TRANSLATE: gusset_operation_kind = 1;
-/// Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the
-/// right hand; the axis passes through the point values[4] to values[6].
+/// Turns about the axis with the direction values[0] to values[2], of any length but 0, by
+/// values[3] radians, by the right hand; the axis passes through the point values[4] to values[6].
 pub const GUSSET_OPERATION_ROTATE: gusset_operation_kind = 2;
 /// The same by the left hand, as Deryagin's formula is printed.
 pub const GUSSET_OPERATION_ROTATE_AS_PRINTED: gusset_operation_kind = 3;
 /// Scales about the origin: values[0] is the ratio of new distance to old.
 pub const GUSSET_OPERATION_SCALE: gusset_operation_kind = 4;
-/// Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance to old.
+/// Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance
+/// to old.
 pub const GUSSET_OPERATION_COMPRESS: gusset_operation_kind = 5;
 /// Scales x, y and z by values[0], values[1] and values[2].
 pub const GUSSET_OPERATION_STRETCH: gusset_operation_kind = 6;

@@ -10,12 +10,13 @@ pub type gusset_net_finding_kind = u32;
 pub const GUSSET_NET_FINDING_LINK_APART: gusset_net_finding_kind = 0;
 /// A violation: two nodes that seam `element` glues are apart, or one of them is missing.
 pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
-/// A warning: the ends of link `element`, between neighbours, are one point by way of others, and it is not contracted itself: see
-/// gusset_net_saturate.
+/// A warning: the ends of link `element`, between neighbours, are one point by way of others, and
+/// it is not contracted itself: see gusset_net_saturate.
 pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
 /// A warning: the ends of link `element` lie on each other and are not glued.
 pub const GUSSET_NET_FINDING_ZERO_LENGTH: gusset_net_finding_kind = 3;
-/// A warning: link `element` closes a row or column of fewer than four nodes, which has no inside then.
+/// A warning: link `element` closes a row or column of fewer than four nodes, which has no inside
+/// then.
 pub const GUSSET_NET_FINDING_FEW_NODES: gusset_net_finding_kind = 4;
 
 /// One finding.

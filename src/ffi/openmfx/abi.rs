@@ -1,4 +1,5 @@
-//! The structs, statuses and names of the standard that the effects use. Handles are blind pointers of the host's.
+//! The structs, statuses and names of the standard that the effects use. Handles are blind pointers
+//! of the host's.
 
 use libc::{c_char, c_int, c_uint, c_void};
 use std::ffi::CStr;
@@ -37,8 +38,8 @@ pub(super) enum Action {
     Other,
 }
 
-/// The action of this name. Whether an effect changes anything (`IsIdentity`) is found by cooking it, so that is left to
-/// the default.
+/// The action of this name. Whether an effect changes anything (`IsIdentity`) is found by cooking
+/// it, so that is left to the default.
 pub(super) fn action(name: &CStr) -> Action {
     match name.to_bytes() {
         b"OfxActionLoad" => Action::Load,

@@ -1,4 +1,5 @@
-//! An effect at work: meshes and parameters of the host go through a filter, and what comes out goes to the host.
+//! An effect at work: meshes and parameters of the host go through a filter, and what comes out
+//! goes to the host.
 
 use super::abi::{Handle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, PROP_TIME, Status};
 use super::effects::{Effect, Knob, KnobKind, SUIT};

@@ -1,4 +1,5 @@
-//! What a host is told of an effect. Labels, hints and ranges that a host has no place for are left out.
+//! What a host is told of an effect. Labels, hints and ranges that a host has no place for are left
+//! out.
 
 use super::abi::{
     CONTEXT_FILTER, CONTEXT_GENERAL, CONTEXT_GENERATOR, Handle, MAIN_OUTPUT, PARAM_BOOLEAN, PARAM_CHOICE, PARAM_DOUBLE,

@@ -1,4 +1,5 @@
-//! The effects and their texts, made once of [`FILTERS`] and never changed: hosts keep pointers to the texts.
+//! The effects and their texts, made once of [`FILTERS`] and never changed: hosts keep pointers to
+//! the texts.
 
 use super::abi::{API, API_VERSION, MAIN_INPUT, OfxPlugin};
 use super::{FUNCTIONS, ROOM};
@@ -23,12 +24,13 @@ pub(super) struct Effect {
     pub(super) help: CString,
     pub(super) inputs: Vec<Slot>,
     pub(super) knobs: Vec<Knob>,
-    /// The output that is a mesh or curves: an effect has one. Of filters that only tell something, the first input is
-    /// passed on.
+    /// The output that is a mesh or curves: an effect has one. Of filters that only tell something,
+    /// the first input is passed on.
     pub(super) output: Option<usize>,
 }
 
-// SAFETY: its pointers are to texts and functions that live as long as the library is loaded, and never change.
+// SAFETY: its pointers are to texts and functions that live as long as the library is loaded, and
+// never change.
 unsafe impl Send for Effect {}
 // SAFETY: as above.
 unsafe impl Sync for Effect {}

@@ -1,5 +1,5 @@
-//! Meshes of the host: three arrays of any stride, positions in single precision, and faces of two corners for edges that
-//! no face has.
+//! Meshes of the host: three arrays of any stride, positions in single precision, and faces of two
+//! corners for edges that no face has.
 
 use super::abi::{
     ATTRIB_CORNER, ATTRIB_FACE, ATTRIB_POINT, CORNER_POINT, FACE_SIZE, MESH_CONSTANT_FACE_SIZE, MESH_CORNER_COUNT,
@@ -149,7 +149,8 @@ fn check(sizes: &[u32], corners: usize) -> Result<(), Error> {
     }
 }
 
-/// The elements of an array of 32-bit numbers. Negative ones become far too large, and are refused as such.
+/// The elements of an array of 32-bit numbers. Negative ones become far too large, and are refused
+/// as such.
 fn numbers(of: &Attribute, count: usize, name: &'static str) -> Result<Vec<u32>, Fault> {
     let size = span(of.stride, count, 4, name)?;
     let bytes = input::bytes(of.data, size, 1, name)?;

@@ -1,8 +1,10 @@
-//! The library as a set of OpenMfx effects: the entry points by which hosts of Open Mesh Effect load the same library.
+//! The library as a set of OpenMfx effects: the entry points by which hosts of Open Mesh Effect
+//! load the same library.
 //!
-//! OpenMfx is OpenFX, a plug-in standard for pictures, with meshes in the place of pictures. What is declared here follows
-//! version 1 of its mesh effect API and of its property, parameter and message suites, as its documentation of December
-//! 2022 describes them (<https://openmesheffect.org>); only what effects need of it is here.
+//! OpenMfx is OpenFX, a plug-in standard for pictures, with meshes in the place of pictures. What
+//! is declared here follows version 1 of its mesh effect API and of its property, parameter and
+//! message suites, as its documentation of December 2022 describes them
+//! (<https://openmesheffect.org>); only what effects need of it is here.
 //!
 //! | file | what it owns |
 //! |---|---|
@@ -14,8 +16,8 @@
 //! | [`wires`] | polylines, which are faces of two corners there |
 //! | [`cook`] | an effect at work |
 //!
-//! An effect keeps nothing between actions, and the library keeps one thing for each effect: the pointer that its host
-//! hands over before anything else, since later calls come without it.
+//! An effect keeps nothing between actions, and the library keeps one thing for each effect: the
+//! pointer that its host hands over before anything else, since later calls come without it.
 
 pub mod abi;
 mod cook;
@@ -34,7 +36,8 @@ use std::ptr;
 use std::sync::atomic::{AtomicPtr, Ordering};
 use suites::Suites;
 
-/// More effects than there are filters; each needs functions of its own, since no call says which effect is meant.
+/// More effects than there are filters; each needs functions of its own, since no call says which
+/// effect is meant.
 const ROOM: usize = 64;
 
 /// What the host of each effect handed over.
@@ -103,8 +106,8 @@ fn act(
     in_args: Handle,
 ) -> Result<Status, Status> {
     match action {
-        // Nothing is kept for the library or for an instance; what an effect needs of its host is seen when it is
-        // described.
+        // Nothing is kept for the library or for an instance; what an effect needs of its host is
+        // seen when it is described.
         Action::Load
         | Action::Unload
         | Action::CreateInstance

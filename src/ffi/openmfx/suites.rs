@@ -13,8 +13,8 @@ use std::ptr;
 macro_rules! call {
     ($suite:expr, $function:ident($($argument:expr),*)) => {
         match $suite.$function {
-            // SAFETY: a function of the host's for this purpose; handles are those that it gave, texts end with NUL,
-            // and pointers are to live variables.
+            // SAFETY: a function of the host's for this purpose; handles are those that it gave,
+            // texts end with NUL, and pointers are to live variables.
             Some(function) => Status::check(unsafe { function($($argument),*) }),
             None => Err(Status::MISSING_HOST_FEATURE),
         }
@@ -94,13 +94,15 @@ impl Suites {
         // The text is the format itself: nothing follows that could be taken wrongly.
         let format = CString::new(text.replace('%', "%%").replace('\0', " ")).unwrap_or_default();
         let Some(message) = self.messages.and_then(|suite| suite.message) else { return };
-        // SAFETY: a function of the host's for this purpose; the texts end with NUL, and the format takes no arguments.
+        // SAFETY: a function of the host's for this purpose; the texts end with NUL, and the format
+        // takes no arguments.
         unsafe { message(effect, kind.as_ptr(), c"".as_ptr(), format.as_ptr()) };
     }
 }
 
 fn suite<T>(host: &OfxHost, name: &CStr, version: c_int) -> Option<&'static T> {
-    // SAFETY: a function of the host's for this purpose, with its own handle and a text that ends with NUL.
+    // SAFETY: a function of the host's for this purpose, with its own handle and a text that ends
+    // with NUL.
     let suite = unsafe { host.fetch_suite?(host.host, name.as_ptr(), version) };
     input::reference(suite.cast(), "suite").ok()
 }
@@ -165,7 +167,8 @@ impl Parameters<'_> {
         Ok(self.suites.properties(handle))
     }
 
-    /// The value of an integer, of a choice, or of a boolean. What the host leaves alone stays as it is.
+    /// The value of an integer, of a choice, or of a boolean. What the host leaves alone stays as
+    /// it is.
     pub(super) fn int(&self, name: &CStr, time: f64, value: &mut c_int) -> Result<(), Status> {
         let value: *mut c_int = value;
         let (suite, handle) = (self.suites.parameters, self.handle(name)?);

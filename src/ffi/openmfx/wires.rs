@@ -1,5 +1,5 @@
-//! Polylines: the standard has no curves, but faces of two corners, which are edges by themselves. Where two of them meet,
-//! a curve goes on.
+//! Polylines: the standard has no curves, but faces of two corners, which are edges by themselves.
+//! Where two of them meet, a curve goes on.
 
 use crate::alloc;
 use crate::error::Result;
@@ -39,7 +39,8 @@ impl<'a> Graph<'a> {
         Some(if a == vertex { b } else { a })
     }
 
-    /// From a vertex along edges not used yet to the next vertex where curves do not go on, or back to where it began.
+    /// From a vertex along edges not used yet to the next vertex where curves do not go on, or back
+    /// to where it began.
     fn chain(&mut self, from: u32, chain: &mut Vec<u32>) -> Result<()> {
         chain.clear();
         alloc::push(chain, from)?;
@@ -55,7 +56,8 @@ impl<'a> Graph<'a> {
     }
 }
 
-/// The curves that edges make up: those with ends first, from the lowest vertex on, then those that are closed.
+/// The curves that edges make up: those with ends first, from the lowest vertex on, then those that
+/// are closed.
 pub(super) fn chained(edges: &[[u32; 2]], vertex_count: usize, place: impl Fn(u32) -> DVec3) -> Result<Curves> {
     let mut graph = Graph::new(edges, vertex_count)?;
     let mut curves = Curves { offsets: vec![0], ..Curves::default() };

@@ -47,27 +47,29 @@ pub const GUSSET_PARAM_DIRECTION: u32 = 8;
 /// A plane a x + b y + c z = d: a, b, c, d, the first three not all 0.
 pub const GUSSET_PARAM_PLANE: u32 = 9;
 
-/// The first output is the first input, mended: an editor puts it in its place. Else outputs are new.
+/// The first output is the first input, mended: an editor puts it in its place. Else outputs are
+/// new.
 pub const GUSSET_FILTER_REPLACES: u32 = 1;
 
 /// gusset_failure.input, gusset_failure.param: none.
 pub const GUSSET_PLUGIN_NONE: u32 = u32::MAX;
 
-/// The polygon mesh of an input or of an output; laid out like gusset_mesh_view of gusset.h, and under the same rules.
-/// Arrays may have any alignment and are not copied on the way in.
+/// The polygon mesh of an input or of an output; laid out like gusset_mesh_view of gusset.h, and
+/// under the same rules. Arrays may have any alignment and are not copied on the way in.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_mesh {
     /// sizeof(gusset_plugin_mesh), set by the host.
     pub struct_size: usize,
-    /// x, y, z at the start of every stride, of the type that scalar names. Finite where faces use them.
+    /// x, y, z at the start of every stride, of the type that scalar names. Finite where faces use
+    /// them.
     pub positions: *const c_void,
     /// Bytes from one position to the next; 0 if they are packed.
     pub position_stride: usize,
     /// The number of vertices; 1 to 2^32 - 2.
     pub vertex_count: usize,
-    /// face_count + 1 32-bit entries from 0: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if
-    /// face_size is given. Outputs have it.
+    /// face_count + 1 32-bit entries from 0: face f has the corners face_offsets[f] to
+    /// face_offsets[f + 1] - 1. NULL if face_size is given. Outputs have it.
     pub face_offsets: *const c_void,
     /// The vertex at each corner, 32-bit, face after face.
     pub face_corners: *const c_void,
@@ -91,20 +93,22 @@ versioned! {
     gusset_failure: 48,
 }
 
-/// The polylines of an input or of an output. Curve c has the points offsets[c] to offsets[c + 1] - 1 and, if it is closed,
-/// an edge from the last to the first.
+/// The polylines of an input or of an output. Curve c has the points offsets[c] to offsets[c + 1] -
+/// 1 and, if it is closed, an edge from the last to the first.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_plugin_curves {
     /// sizeof(gusset_plugin_curves), set by the host.
     pub struct_size: usize,
-    /// x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are packed 64-bit floats.
+    /// x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are
+    /// packed 64-bit floats.
     pub points: *const c_void,
     /// Bytes from one point to the next; 0 if they are packed.
     pub point_stride: usize,
     /// The number of points; at most 2^32 - 2.
     pub point_count: usize,
-    /// curve_count + 1 32-bit entries from 0 to point_count, none less than the one before. May be NULL if curve_count is 0.
+    /// curve_count + 1 32-bit entries from 0 to point_count, none less than the one before. May be
+    /// NULL if curve_count is 0.
     pub offsets: *const c_void,
     /// For each curve a byte: 0 open, 1 closed. NULL if all are open.
     pub closed: *const u8,
@@ -130,8 +134,8 @@ pub struct gusset_input {
     pub reserved: u32,
 }
 
-/// How a host follows and steers a run. Callbacks come from the thread that called run, must not call into the plugin for the
-/// same outputs, and must not throw.
+/// How a host follows and steers a run. Callbacks come from the thread that called run, must not
+/// call into the plugin for the same outputs, and must not throw.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_host {
@@ -139,13 +143,16 @@ pub struct gusset_host {
     pub struct_size: usize,
     /// Handed to the callbacks.
     pub user: *mut c_void,
-    /// Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never decreasing. stage: what is being
-    /// done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after: within a
-    /// tenth of a second for a million faces or points that go in and come out; giving back the memory of many more takes longer.
+    /// Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never
+    /// decreasing. stage: what is being done, valid during the callback only. Nonzero cancels: run
+    /// returns GUSSET_PLUGIN_CANCELLED soon after: within a tenth of a second for a million faces
+    /// or points that go in and come out; giving back the memory of many more takes longer.
     pub progress: Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32>,
-    /// Called with remarks that are no failures, or NULL; message is valid during the callback only.
+    /// Called with remarks that are no failures, or NULL; message is valid during the callback
+    /// only.
     pub log: Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>,
-    /// 0 as many threads as the machine has, 1 the calling thread only. Results do not depend on it.
+    /// 0 as many threads as the machine has, 1 the calling thread only. Results do not depend on
+    /// it.
     pub threads: u32,
     /// 0.
     pub reserved: u32,
@@ -191,8 +198,8 @@ pub struct gusset_param_info {
     pub first_value: u32,
 }
 
-/// One capability of the plugin. Texts are UTF-8, static; so is the struct. Its functions may be called from many threads at
-/// once; filter is the struct that they are in.
+/// One capability of the plugin. Texts are UTF-8, static; so is the struct. Its functions may be
+/// called from many threads at once; filter is the struct that they are in.
 #[repr(C)]
 pub struct gusset_filter {
     /// sizeof(gusset_filter) of the plugin.
@@ -231,20 +238,22 @@ pub struct gusset_filter {
     pub reserved: u32,
     /// Parameter index, 0 to param_count - 1; NULL for any other.
     pub param: unsafe extern "C" fn(filter: *const gusset_filter, index: u32) -> *const gusset_param_info,
-    /// Writes the values that suit these inputs, one parameter after the other; values has room for value_count of them, and
-    /// holds the plain defaults after a failure, of which suggest gives no account: run with the same inputs does. Inputs
-    /// as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Writes the values that suit these inputs, one parameter after the other; values has room for
+    /// value_count of them, and holds the plain defaults after a failure, of which suggest gives no
+    /// account: run with the same inputs does. Inputs as for run. O(size of the inputs). Returns
+    /// GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
     pub suggest: unsafe extern "C" fn(
         filter: *const gusset_filter,
         inputs: *const gusset_input,
         input_count: u32,
         values: *mut f64,
     ) -> i32,
-    /// Runs the filter. host: NULL for no callbacks and automatic threads. inputs: input_count structs. values: the first
-    /// value_count values of the parameters, one parameter after the other; the rest is as suggest has it. outputs: receives
-    /// what came out, and after a failure an account of it (output_failure); give it to output_free in any case. NULL only
-    /// if outputs itself is NULL or memory ran out. Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or another
-    /// gusset_status of gusset.h.
+    /// Runs the filter. host: NULL for no callbacks and automatic threads. inputs: input_count
+    /// structs. values: the first value_count values of the parameters, one parameter after the
+    /// other; the rest is as suggest has it. outputs: receives what came out, and after a failure
+    /// an account of it (output_failure); give it to output_free in any case. NULL only if outputs
+    /// itself is NULL or memory ran out. Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or
+    /// another gusset_status of gusset.h.
     pub run: unsafe extern "C" fn(
         filter: *const gusset_filter,
         host: *const gusset_host,
@@ -270,12 +279,13 @@ pub struct gusset_failure {
     pub param: u32,
     /// The number of the input that is at fault, or GUSSET_PLUGIN_NONE.
     pub input: u32,
-    /// What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3 corners, 4 entries of
-    /// face_offsets, 5 places in a loop, 6 nothing either: index is itself a count of elements or bytes; 7 points of all
-    /// curves, 8 constraints on an outline, 9 places on a curve or a surface, 12 sections or planes, 13 nodes of a net, row
-    /// after row, 14 its links (twice the first node, and 1 if vertical), 15 its cells, row after row, 16 seams,
-    /// 17 bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21 other items given,
-    /// 30 knots, 31 rows of a net of curves. Later versions may have more.
+    /// What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3
+    /// corners, 4 entries of face_offsets, 5 places in a loop, 6 nothing either: index is itself a
+    /// count of elements or bytes; 7 points of all curves, 8 constraints on an outline, 9 places on
+    /// a curve or a surface, 12 sections or planes, 13 nodes of a net, row after row, 14 its links
+    /// (twice the first node, and 1 if vertical), 15 its cells, row after row, 16 seams, 17
+    /// bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21
+    /// other items given, 30 knots, 31 rows of a net of curves. Later versions may have more.
     pub element: u32,
     /// The first offending element.
     pub index: u64,
@@ -283,8 +293,8 @@ pub struct gusset_failure {
     pub value: f64,
 }
 
-/// What the plugin is and can do. Texts are UTF-8, static; so is the struct. Its functions may be called from many threads at
-/// once.
+/// What the plugin is and can do. Texts are UTF-8, static; so is the struct. Its functions may be
+/// called from many threads at once.
 #[repr(C)]
 pub struct gusset_plugin {
     /// sizeof(gusset_plugin) of the plugin.
@@ -313,8 +323,8 @@ pub struct gusset_plugin {
     pub output_count: unsafe extern "C" fn(outputs: *const gusset_outputs) -> u32,
     /// The kind of output index, GUSSET_KIND_...; 0 if there is none.
     pub output_kind: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> u32,
-    /// Fills mesh, whose struct_size is set, with the arrays of output index, which live as long as the outputs. Returns
-    /// GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Fills mesh, whose struct_size is set, with the arrays of output index, which live as long as
+    /// the outputs. Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
     pub output_mesh:
         unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, mesh: *mut gusset_plugin_mesh) -> i32,
     /// The same for curves.
@@ -322,11 +332,13 @@ pub struct gusset_plugin {
         unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, curves: *mut gusset_plugin_curves) -> i32,
     /// The text of output index, UTF-8, which lives as long as the outputs; NULL if it is none.
     pub output_text: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> *const c_char,
-    /// Why the run failed. failure: its struct_size is set. Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+    /// Why the run failed. failure: its struct_size is set. Returns GUSSET_PLUGIN_DONE or a
+    /// gusset_status of gusset.h.
     pub output_failure: unsafe extern "C" fn(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32,
     /// Frees the outputs of a run; NULL is allowed.
     pub output_free: unsafe extern "C" fn(outputs: *mut gusset_outputs),
-    /// Something beyond this header, by name and version ("name/1"), or NULL. There is none in this version.
+    /// Something beyond this header, by name and version ("name/1"), or NULL. There is none in this
+    /// version.
     pub extension: unsafe extern "C" fn(name: *const c_char) -> *const c_void,
 }
 

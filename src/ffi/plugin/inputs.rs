@@ -20,7 +20,8 @@ use std::ops::ControlFlow;
 // The plugin's numbers are the library's.
 const _: () = assert!(GUSSET_PLUGIN_F32 == GUSSET_F32 && GUSSET_PLUGIN_F64 == GUSSET_F64);
 
-/// An input with what it needs to own: meshes stay in the host's memory, curves are small and copied.
+/// An input with what it needs to own: meshes stay in the host's memory, curves are small and
+/// copied.
 pub(super) enum Given<'a> {
     Mesh(MeshView<'a>),
     Curves(Curves),
@@ -35,8 +36,8 @@ impl Given<'_> {
     }
 }
 
-/// All inputs of a call, held to the rules and to what the filter takes: their number before any is read, and each one's kind
-/// before its arrays are.
+/// All inputs of a call, held to the rules and to what the filter takes: their number before any is
+/// read, and each one's kind before its arrays are.
 pub(super) fn inputs<'a>(
     filter: &Filter,
     given: *const gusset_input,
@@ -126,7 +127,8 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
     Ok(found)
 }
 
-/// The host's values, copied as they may have any alignment; no more of them are read than the filter has.
+/// The host's values, copied as they may have any alignment; no more of them are read than the
+/// filter has.
 pub(super) fn values(filter: &Filter, given: *const f64, count: u32) -> Result<Vec<f64>, Failure> {
     filter.check_value_count(count as usize)?;
     input::list(given, count as usize, "values")
@@ -160,7 +162,8 @@ impl Progress for Host {
             let stage = CString::new(stage).unwrap_or_default();
             let fraction = fraction.max(self.done.get());
             self.done.set(fraction);
-            // SAFETY: the host gave this function for this purpose, and the text lives through the call.
+            // SAFETY: the host gave this function for this purpose, and the text lives through the
+            // call.
             let answer = unsafe { callback(self.host.user, fraction, stage.as_ptr()) };
             self.stopped.set(answer != 0);
         }

@@ -1,5 +1,5 @@
-//! The library as a plugin: one symbol, and behind it tables of filters that a host needs no header of ours to call but
-//! gusset_plugin.h, which is made from this folder alone.
+//! The library as a plugin: one symbol, and behind it tables of filters that a host needs no header
+//! of ours to call but gusset_plugin.h, which is made from this folder alone.
 //!
 //! | file | what it owns |
 //! |---|---|
@@ -19,9 +19,10 @@ use descriptor::{GUSSET_PLUGIN_ABI, gusset_plugin};
 use std::panic::catch_unwind;
 use std::ptr;
 
-/// The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's GUSSET_PLUGIN_ABI. The tables are
-/// static: made at the first call, never freed; there is nothing to initialise or to shut down, and the library stays
-/// loaded after dlclose. May be called from any thread, as often as one likes.
+/// The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's
+/// GUSSET_PLUGIN_ABI. The tables are static: made at the first call, never freed; there is nothing
+/// to initialise or to shut down, and the library stays loaded after dlclose. May be called from
+/// any thread, as often as one likes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub extern "C" fn gusset_plugin_entry(host_abi: u32) -> *const gusset_plugin {

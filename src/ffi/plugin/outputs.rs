@@ -15,7 +15,8 @@ use std::ffi::CString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 
-/// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at once.
+/// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at
+/// once.
 pub struct gusset_outputs {
     outputs: Vec<Held>,
     status: i32,

@@ -65,7 +65,8 @@ pub(super) unsafe extern "C" fn suggest(
     outcome.map_or_else(|fault| fault.failure.status as i32, |()| GUSSET_PLUGIN_DONE)
 }
 
-/// A failure, and the numbers of the parameter and of the input that it is about, or GUSSET_PLUGIN_NONE.
+/// A failure, and the numbers of the parameter and of the input that it is about, or
+/// GUSSET_PLUGIN_NONE.
 pub(super) struct Fault {
     pub(super) failure: Failure,
     pub(super) param: u32,
@@ -119,7 +120,8 @@ fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -
         };
         let unfit = if let Error::InputUnfit { input, .. } = error { Some(input) } else { None };
         let (side, fault) = (error.side(), Fault::from(error));
-        // An element may be one of any input, unless there is one only, or the error says of which of two it is.
+        // An element may be one of any input, unless there is one only, or the error says of which
+        // of two it is.
         let input = match (given.len(), side) {
             _ if unfit.is_some() => unfit.unwrap_or(GUSSET_PLUGIN_NONE),
             (1, _) if fault.input != GUSSET_PLUGIN_NONE => 0,

@@ -1,4 +1,5 @@
-//! The tables behind the one symbol, made once of [`FILTERS`] and never freed: texts get their closing NUL here.
+//! The tables behind the one symbol, made once of [`FILTERS`] and never freed: texts get their
+//! closing NUL here.
 
 use super::descriptor::{
     GUSSET_FILTER_REPLACES, GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PARAM_ANGLE,

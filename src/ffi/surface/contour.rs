@@ -6,14 +6,16 @@ use crate::surface::contour::{NearestAngle, Planes, PointSpacing};
 
 /// What is between the points where a curve crosses the lines of the surface.
 pub type gusset_point_spacing = u32;
-/// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+/// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
+/// box.
 pub const GUSSET_POINT_SPACING_AUTO: gusset_point_spacing = 0;
 /// As many points of the surface as keep the chords within `chord`.
 pub const GUSSET_POINT_SPACING_CHORD: gusset_point_spacing = 1;
 /// Nothing.
 pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_point_spacing = 2;
-/// `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
-/// place of the crossing before them. Order four where crossings are evenly spaced.
+/// `points` points of the paper's approximation: on the cubic through four crossings. They are near
+/// the surface, not on it, and have the place of the crossing before them. Order four where
+/// crossings are evenly spaced.
 pub const GUSSET_POINT_SPACING_LEUS: gusset_point_spacing = 3;
 
 /// How curves of a surface are given.
@@ -22,8 +24,10 @@ pub const GUSSET_POINT_SPACING_LEUS: gusset_point_spacing = 3;
 pub struct gusset_contour_options {
     /// sizeof(gusset_contour_options), set by the caller.
     pub struct_size: usize,
-    /// With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
-    /// gusset_intersection_options, which has no `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+    /// With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the
+    /// tolerance of the surface. Otherwise not read. (In gusset_intersection_options, which has no
+    /// `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for
+    /// GUSSET_POINT_SPACING_CELL_EDGES.)
     pub chord: f64,
     /// GUSSET_POINT_SPACING_...
     pub spacing: gusset_point_spacing,
@@ -49,9 +53,11 @@ pub struct gusset_nearest_angle_report {
     pub normal: [f64; 3],
     /// Its angle with the direction, in radians.
     pub angle: f64,
-    /// How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+    /// How far this is from the angle asked for; infinite if the surface has no normal anywhere,
+    /// and all else is 0 then.
     pub deviation: f64,
-    /// No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+    /// No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that
+    /// could not be proved.
     pub bound: f64,
 }
 

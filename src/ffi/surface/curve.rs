@@ -1,4 +1,5 @@
-//! Curves as surfaces: through points, along a surface, and near to each other in space, as C sees them.
+//! Curves as surfaces: through points, along a surface, and near to each other in space, as C sees
+//! them.
 
 use crate::ffi::curve::intersect::gusset_places;
 use crate::ffi::curve::{gusset_curve, points, view};

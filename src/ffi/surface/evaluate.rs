@@ -13,7 +13,8 @@ pub const GUSSET_NORMAL_REGULAR: u32 = 1;
 /// The limit along the coordinate line, where the tangents do not span a plane: at poles.
 pub const GUSSET_NORMAL_LIMIT: u32 = 2;
 
-/// What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+/// What there is to know of a point of a surface. Derivatives are by the parameters within the
+/// cell.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_point {
@@ -31,10 +32,11 @@ pub struct gusset_surface_point {
     pub vv: [f64; 3],
     /// The unit normal, to the side of S_u x S_v; 0 if there is none.
     pub normal: [f64; 3],
-    /// Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
-    /// tip of a cone, which has no normal.
+    /// Of limits: the largest angle, in radians, to limits along other lines to the same point.
+    /// Small at the pole of a smooth surface, large at the tip of a cone, which has no normal.
     pub spread: f64,
-    /// The principal curvatures, the greater first: positive where the surface bends towards the normal.
+    /// The principal curvatures, the greater first: positive where the surface bends towards the
+    /// normal.
     pub principal: [f64; 2],
     /// Their directions: two unit tangents, x, y, z each.
     pub directions: [f64; 6],

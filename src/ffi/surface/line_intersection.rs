@@ -46,7 +46,8 @@ pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 pub struct gusset_surface_hit {
     /// Where on the line; of a curve the number of the segment and the parameter on it, added.
     pub t: f64,
-    /// From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+    /// From where to where it cannot be told from the surface, within the tolerance; t twice at
+    /// crossings.
     pub span: [f64; 2],
     /// Where on the surface.
     pub place: gusset_surface_place,
@@ -78,11 +79,13 @@ pub struct gusset_surface_hits_view {
     pub line_count: usize,
     /// How many hits there are in all.
     pub hit_count: usize,
-    /// 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+    /// 0, then the end of each line's hits among all: line k has the hits from ends[k] until
+    /// ends[k + 1]. line_count + 1 numbers.
     pub ends: *const u64,
     /// The hits, those of a line by rising t.
     pub hits: *const gusset_surface_hit,
-    /// Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+    /// Of a curve: three places a hit on it: that of the hit, and where its span begins and ends.
+    /// Else NULL.
     pub on_curve: *const gusset_place,
 }
 

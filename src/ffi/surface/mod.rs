@@ -1,4 +1,5 @@
-//! The handle of a surface: sheets with an index, as C sees them; places on surfaces, and curves of them.
+//! The handle of a surface: sheets with an index, as C sees them; places on surfaces, and curves of
+//! them.
 
 pub mod contour;
 pub mod curve;
@@ -19,8 +20,9 @@ use crate::ffi::surface::sheet::gusset_sheet;
 use crate::surface::{Paths, Place, Sheet, Surface};
 use glam::DVec3;
 
-/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
-/// many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
+/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
+/// functions may use it from any thread, and many at the same time, each with a context of its own;
+/// it is destroyed when none uses it any more. It keeps what it needs of its sheets.
 pub struct gusset_surface(pub(crate) Surface<'static>);
 
 /// A place on a surface.
@@ -49,14 +51,16 @@ pub struct gusset_surface_options {
     pub struct_size: usize,
     /// A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
     pub tolerance: f64,
-    /// 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first
-    /// such question builds them.
+    /// 1: with the cones of normals that gusset_surface_isophotes_create and
+    /// gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first such question
+    /// builds them.
     pub cones: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the surface.
+/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it
+/// keeps nothing of the surface.
 pub struct gusset_surface_paths {
     ends: Vec<u32>,
     closed: Vec<u32>,
@@ -78,9 +82,11 @@ pub struct gusset_surface_paths_view {
     pub path_count: usize,
     /// How many points there are in all.
     pub point_count: usize,
-    /// 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
+    /// 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k +
+    /// 1] - 1.
     pub ends: gusset_indices,
-    /// By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through_create have it again at the end.)
+    /// By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and
+    /// gusset_curve_through_create have it again at the end.)
     pub closed: *const u32,
     /// By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
     pub levels: *const u32,
@@ -92,7 +98,8 @@ pub struct gusset_surface_paths_view {
     pub places: *const gusset_surface_place,
     /// Of intersections of two surfaces: where they are on the second; else NULL.
     pub others: *const gusset_surface_place,
-    /// Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+    /// Cells in which something may be that could not be resolved: tangency, coincidence, or pieces
+    /// smaller than the tolerance.
     pub unresolved: *const gusset_surface_place,
     /// How many.
     pub unresolved_count: usize,

@@ -1,4 +1,5 @@
-//! Nearest points of surfaces, places where the distance is locally least, regions of cells, as C sees them.
+//! Nearest points of surfaces, places where the distance is locally least, regions of cells, as C
+//! sees them.
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
@@ -6,12 +7,15 @@ use crate::geom::strided::Strided;
 use crate::surface::{Closest, Minima, Region};
 use glam::DVec3;
 
-/// gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+/// gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers
+/// are 0 and the distance is infinite.
 pub const GUSSET_NEAREST_FOUND: u32 = 1;
-/// gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
-/// would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+/// gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or
+/// within the rounding of coordinates. Not set: that would take too long, as it may next to a
+/// centre of curvature; bound is right nevertheless.
 pub const GUSSET_NEAREST_PROVEN: u32 = 2;
-/// gusset_surface_nearest_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+/// gusset_surface_nearest_point: another point, farther from this one than a hundredth of the
+/// distance, is as near within the tolerance.
 pub const GUSSET_NEAREST_AMBIGUOUS: u32 = 4;
 
 /// A point of a surface that was found for a query.
@@ -22,11 +26,13 @@ pub struct gusset_surface_nearest_point {
     pub place: gusset_surface_place,
     /// x, y, z.
     pub point: [f64; 3],
-    /// The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+    /// The unit normal there, or its limit at a pole; 0 where there is none. The query is on its
+    /// side if (query - point) . normal > 0.
     pub normal: [f64; 3],
     /// The distance from the query.
     pub distance: f64,
-    /// No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+    /// No point of the surface is nearer than this; of minima: none of the piece of surface round
+    /// the point.
     pub bound: f64,
     /// GUSSET_NEAREST_...
     pub flags: u32,
@@ -40,7 +46,8 @@ pub struct gusset_surface_nearest_point {
 pub struct gusset_nearest_options {
     /// sizeof(gusset_nearest_options), set by the caller.
     pub struct_size: usize,
-    /// No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
+    /// No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY:
+    /// no limit.
     pub limit: f64,
     /// Of minima: as many of the nearest; 0: all.
     pub max_count: usize,
@@ -69,7 +76,8 @@ pub struct gusset_surface_points_view {
     pub count: usize,
     /// None is missing that is nearer than this.
     pub bound: f64,
-    /// 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+    /// 1, or 0 if the search gave up at that distance, as it may where the distance is the same all
+    /// over the surface.
     pub complete: u32,
     /// 0.
     pub reserved: u32,
@@ -106,8 +114,8 @@ pub struct gusset_surface_region_view {
     pub cells: *const gusset_surface_cell,
     /// How many.
     pub cell_count: usize,
-    /// A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
-    /// b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+    /// A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet
+    /// k, which has c columns, is b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
     pub mask: *const u64,
     /// How many words.
     pub word_count: usize,

@@ -1,5 +1,5 @@
-//! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal by two sections. It is the
-//! documented reference; to ask questions, use the index of a surface.
+//! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal
+//! by two sections. It is the documented reference; to ask questions, use the index of a surface.
 
 use crate::error::Element;
 use crate::ffi::prelude::*;
@@ -43,12 +43,14 @@ pub struct gusset_reference_task {
     pub point: [f64; 3],
     /// Its direction, of any length but 0; not read for points.
     pub direction: [f64; 3],
-    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
+    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells;
+    /// not read for the nearest.
     pub within: f64,
     /// Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
     pub angle: f64,
-    /// Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
-    /// gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+    /// Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
+    /// paper's K d, see gusset_sheet_curvature_bound; 0: cones of normals instead, which are
+    /// tighter.
     pub curvature: f64,
     /// Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
     pub unsigned_normals: u32,
@@ -90,13 +92,13 @@ pub struct gusset_mask_report {
     pub struct_size: usize,
     /// How many cells it has.
     pub cells: u64,
-    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
-    /// is in several parts.
+    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no
+    /// cells, 2^64 - 1 if the region is in several parts.
     pub integer_diameter: u64,
     /// Vertices less edges plus cells: 1 for a region in one part without holes.
     pub euler: i64,
-    /// No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
-    /// infinite if the region is in several parts.
+    /// No two points of the region are farther apart: the integer diameter times the greatest
+    /// Euclidean diameter of its cells; infinite if the region is in several parts.
     pub diameter: f64,
 }
 

@@ -19,7 +19,8 @@ pub struct gusset_surface_report {
     pub index_bytes: usize,
     /// The length to which answers are proved.
     pub tolerance: f64,
-    /// A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
+    /// A corner of a box round the surface and the control nets of its cells, which may be larger
+    /// than the surface: the least x, y, z.
     pub low: [f64; 3],
     /// The greatest.
     pub high: [f64; 3],
@@ -37,11 +38,12 @@ pub struct gusset_surface_sheet_report {
     pub rows: usize,
     /// Cells in v.
     pub columns: usize,
-    /// The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
-    /// first_cell + i * columns + j, the bit of masks of gusset_surface_region_view.
+    /// The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
+    /// row after row: of cell (i, j) it is first_cell + i * columns + j, the bit of masks of
+    /// gusset_surface_region_view.
     pub first_cell: u64,
-    /// The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
-    /// gusset_surface_contours_create.
+    /// The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each:
+    /// where its values begin for gusset_surface_contours_create.
     pub first_node: u64,
     /// 1: closed in u.
     pub closed_u: u32,

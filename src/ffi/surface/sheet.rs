@@ -6,18 +6,22 @@ use crate::mesh::Scalar;
 use crate::surface::{Grid, Nodes, Scheme, Sheet};
 use libc::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all functions may use it from any thread, and many at
-/// the same time, each with a context of its own; it is destroyed when none uses it any more.
+/// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
+/// functions may use it from any thread, and many at the same time, each with a context of its own;
+/// it is destroyed when none uses it any more.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
 /// How the surface is drawn through nodes.
 pub type gusset_scheme = u32;
-/// Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the constant 1/384.
+/// Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the
+/// constant 1/384.
 pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
-/// The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant 3/128, tangents jump at nodes.
+/// The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant
+/// 3/128, tangents jump at nodes.
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
 
-/// Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
+/// Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
+/// bytes, one after the other.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_nodes {
@@ -25,7 +29,8 @@ pub struct gusset_nodes {
     pub struct_size: usize,
     /// The first node.
     pub nodes: *const c_void,
-    /// The number of rows, at least 2; of a surface closed in u at least 4, of which the last repeats the first.
+    /// The number of rows, at least 2; of a surface closed in u at least 4, of which the last
+    /// repeats the first.
     pub rows: usize,
     /// The number of columns, the same for v. rows * columns is at most 2^31 - 1.
     pub columns: usize,

@@ -24,7 +24,8 @@ pub const GUSSET_FRAME_NODES: u32 = 0;
 /// Gordon's surface of the curves of a frame, which contains them.
 pub const GUSSET_FRAME_CURVES: u32 = 1;
 
-/// Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes: S_u is as long as the step from row to row.
+/// Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes:
+/// S_u is as long as the step from row to row.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_tangents {
@@ -44,9 +45,11 @@ pub struct gusset_tangents {
 
 /// A tensor-product B-spline, not rational.
 ///
-/// Knots of an open direction: as many as control points and the degree and 1, not decreasing, finite, clamped or not; the surface is defined
-/// between knot degree and knot count. Of a closed one: one more than control points, one period; the control points are not repeated, and span k,
-/// from knot k to the next, is made by the control points k - degree to k, counted round. Inner knots may be repeated degree times.
+/// Knots of an open direction: as many as control points and the degree and 1, not decreasing,
+/// finite, clamped or not; the surface is defined between knot degree and knot count. Of a closed
+/// one: one more than control points, one period; the control points are not repeated, and span k,
+/// from knot k to the next, is made by the control points k - degree to k, counted round. Inner
+/// knots may be repeated degree times.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_spline {
@@ -76,21 +79,25 @@ pub struct gusset_spline {
     pub closed_v: u32,
 }
 
-/// A net of curves: each row meets each column, in the order in which they are given; curves may run either way.
+/// A net of curves: each row meets each column, in the order in which they are given; curves may
+/// run either way.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_net {
     /// sizeof(gusset_curve_net), set by the caller.
     pub struct_size: usize,
-    /// Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one point is a pole.
+    /// Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one
+    /// point is a pole.
     pub rows: *const *const gusset_curve,
     /// How many: 0, or at least 2, or 3 if closed_u.
     pub row_count: usize,
     /// Curves in u, which follow each other in v.
     pub columns: *const *const gusset_curve,
-    /// How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface is the skin of the others.
+    /// How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface
+    /// is the skin of the others.
     pub column_count: usize,
-    /// How far apart curves may be where they meet, a length, finite; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+    /// How far apart curves may be where they meet, a length, finite; both are moved to the middle.
+    /// 0: 1e-6 of the diagonal of their box.
     pub tolerance: f64,
     /// 1: the columns are closed curves, and the last row is followed by the first.
     pub closed_u: u32,

@@ -46,7 +46,8 @@ pub struct gusset_sheet_mesh_view {
     pub places: *const gusset_surface_place,
     /// For each vertex the unit normal: x, y, z; 0 where there is none.
     pub normals: *const f64,
-    /// A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
+    /// A bound of the distance between the surface and the triangles, or either pair of triangles
+    /// of quads.
     pub deviation: f64,
 }
 

@@ -10,12 +10,15 @@ use crate::surface::surface_intersection::{CellPair, Options};
 pub struct gusset_intersection_options {
     /// sizeof(gusset_intersection_options), set by the caller.
     pub struct_size: usize,
-    /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
-    /// INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_contour_options `between` says which of these is
-    /// meant, GUSSET_POINT_SPACING_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
+    /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of
+    /// the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
+    /// of cells of either surface. (In gusset_contour_options `between` says which of these is
+    /// meant, GUSSET_POINT_SPACING_AUTO, _CHORD or _NOTHING, and chord is read for the second
+    /// only.)
     pub chord: f64,
-    /// A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
-    /// the smaller one of the tolerances of the two surfaces.
+    /// A length, finite: branches that are shorter may be lost, and surfaces that are nearer to
+    /// each other all over are reported as touching; 0: the smaller one of the tolerances of the
+    /// two surfaces.
     pub tolerance: f64,
 }
 

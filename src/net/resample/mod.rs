@@ -1,8 +1,8 @@
 //! Nets of other sizes: resampled, levels of detail, decimated.
 //!
-//! For nets that are glued along whole sides (see [`Sides`](super::topology::Sides)). Invariant: the result has the same
-//! sides, and glued nodes have equal bits. Splines after Catmull and Rom, "A class of local
-//! interpolating splines", 1974. O(nodes).
+//! For nets that are glued along whole sides (see [`Sides`](super::topology::Sides)). Invariant:
+//! the result has the same sides, and glued nodes have equal bits. Splines after Catmull and Rom,
+//! "A class of local interpolating splines", 1974. O(nodes).
 
 mod decimate;
 mod interpolate;

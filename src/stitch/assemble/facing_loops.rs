@@ -1,10 +1,11 @@
 //! Loops that face each other across a gap.
 //!
-//! Each vertex of each loop finds the nearest vertex of another loop. Two loops are joined as wholes if
-//! nearly all vertices of each have their nearest vertex on the other, and either their distances are
-//! similar or these nearest vertices wind once round the other loop; seen from a loop that lies beside
-//! another they run forth and back. Otherwise runs of neighbouring vertices whose nearest vertices lie
-//! on one loop, mutually, form facing arcs, as at the border of two scans that overlap others elsewhere.
+//! Each vertex of each loop finds the nearest vertex of another loop. Two loops are joined as
+//! wholes if nearly all vertices of each have their nearest vertex on the other, and either their
+//! distances are similar or these nearest vertices wind once round the other loop; seen from a loop
+//! that lies beside another they run forth and back. Otherwise runs of neighbouring vertices whose
+//! nearest vertices lie on one loop, mutually, form facing arcs, as at the border of two scans that
+//! overlap others elsewhere.
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
@@ -18,7 +19,8 @@ use crate::stitch::facing::{Arc, centre, cyclic_runs};
 use crate::stitch::rim::Rim;
 use glam::DVec3;
 
-/// Share of each loop's vertices whose nearest vertex is on the other, for whole loops to be joined.
+/// Share of each loop's vertices whose nearest vertex is on the other, for whole loops to be
+/// joined.
 const MIN_FACING_SHARE: f64 = 0.9;
 
 /// Largest ratio of the ninth decile of the distances to the first one, or to the spacing.
@@ -38,7 +40,8 @@ const REPORT_INTERVAL: usize = 1 << 12;
 pub(super) struct Facing {
     pub(super) rims: [usize; 2],
     pub(super) arcs: Option<[Arc; 2]>,
-    /// The mean distance from the vertices of one to the nearest of the other, the larger of the two means.
+    /// The mean distance from the vertices of one to the nearest of the other, the larger of the
+    /// two means.
     pub(super) gap: f64,
 }
 
@@ -170,7 +173,8 @@ impl FacingSearch<'_> {
             points.extend(&rim.points);
             owners.extend(std::iter::repeat_n(r as u32, rim.points.len()));
         }
-        // Of one component at a time nothing is looked for: whole parts of the tree are passed over.
+        // Of one component at a time nothing is looked for: whole parts of the tree are passed
+        // over.
         let groups = alloc::collect(owners.iter().map(|&r| match self.within_components {
             true => r,
             false => self.candidates[r as usize].component,
@@ -247,7 +251,8 @@ impl FacingSearch<'_> {
                 && !whole[r]
                 && !whole[look.rim as usize]
         };
-        // A vertex sees another loop if that looks back at its loop, and not at a part of it that is far nearer.
+        // A vertex sees another loop if that looks back at its loop, and not at a part of it that
+        // is far nearer.
         let sees = |r: usize, look: &NearestVertex| {
             near(r, look) && {
                 let k = look.rim as usize;
@@ -275,7 +280,8 @@ impl FacingSearch<'_> {
             }
             of_vertex.push(numbers);
         }
-        // Each arc faces the one that holds most of its nearest vertices; arcs that face each other are joined.
+        // Each arc faces the one that holds most of its nearest vertices; arcs that face each other
+        // are joined.
         let partner = |&(r, k, arc): &(usize, usize, Arc)| -> Result<(u32, f64)> {
             let mut facing = alloc::with_capacity(arc.count)?;
             let places = arc.places(nearest_vertices[r].len());
@@ -300,7 +306,8 @@ impl FacingSearch<'_> {
     }
 }
 
-/// Trims end vertices that share their nearest vertex with their neighbour, from farther away: they look back at a corner.
+/// Trims end vertices that share their nearest vertex with their neighbour, from farther away: they
+/// look back at a corner.
 fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
     let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));
@@ -325,7 +332,8 @@ fn lengths_of(rim: &Rim) -> Result<Vec<f64>> {
     Ok(at)
 }
 
-/// Whether some places in order go round a rim of these lengths once, each next one reached the shorter way.
+/// Whether some places in order go round a rim of these lengths once, each next one reached the
+/// shorter way.
 fn winds_once(lengths: &[f64], places: impl Iterator<Item = u32> + Clone) -> bool {
     let around = lengths.last().copied().unwrap_or_default();
     let at = |place: u32| lengths[place as usize];

@@ -5,19 +5,21 @@ use crate::stitch::{self, IndexMap};
 use crate::{fill, repair};
 use std::ops::Range;
 
-/// How wide a gap may be that is still closed by a strip: the mean distance from the vertices of each loop to the nearest of
-/// the other.
+/// How wide a gap may be that is still closed by a strip: the mean distance from the vertices of
+/// each loop to the nearest of the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum MaxGap {
-    /// For whole loops the mean radius of the smaller one, which is the mean distance of its vertices from their centre; for
-    /// runs of loops half of that, and at most four edges of the loop with the longer ones.
+    /// For whole loops the mean radius of the smaller one, which is the mean distance of its
+    /// vertices from their centre; for runs of loops half of that, and at most four edges of the
+    /// loop with the longer ones.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.
     Given(f64),
 }
 
-/// Names loops of the input: the one through a vertex of a piece, or all with a vertex of the piece.
+/// Names loops of the input: the one through a vertex of a piece, or all with a vertex of the
+/// piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Selector {
     /// The piece.
@@ -50,7 +52,8 @@ pub struct Options<'a> {
     pub pairs: &'a [[Selector; 2]],
     /// Pairs that are not to be joined.
     pub excluded: &'a [[Selector; 2]],
-    /// The strips: meridians, search, start, rows, cells, fairing and intersections; the other fields are not read.
+    /// The strips: meridians, search, start, rows, cells, fairing and intersections; the other
+    /// fields are not read.
     pub strip: stitch::Options,
     /// How holes that are left are filled; `None`: not at all.
     pub fill: Option<fill::Options>,
@@ -76,7 +79,8 @@ pub struct Joint {
     pub sides: [Vec<u32>; 2],
     /// Both are whole loops.
     pub whole: bool,
-    /// The mean distance from the vertices of one side to the nearest of the other; the larger of the two means.
+    /// The mean distance from the vertices of one side to the nearest of the other; the larger of
+    /// the two means.
     pub gap: f64,
     /// What became of them.
     pub outcome: Outcome,
@@ -84,7 +88,8 @@ pub struct Joint {
     pub vertices: Range<u32>,
     /// See above.
     pub faces: Range<u32>,
-    /// Pairs of faces that cut each other; see [`Stitch::intersections`](stitch::Stitch::intersections).
+    /// Pairs of faces that cut each other; see
+    /// [`Stitch::intersections`](stitch::Stitch::intersections).
     pub intersections: Option<Vec<[u32; 2]>>,
 }
 
@@ -113,8 +118,8 @@ pub struct LeftLoop {
 /// The assembled mesh and its account.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
-    /// Vertices: those of the pieces that are left after welding, in order; then those of the strips; then those of the
-    /// patches. Faces in the same way.
+    /// Vertices: those of the pieces that are left after welding, in order; then those of the
+    /// strips; then those of the patches. Faces in the same way.
     pub mesh: Mesh,
     /// For each piece, its old indices to new ones; [`NONE`] for what welding dropped.
     pub maps: Vec<IndexMap>,

@@ -19,18 +19,19 @@ use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, IndexMap};
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
-/// across a gap stitched, and holes filled, as the options say.
+/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
+/// loops that face each other across a gap stitched, and holes filled, as the options say.
 ///
-/// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, the time of each strip as for
-/// [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested for intersections a pass over all faces for
-/// each. Linear extra memory.
+/// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, the time of
+/// each strip as for [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested
+/// for intersections a pass over all faces for each. Linear extra memory.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a gap or tolerance that is
-/// negative or not finite, and for a pair whose selectors (option `pairs` or `excluded`, with the pair's number) name no loop
-/// that can be joined, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no
-/// error: see [`Joint::outcome`].
+/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a
+/// gap or tolerance that is negative or not finite, and for a pair whose selectors (option `pairs`
+/// or `excluded`, with the pair's number) name no loop that can be joined, [`Error::TooLarge`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no error: see
+/// [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(value) = options.max_gap
         && !(0.0..f64::INFINITY).contains(&value)
@@ -137,7 +138,8 @@ impl Base {
         Ok(Base { mesh, maps, piece, turned, welded_vertices, sewn_edges, one_sided })
     }
 
-    /// Decides which components are turned over, turns them, and says of each pair whether it can be joined.
+    /// Decides which components are turned over, turns them, and says of each pair whether it can
+    /// be joined.
     fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
         let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
         if keep {
@@ -364,7 +366,8 @@ impl Edges {
         Ok(())
     }
 
-    /// Takes note of the meridians of a strip without rows: where loops touch, another strip could use one again.
+    /// Takes note of the meridians of a strip without rows: where loops touch, another strip could
+    /// use one again.
     fn enter_strip(&mut self, strip: &Strip) -> Result<()> {
         let before = self.of.len();
         let shared = |v: u32| loops_of(&self.places, v).len() > 1;

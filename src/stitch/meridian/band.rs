@@ -18,8 +18,8 @@ impl Band {
         Ok(Band { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
     }
 
-    /// The nodes within `width` rows and columns of a path from (0, 0) to (n, m), of whose nodes some may be left out: the
-    /// path is taken to fill the rectangle between one node and the next.
+    /// The nodes within `width` rows and columns of a path from (0, 0) to (n, m), of whose nodes
+    /// some may be left out: the path is taken to fill the rectangle between one node and the next.
     pub(super) fn around(path: &[Pair], n: usize, m: usize, width: usize) -> Result<Self> {
         let (mut low, mut high) = (alloc::filled(u32::MAX, n + 1)?, alloc::filled(0u32, n + 1)?);
         for step in path.windows(2) {

@@ -29,7 +29,8 @@ impl<'a> Bends<'a> {
         Bends { a, b, sides, tie }
     }
 
-    /// The normals of the triangles A_i A_i-1 B_j and A_i B_j-1 B_j; 0 for one that does not exist or has no area.
+    /// The normals of the triangles A_i A_i-1 B_j and A_i B_j-1 B_j; 0 for one that does not exist
+    /// or has no area.
     pub(super) fn normals(&self, i: usize, j: usize) -> Normals {
         let across = self.b[j] - self.a[i];
         let by_a = if i > 0 { (self.a[i - 1] - self.a[i]).cross(across).normalize_or_zero() } else { DVec3::ZERO };
@@ -42,7 +43,8 @@ impl<'a> Bends<'a> {
         self.a[i].distance(self.b[j]) * (1.0 - p.dot(q))
     }
 
-    /// The bend of the triangle that a step into (i, j) adds, with normal `p`, along its rim, and the tie break.
+    /// The bend of the triangle that a step into (i, j) adds, with normal `p`, along its rim, and
+    /// the tie break.
     pub(super) fn along(&self, i: usize, j: usize, on_a: bool, p: DVec3) -> f64 {
         let tie = self.tie * self.a[i].distance_squared(self.b[j]);
         let Some([along_a, along_b]) = self.sides else {
@@ -57,8 +59,8 @@ impl<'a> Bends<'a> {
     }
 }
 
-/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and round-off would choose: on the
-/// paper's own strip they come to 2^-20 of the meridians' lengths.
+/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and
+/// round-off would choose: on the paper's own strip they come to 2^-20 of the meridians' lengths.
 pub(super) fn tie_break(rails: &RimPair<'_>, paper: &[Pair]) -> f64 {
     let squared = |&[i, j]: &Pair| rails.a[i as usize].distance_squared(rails.b[j as usize]);
     let (lengths, squares) =

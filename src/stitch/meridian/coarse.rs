@@ -28,8 +28,9 @@ const MAX_HALF_BAND: usize = 512;
 /// If more than one in so many nodes of the path touch the border, the whole band is widened.
 const NODES_PER_BORDER_NODE: usize = 128;
 
-/// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice of some rails, the given ones
-/// thinned out. Time and memory: the search of about (2 HALF_BAND + 1) (N + M) nodes, and half as many, and so on.
+/// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice
+/// of some rails, the given ones thinned out. Time and memory: the search of about
+/// (2 HALF_BAND + 1) (N + M) nodes, and half as many, and so on.
 pub(super) fn coarse_to_fine(
     rails: &RimPair<'_>,
     search: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
@@ -80,8 +81,8 @@ pub(super) fn coarse_to_fine(
     }
 }
 
-/// The points that are kept, the first and the last among them: as many as are about two mean edges apart, so that crowds are
-/// thinned out and long edges stay. At most three quarters of many.
+/// The points that are kept, the first and the last among them: as many as are about two mean edges
+/// apart, so that crowds are thinned out and long edges stay. At most three quarters of many.
 fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
     let last = points.len() - 1;
     if last < MIN_SEGMENTS {

@@ -5,8 +5,8 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// Both rims are laid out on a segment by their arc lengths, and walked at the same pace: the next step is on the rim whose
-/// next vertex comes first, on A if both come at once. O(N + M).
+/// Both rims are laid out on a segment by their arc lengths, and walked at the same pace: the next
+/// step is on the rim whose next vertex comes first, on A if both come at once. O(N + M).
 pub(super) fn by_arc_length(rails: &RimPair<'_>) -> Result<Vec<Pair>> {
     let (along_a, along_b) = (parameters(rails.a)?, parameters(rails.b)?);
     walk(rails, |i, j| along_a[i + 1] <= along_b[j + 1])

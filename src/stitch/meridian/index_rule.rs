@@ -1,11 +1,12 @@
-//! The paper's rule: every vertex of the longer rim gets one meridian, to the vertex of the other rim that is nearest when
-//! both rims are laid out evenly on segments of equal length.
+//! The paper's rule: every vertex of the longer rim gets one meridian, to the vertex of the other
+//! rim that is nearest when both rims are laid out evenly on segments of equal length.
 //!
-//! Source: section on the intermediate mesh. With n segments on the longer rim and m <= n on the other, vertex i goes to the
-//! j that makes D_ij = |m i - n j| least, the later of two equal ones. In closed form j = floor((2 m i + n) / (2 n)). The
-//! printed double loop leaves out the last vertex and most other meridians (its bounds and braces are wrong), and its
-//! products overflow 32 bits from about 46,000 vertices on; the division below is carried from one i to the next, without
-//! products.
+//! Source: section on the intermediate mesh. With n segments on the longer rim and m <= n on the
+//! other, vertex i goes to the j that makes D_ij = |m i - n j| least, the later of two equal ones.
+//! In closed form j = floor((2 m i + n) / (2 n)). The printed double loop leaves out the last
+//! vertex and most other meridians (its bounds and braces are wrong), and its products overflow 32
+//! bits from about 46,000 vertices on; the division below is carried from one i to the next,
+//! without products.
 //!
 //! An open polyline of N vertices has N - 1 segments, a closed one N.
 

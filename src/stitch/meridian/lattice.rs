@@ -1,10 +1,11 @@
-//! The cheapest path through the lattice, for costs that depend on each step alone: exact dynamic programming over a band of
-//! it.
+//! The cheapest path through the lattice, for costs that depend on each step alone: exact dynamic
+//! programming over a band of it.
 //!
-//! Node (i, j) is reached from (i - 1, j), from (i, j - 1), or, if the metric allows steps on both rims, from (i - 1, j - 1);
-//! the cheapest way to it is the cheapest of these, one step longer (Fuchs, Kedem and Uselton, 1977). How each node is
-//! reached is kept for a block of rows at a time: the first pass keeps the costs at each block's start, and the way back
-//! computes each block but the last once more.
+//! Node (i, j) is reached from (i - 1, j), from (i, j - 1), or, if the metric allows steps on both
+//! rims, from (i - 1, j - 1); the cheapest way to it is the cheapest of these, one step longer
+//! (Fuchs, Kedem and Uselton, 1977). How each node is reached is kept for a block of rows at a
+//! time: the first pass keeps the costs at each block's start, and the way back computes each block
+//! but the last once more.
 
 use super::band::Band;
 use super::metric::{Line, Metric, StepCosts};
@@ -24,10 +25,11 @@ const STEP_A: u8 = 0;
 const STEP_B: u8 = 1;
 const STEP_BOTH: u8 = 2;
 
-/// The cheapest path within `band`, from (0, 0) to (N, M); `None` if the forbidden nodes leave none.
+/// The cheapest path within `band`, from (0, 0) to (N, M); `None` if the forbidden nodes leave
+/// none.
 ///
-/// Time: the number of nodes in the band. Extra memory: one byte a node for at most 2^26 nodes, and 8 bytes a node of the first
-/// row of each further block of so many.
+/// Time: the number of nodes in the band. Extra memory: one byte a node for at most 2^26 nodes, and
+/// 8 bytes a node of the first row of each further block of so many.
 pub(super) fn cheapest(rails: &RimPair<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (band.last_row(), band.last_column());
     let blocks = band.blocks(MAX_ARRIVALS)?;
@@ -137,7 +139,8 @@ impl Table<'_> {
     fn next_row<const BOTH: bool>(&mut self, i: usize, arrivals: &mut [u8]) {
         let columns = self.band.columns(i);
         let low = *columns.start();
-        // What stands before the band is of an older row, unless the band begins farther right than it did.
+        // What stands before the band is of an older row, unless the band begins farther right than
+        // it did.
         let shifted = low > *self.band.columns(i - 1).start();
         let mut before = if BOTH && shifted { self.cost[low - 1] } else { f64::INFINITY };
         let mut left = f64::INFINITY;

@@ -51,8 +51,9 @@ pub(super) enum Metric {
 }
 
 impl Metric {
-    /// Area, and a tie break: in a plane all strips without folds have the same area, and round-off would choose. The weight of
-    /// the squared lengths is such that on the paper's own strip they come to 2^-32 of its area.
+    /// Area, and a tie break: in a plane all strips without folds have the same area, and round-off
+    /// would choose. The weight of the squared lengths is such that on the paper's own strip they
+    /// come to 2^-32 of its area.
     pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[Pair]) -> Self {
         let area = strip_area(a, b, paper);
         let squared: f64 = paper.iter().map(|&[i, j]| a[i as usize].distance_squared(b[j as usize])).sum();
@@ -64,8 +65,8 @@ impl Metric {
         self == Metric::Quad
     }
 
-    /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches, so that they run on
-    /// vectors.
+    /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches,
+    /// so that they run on vectors.
     pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: RangeInclusive<usize>, steps: &mut StepCosts) {
         let (first, last) = (*range.start(), *range.end());
         let here = a[i];
@@ -122,7 +123,8 @@ impl Metric {
     }
 }
 
-/// Twice the area of the strip over `pairs`; quads are split by the diagonal from the earlier vertex of `a`.
+/// Twice the area of the strip over `pairs`; quads are split by the diagonal from the earlier
+/// vertex of `a`.
 pub(super) fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
     let (a_at, b_at) = (|i: u32| a[i as usize], |j: u32| b[j as usize]);
     let mut area = 0.0;

@@ -52,11 +52,12 @@ pub enum Meridians {
     Greedy,
     /// The strip of triangles whose meridians have the least total length.
     MinDiagonal,
-    /// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the
-    /// angle between the normals).
+    /// The strip of triangles with the least bends: the sum over its edges, rims included, of
+    /// length times (1 - cos of the angle between the normals).
     Smooth,
-    /// StepCosts on both rims at once wherever that makes the sum of the meridians' squared lengths less (dynamic time warping):
-    /// quads where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+    /// StepCosts on both rims at once wherever that makes the sum of the meridians' squared lengths
+    /// less (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for
+    /// strips with interior rows.
     Quad,
 }
 
@@ -77,13 +78,14 @@ impl Meridians {
 /// How hard the best meridians are looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Search {
-    /// Exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time and linear memory, and a result
-    /// that was within a few hundredths of a per cent of the best on smooth and on jagged rims; where vertices are noise or
-    /// crowd together it may lose several per cent.
+    /// Exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time and
+    /// linear memory, and a result that was within a few hundredths of a per cent of the best on
+    /// smooth and on jagged rims; where vertices are noise or crowd together it may lose several
+    /// per cent.
     #[default]
     Auto,
-    /// Exactly: O(N M) time, one byte of memory for each of up to 2^26 pairs of vertices (8 bytes for each pair with
-    /// [`Meridians::Smooth`]), and 8 M bytes for each 2^26 pairs begun.
+    /// Exactly: O(N M) time, one byte of memory for each of up to 2^26 pairs of vertices (8 bytes
+    /// for each pair with [`Meridians::Smooth`]), and 8 M bytes for each 2^26 pairs begun.
     Exact,
 }
 
@@ -97,8 +99,8 @@ pub(crate) struct MeridianChoice {
     pub(crate) cost: f64,
 }
 
-/// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None` if there are none. The
-/// rule by index minds neither.
+/// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None`
+/// if there are none. The rule by index minds neither.
 pub(crate) fn meridians(
     rails: &RimPair<'_>,
     choice: Meridians,

@@ -1,4 +1,5 @@
-//! The two rims that meridians join, as polylines, and the nodes of their lattice that no path may pass.
+//! The two rims that meridians join, as polylines, and the nodes of their lattice that no path may
+//! pass.
 
 use crate::alloc;
 use crate::error::Result;
@@ -7,15 +8,16 @@ use glam::DVec3;
 /// One meridian: the places on rim A and on rim B.
 pub type Pair = [u32; 2];
 
-/// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is the first again.
+/// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is
+/// the first again.
 pub(crate) struct RimPair<'a> {
     pub(crate) a: &'a [DVec3],
     pub(crate) b: &'a [DVec3],
     pub(crate) closed: bool,
     /// Nodes that no path may pass, in ascending order.
     pub(crate) forbidden: &'a [Pair],
-    /// For each edge of A and of B, the unit normal of the old face along it, on the side on which the strip's triangles
-    /// run A_i A_i-1 B_j.
+    /// For each edge of A and of B, the unit normal of the old face along it, on the side on which
+    /// the strip's triangles run A_i A_i-1 B_j.
     pub(crate) sides: Option<[&'a [DVec3]; 2]>,
 }
 
@@ -31,7 +33,8 @@ impl RimPair<'_> {
     }
 }
 
-/// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j < M.
+/// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j
+/// < M.
 pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
     let mut all = Vec::new();
     for [i, j] in nodes {

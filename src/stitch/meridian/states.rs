@@ -80,11 +80,12 @@ pub(super) fn is_simple(rails: &RimPair<'_>, path: &[Pair]) -> bool {
     !rails.closed || state == WITHIN_A | WITHIN_B
 }
 
-/// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as use no meridian of closed
-/// rims twice.
+/// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as
+/// use no meridian of closed rims twice.
 ///
-/// Time: the number of nodes in the band, for each of the states that there are (four for proper paths, twice as many for
-/// bends), twice for bends between closed rims. Extra memory: 8 bytes a node.
+/// Time: the number of nodes in the band, for each of the states that there are (four for proper
+/// paths, twice as many for bends), twice for bends between closed rims. Extra memory: 8 bytes a
+/// node.
 pub(super) fn cheapest(
     rails: &RimPair<'_>,
     cost: &Cost<'_>,
@@ -145,7 +146,8 @@ struct Search<'a> {
     row: Vec<Costs>,
     /// For bends, the normals of the triangles that end at the nodes of that row.
     normals: Vec<Normals>,
-    /// For each node and state: the state before, and the step (8 times 0 for A, 1 for B, 2 for both).
+    /// For each node and state: the state before, and the step (8 times 0 for A, 1 for B, 2 for
+    /// both).
     arrivals: Vec<[u8; STATES]>,
 }
 

@@ -1,4 +1,5 @@
-//! Every choice of meridians that has a measure against brute force, and the coarse-to-fine search against the exact one.
+//! Every choice of meridians that has a measure against brute force, and the coarse-to-fine search
+//! against the exact one.
 
 use super::index_rule::index_meridians;
 use super::metric::strip_area;
@@ -231,7 +232,8 @@ proptest! {
         prop_assert!(lost <= 0.0005, "{lost}");
     }
 
-    /// Rims as a cut through a mesh leaves them: teeth of some edges each, as high as edges are long.
+    /// Rims as a cut through a mesh leaves them: teeth of some edges each, as high as edges are
+    /// long.
     #[test]
     fn coarse_to_fine_is_nearly_the_best_on_jagged_rims(
         n in 1500usize..2500,
@@ -260,7 +262,8 @@ proptest! {
     }
 }
 
-/// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most, over all costs of steps.
+/// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most,
+/// over all costs of steps.
 fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
     let rails = RimPair { a, b, closed: true, forbidden, sides: None };
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
@@ -291,7 +294,8 @@ fn a_plane_ring_gets_short_meridians() {
         let chosen = meridians(&rails, choice, Search::Auto, &Job::default()).unwrap().unwrap();
         let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
         let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
-        // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334 long.
+        // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334
+        // long.
         assert!(longest < 0.3f64.hypot(0.334), "{choice:?} {longest}");
     }
 }

@@ -53,8 +53,8 @@ impl<C> ProjectedNormals<'_, C> {
     ///
     /// With c the control points of the difference of surface and bilinear patch, S_u differs from
     /// a side of the quadrilateral, or from what is between two, by n |c_a+1 - c_a| <= 2 n max |c|,
-    /// n the degree. The index's deviation is max |c| itself for patches; for grids it is
-    /// 3/4 (L A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its
+    /// n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4 (L
+    /// A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its
     /// weights, which is nowhere more than 1.42 L: by 2 deviations at most.
     pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
     where

@@ -73,8 +73,8 @@ impl Surface<'_> {
 
 impl Line {
     /// Where a curve in space comes as near to the line as `within`: as
-    /// [`CurveView::near_misses`](crate::outline::CurveView::near_misses) for the curve, with places on the line as the second ones: segment 0, and the line's
-    /// parameter as t.
+    /// [`CurveView::near_misses`](crate::outline::CurveView::near_misses) for the curve, with
+    /// places on the line as the second ones: segment 0, and the line's parameter as t.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, and those of

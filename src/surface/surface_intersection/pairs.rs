@@ -387,8 +387,8 @@ mod tests {
         Parallelepiped { centre: DVec3::ZERO, half, lengths, normals, volume: x.dot(normals[0]).abs() }
     }
 
-    /// Boxes turned at random and a gap apart, which an axis of separation crosses straight: one across a face, or across an
-    /// edge of each.
+    /// Boxes turned at random and a gap apart, which an axis of separation crosses straight: one
+    /// across a face, or across an edge of each.
     #[test]
     fn the_bound_of_boxes_is_the_whole_one() {
         let mut random = fastrand::Rng::with_seed(3);
@@ -406,7 +406,8 @@ mod tests {
                 solid.half.map(|half| half * half.dot(along).signum()).iter().sum()
             };
             let gap = 0.01 + random.f64();
-            // From the farthest corner of the one to the nearest of the other, so that this is how far they are apart.
+            // From the farthest corner of the one to the nearest of the other, so that this is how
+            // far they are apart.
             other.centre = corner(&one) + gap * along + corner(&other);
             assert!(one.meets(&other, gap * (1.0 + 1e-9)), "{k}");
             assert!(!one.meets(&other, 0.5 * gap), "{k}");

@@ -1,5 +1,5 @@
-//! The order of the library's modules: each uses those of its own layer and of the layers below, and no two files use each other,
-//! be it by a way round.
+//! The order of the library's modules: each uses those of its own layer and of the layers below,
+//! and no two files use each other, be it by a way round.
 
 mod source;
 

@@ -1,7 +1,9 @@
-//! Reads which module of the library uses items of which other: declarations, imports and paths from the tokens of the sources.
+//! Reads which module of the library uses items of which other: declarations, imports and paths
+//! from the tokens of the sources.
 //!
-//! A name leads to the file that defines it, through every `use` on the way, so that a `mod.rs` that lends the names of its
-//! children is no hub. `#[cfg(test)]` items do not count, nor do methods, which are reached without a path.
+//! A name leads to the file that defines it, through every `use` on the way, so that a `mod.rs`
+//! that lends the names of its children is no hub. `#[cfg(test)]` items do not count, nor do
+//! methods, which are reached without a path.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,7 +84,8 @@ impl Crate {
         self.modules.insert(path, module);
     }
 
-    /// The file that defines what a path in `module` leads to: nothing for modules themselves and for other crates.
+    /// The file that defines what a path in `module` leads to: nothing for modules themselves and
+    /// for other crates.
     fn definition(&self, module: &[String], path: &[String], depth: usize) -> Option<&str> {
         let (mut at, mut rest) = (module.to_vec(), path);
         while let Some(first) = rest.first() {
@@ -162,7 +165,8 @@ impl Crate {
 }
 
 impl Module {
-    /// Collects imports, paths and names, `outermost` where imports are the module's and not a function's.
+    /// Collects imports, paths and names, `outermost` where imports are the module's and not a
+    /// function's.
     fn scan(&mut self, tokens: &[TokenTree], outermost: bool) {
         let mut k = 0;
         while k < tokens.len() {
