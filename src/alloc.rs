@@ -42,6 +42,15 @@ pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<
     Ok(vec)
 }
 
+/// [`collect`], up to the first failure.
+pub(crate) fn try_collect<T, E: From<Error>>(items: impl ExactSizeIterator<Item = Result<T, E>>) -> Result<Vec<T>, E> {
+    let mut vec = with_capacity(items.len())?;
+    for item in items {
+        vec.push(item?);
+    }
+    Ok(vec)
+}
+
 /// [`collect`], for long iterators: the host can cancel.
 pub(crate) fn collect_cancellable<T>(
     mut items: impl ExactSizeIterator<Item = T>,

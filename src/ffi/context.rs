@@ -1,25 +1,22 @@
 //! The context: how a host steers a call and learns what happened.
 
-use super::glue::{lend, versioned};
-use super::guard::guard;
-use super::input;
+use super::glue::versioned;
+use super::guard::caught;
+use super::host::{Callbacks, Host, Watch};
+use super::input::{self, Versioned};
 use super::status::{Failure, gusset_element, gusset_status};
 use crate::error::Error;
-use crate::job::{Job, Progress};
+use crate::job::Job;
 use libc::{c_char, c_int, c_void};
-use std::cell::Cell;
 use std::ffi::CString;
-use std::ops::ControlFlow;
 use std::ptr;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
 /// Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at
 /// a time, but gusset_context_cancel and gusset_context_get_progress may be called from any.
 pub struct gusset_context {
-    cancelled: AtomicBool,
-    /// The bits of an f64.
-    fraction: AtomicU64,
+    watch: Watch,
     state: Mutex<State>,
 }
 
@@ -34,24 +31,16 @@ pub type gusset_progress_fn =
 /// during the callback only. The same rules as for progress.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
-#[derive(Clone, Copy)]
-struct Settings {
-    threads: u32,
-    progress: gusset_progress_fn,
-    progress_user: *mut c_void,
-    log: gusset_log_fn,
-    log_user: *mut c_void,
-}
-
 struct State {
-    settings: Settings,
+    threads: u32,
+    callbacks: Callbacks,
     message: CString,
     report: gusset_error_report,
 }
 
 /// What went wrong in the last call, for programs.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct gusset_error_report {
     /// sizeof(gusset_error_report), set by the caller.
     pub struct_size: usize,
@@ -71,58 +60,6 @@ pub struct gusset_error_report {
 
 versioned! { gusset_error_report: 40 }
 
-impl gusset_error_report {
-    const OK: gusset_error_report = gusset_error_report {
-        struct_size: size_of::<gusset_error_report>(),
-        status: 0,
-        element: 0,
-        index: 0,
-        value: 0.0,
-        input: 0,
-        reserved: 0,
-    };
-}
-
-/// The core's view of the host: a progress callback, a log callback, a flag.
-struct Host<'a> {
-    context: &'a gusset_context,
-    settings: Settings,
-    /// The greatest part that was reported.
-    done: Cell<f64>,
-    /// The callback asked to stop: this call is over, whatever it does next.
-    stopped: Cell<bool>,
-}
-
-impl Progress for Host<'_> {
-    fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
-        let fraction = fraction.max(self.done.get());
-        self.done.set(fraction);
-        self.context.fraction.store(fraction.to_bits(), Ordering::Relaxed);
-        if let Some(callback) = self.settings.progress
-            && !self.stopped.get()
-        {
-            let stage = CString::new(stage).unwrap_or_default();
-            // SAFETY: the host gave this function for this purpose, and the text lives through the
-            // call.
-            let answer = unsafe { callback(self.settings.progress_user, fraction, stage.as_ptr()) };
-            self.stopped.set(answer != 0);
-        }
-        if self.stopped.get() || self.context.cancelled.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
-
-    fn note(&self, message: &str) {
-        if let Some(callback) = self.settings.log {
-            let message = CString::new(message).unwrap_or_default();
-            // SAFETY: as above.
-            unsafe { callback(self.settings.log_user, message.as_ptr()) };
-        }
-    }
-}
-
 impl gusset_context {
     fn lock(&self) -> Result<MutexGuard<'_, State>, Failure> {
         match self.state.try_lock() {
@@ -133,76 +70,112 @@ impl gusset_context {
             }
         }
     }
-
-    /// Runs a call and records its outcome.
-    pub(crate) fn run(
-        context: *const gusset_context,
-        body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
-    ) -> gusset_status {
-        if context.is_null() {
-            return body(&Job::default()).map_or_else(|failure| failure.status, |()| gusset_status::GUSSET_OK);
-        }
-        let entered = input::reference(context, "context").and_then(|context| Ok((context, context.lock()?)));
-        let (context, mut state) = match entered {
-            Ok(entered) => entered,
-            Err(failure) => return failure.status,
-        };
-        context.fraction.store(0, Ordering::Relaxed);
-        let host = Host { context, settings: state.settings, done: Cell::new(0.0), stopped: Cell::new(false) };
-        let job = Job::new(host.settings.threads as usize, &host);
-        // Caught here as well as in guard(), so that the report says so.
-        let body = std::panic::AssertUnwindSafe(|| {
-            // A cancel that came before the call holds for it, however short it is.
-            if context.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled.into()) } else { body(&job) }
-        });
-        let outcome = std::panic::catch_unwind(body).unwrap_or_else(|panic| {
-            std::mem::forget(panic);
-            Err(Failure::new(gusset_status::GUSSET_ERROR_PANIC, "internal error: please report it"))
-        });
-        state.record(outcome)
-    }
 }
 
 impl State {
     fn record(&mut self, outcome: Result<(), Failure>) -> gusset_status {
-        let (status, message, report) = match outcome {
-            Ok(()) => (gusset_status::GUSSET_OK, CString::default(), gusset_error_report::OK),
-            Err(failure) => {
-                let report = gusset_error_report {
-                    status: failure.status as i32,
-                    element: failure.element,
-                    index: failure.index,
-                    value: failure.value,
-                    input: failure.input,
-                    ..gusset_error_report::OK
-                };
-                (failure.status, CString::new(failure.message.into_owned()).unwrap_or_default(), report)
-            }
-        };
-        (self.message, self.report) = (message, report);
+        (self.message, self.report) = Default::default();
+        let Err(failure) = outcome else { return gusset_status::GUSSET_OK };
+        let Failure { status, message, element, index, value, input } = failure;
+        self.message = CString::new(message.into_owned()).unwrap_or_default();
+        self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
         status
     }
 }
 
+/// Runs `body` with the context's job, or with the defaults if the context is NULL; records the
+/// outcome in the context.
+pub(crate) fn guard(
+    context: *const gusset_context,
+    body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
+) -> gusset_status {
+    let outcome = caught(|| {
+        if context.is_null() {
+            return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);
+        }
+        let context = input::reference(context, "context")?;
+        let mut state = context.lock()?;
+        let host = Host::new(&context.watch, state.callbacks);
+        let job = Job::new(state.threads as usize, &host);
+        // Caught here too, so that the report says so.
+        let outcome = caught(|| {
+            // A cancel that came before the call holds for it, however short it is.
+            if context.watch.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled.into()) } else { body(&job) }
+        });
+        Ok(state.record(outcome))
+    });
+    outcome.unwrap_or_else(|failure: Failure| failure.status)
+}
+
+/// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is `cleared`
+/// before anything else: whatever becomes of the context, the host finds that there after a
+/// failure.
+pub(crate) fn answer<T>(
+    context: *const gusset_context,
+    (out, name): (*mut T, &'static str),
+    cleared: T,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let slot = input::output(out, cleared, name);
+    guard(context, |job| {
+        // First of all: there must be a place for the result.
+        let slot = slot?;
+        *slot = body(job)?;
+        Ok(())
+    })
+}
+
+/// As [`answer`], with a struct that has a size.
+pub(crate) fn answer_struct<T: Versioned>(
+    context: *const gusset_context,
+    (out, name): (*mut T, &'static str),
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let out = input::output_struct(out, name);
+    guard(context, |job| {
+        let out = out?;
+        out.write(body(job)?);
+        Ok(())
+    })
+}
+
+/// As [`answer`], with a new handle.
+pub(crate) fn create<T>(
+    context: *const gusset_context,
+    out: *mut *mut T,
+    name: &'static str,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    answer(context, (out, name), ptr::null_mut(), |job| Ok(Box::into_raw(Box::new(body(job)?))))
+}
+
+/// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
+/// its body may use `?`.
+macro_rules! lend {
+    ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
+        $crate::ffi::context::answer_struct(std::ptr::null(), ($out, stringify!($out)), |_| {
+            let $it = $crate::ffi::input::reference($handle, stringify!($handle))?;
+            Ok($body)
+        })
+    };
+}
+pub(crate) use lend;
+
 /// Creates a context with automatic threads and no callbacks.
 ///
-/// Destroy it with gusset_context_destroy.
-///
-/// @param[out] context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param[out] context receives it, for gusset_context_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output(context, ptr::null_mut(), "context")?;
+    create(ptr::null(), context, "context", |_| {
         let none = ptr::null_mut();
-        let settings = Settings { threads: 0, progress: None, progress_user: none, log: None, log_user: none };
-        let state = Mutex::new(State { settings, message: CString::default(), report: gusset_error_report::OK });
-        let created = gusset_context { cancelled: AtomicBool::new(false), fraction: AtomicU64::new(0), state };
-        *out = Box::into_raw(Box::new(created));
-        Ok(())
+        let callbacks = Callbacks { progress: None, progress_user: none, log: None, log_user: none };
+        let (message, report) = Default::default();
+        let state = Mutex::new(State { threads: 0, callbacks, message, report });
+        Ok(gusset_context { watch: Watch::default(), state })
     })
 }
 
@@ -226,7 +199,7 @@ pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
-    change(context, |settings| settings.threads = threads)
+    change(context, |state| state.threads = threads)
 }
 
 /// Sets the progress callback.
@@ -243,7 +216,9 @@ pub unsafe extern "C" fn gusset_context_set_progress(
     progress: gusset_progress_fn,
     user: *mut c_void,
 ) -> gusset_status {
-    change(context, |settings| (settings.progress, settings.progress_user) = (progress, user))
+    change(context, |State { callbacks, .. }| {
+        (callbacks.progress, callbacks.progress_user) = (progress, user);
+    })
 }
 
 /// Sets the log callback.
@@ -260,12 +235,13 @@ pub unsafe extern "C" fn gusset_context_set_log(
     log: gusset_log_fn,
     user: *mut c_void,
 ) -> gusset_status {
-    change(context, |settings| (settings.log, settings.log_user) = (log, user))
+    change(context, |State { callbacks, .. }| (callbacks.log, callbacks.log_user) = (log, user))
 }
 
-fn change(context: *const gusset_context, set: impl FnOnce(&mut Settings)) -> gusset_status {
+fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusset_status {
     guard(ptr::null(), |_| {
-        set(&mut input::reference(context, "context")?.lock()?.settings);
+        let mut state = input::reference(context, "context")?.lock()?;
+        set(&mut state);
         Ok(())
     })
 }
@@ -279,7 +255,7 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut Settings)) -> gu
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     if let Ok(context) = input::reference(context, "context") {
-        context.cancelled.store(true, Ordering::Relaxed);
+        context.watch.cancelled.store(true, Ordering::Relaxed);
     }
 }
 
@@ -293,7 +269,7 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     if let Ok(context) = input::reference(context, "context") {
-        context.cancelled.store(false, Ordering::Relaxed);
+        context.watch.cancelled.store(false, Ordering::Relaxed);
     }
 }
 
@@ -305,7 +281,7 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
-    input::reference(context, "context").map_or(0.0, |context| f64::from_bits(context.fraction.load(Ordering::Relaxed)))
+    input::reference(context, "context").map_or(0.0, |context| context.watch.fraction())
 }
 
 /// What went wrong in the last call with this context, as an English sentence; empty after a

@@ -47,12 +47,15 @@ macro_rules! c_enum {
     )*};
 }
 
-/// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
-/// its body may use `?`.
-macro_rules! lend {
-    ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
-        $crate::ffi::guard::lend(($handle, stringify!($handle)), ($out, stringify!($out)), |$it| Ok($body))
+/// `laid_out_like! { A: B { x, y, ... } }`: A and B have these fields, all of them, at the same
+/// places.
+macro_rules! laid_out_like {
+    ($name:ident: $other:ty { $($field:ident),* $(,)? }) => {
+        const _: () = assert!(
+            size_of::<$name>() == size_of::<$other>()
+                $(&& std::mem::offset_of!($name, $field) == std::mem::offset_of!($other, $field))*
+        );
     };
 }
 
-pub(crate) use {c_enum, fixed, lend, versioned};
+pub(crate) use {c_enum, fixed, laid_out_like, versioned};

@@ -1,12 +1,14 @@
 //! Raw pointers to values, slices and structs, each checked for what can be checked.
 
+use super::guard::caught;
 use super::status::Failure;
 use super::status::gusset_status::{
     GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,
     GUSSET_ERROR_SIZE_OVERFLOW,
 };
+use crate::error::Error;
 use std::mem::MaybeUninit;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr;
 
 fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
     if pointer.is_null() {
@@ -54,18 +56,27 @@ pub(crate) fn optional_output<'a, T>(
     if pointer.is_null() { Ok(None) } else { output(pointer, cleared, name).map(Some) }
 }
 
+/// Fills an [`optional_output`].
+pub(crate) fn set<T>(slot: Option<&mut T>, value: T) {
+    if let Some(slot) = slot {
+        *slot = value;
+    }
+}
+
 /// Three coordinates of the caller's, at any alignment.
 pub(crate) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
     let bytes = bytes(pointer.cast(), 3, 8, name)?;
     Ok(glam::DVec3::from_array(bytemuck::pod_read_unaligned(bytes)))
 }
 
-/// A buffer of the caller's for `count` numbers.
-pub(crate) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> Result<&'a mut [u32], Failure> {
+/// A buffer of the caller's for `count` elements; anything will do for none.
+fn buffer<T>(pointer: *mut T, count: usize, name: &'static str) -> Result<*mut [T], Failure> {
+    if count == 0 {
+        return Ok(ptr::slice_from_raw_parts_mut(ptr::dangling_mut(), 0));
+    }
     aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it has room for so many is the caller's promise. Plain
-    // numbers may hold anything.
-    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+    bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
+    Ok(ptr::slice_from_raw_parts_mut(pointer, count))
 }
 
 /// A buffer of the caller's for `count` results of plain numbers; anything will do for none.
@@ -74,14 +85,9 @@ pub(crate) fn results<'a, T: bytemuck::Pod>(
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
-    if count == 0 {
-        return Ok(&mut []);
-    }
-    aligned(pointer, name)?;
-    bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
     // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the
     // caller's promise. Plain numbers may hold anything.
-    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+    buffer(pointer, count, name).map(|buffer| unsafe { &mut *buffer })
 }
 
 /// As [`results`], with every byte 0 at once, so that a failure leaves nothing old behind.
@@ -101,32 +107,31 @@ pub(crate) fn handles<'a, T>(
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [*mut T], Failure> {
-    if count == 0 {
-        return Ok(&mut []);
+    let handles = buffer(pointer, count, name)?;
+    // SAFETY: as in results; NULL is a value of every pointer.
+    unsafe {
+        handles.cast::<*mut T>().write_bytes(0, count);
+        Ok(&mut *handles)
     }
-    aligned(pointer, name)?;
-    bytes(pointer.cast_const().cast(), count, size_of::<*mut T>(), name)?;
-    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the
-    // caller's promise. They are written before they are read.
-    Ok(unsafe {
-        pointer.write_bytes(0, count);
-        std::slice::from_raw_parts_mut(pointer, count)
-    })
 }
 
 /// Frees what a `_create` function gave out; NULL is allowed.
 pub(crate) fn destroy<T>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.
-    let dropped = catch_unwind(AssertUnwindSafe(|| {
+    let _ = caught(|| {
         if !handle.is_null() {
             // SAFETY: it came from Box::into_raw in a `_create` function, and the caller gives it
             // up.
             drop(unsafe { Box::from_raw(handle) });
         }
-    }));
-    if let Err(panic) = dropped {
-        std::mem::forget(panic);
-    }
+        Ok::<_, Failure>(())
+    });
+}
+
+/// Holds a count of the caller's against a limit, before anything is read.
+pub(crate) fn check_count(count: usize, limit: u64, what: &'static str) -> Result<(), Failure> {
+    let count = count as u64;
+    if count > limit { Err(Error::TooLarge { what, count, limit }.into()) } else { Ok(()) }
 }
 
 /// `count` elements of the caller's, read as bytes: any alignment will do.
@@ -214,7 +219,7 @@ pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
 
 /// What is lent of a list: its first element, or NULL if it is empty.
 pub(crate) fn lent<T>(list: &[T]) -> *const T {
-    if list.is_empty() { std::ptr::null() } else { list.as_ptr() }
+    if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
 /// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number
@@ -279,13 +284,24 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     let known = size_of::<T>().min(size);
     // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. Copying a prefix
     // over zeros gives a value of plain fields.
-    unsafe { std::ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
+    unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
     match tail.iter().find(|&&byte| byte != 0) {
         Some(&byte) => Err(Failure::unknown("a field that this version does not know", byte.into())),
         None if value.reserved() != 0 => Err(Failure::unknown("reserved", value.reserved().into())),
         None => Ok(value),
     }
+}
+
+/// Where the structs of an array are, all of which are as large as the first one says.
+pub(crate) fn structs<T: Versioned>(
+    first: *const T,
+    count: usize,
+    name: &'static str,
+) -> Result<impl ExactSizeIterator<Item = *const T>, Failure> {
+    let size = if count == 0 { 0 } else { struct_size(first, name)? };
+    bytes(first.cast(), count, size, name)?;
+    Ok((0..count).map(move |k| first.wrapping_byte_add(k * size)))
 }
 
 /// Clears a struct that the caller wants filled, all but its size, and returns the writer.
@@ -310,7 +326,7 @@ impl<T: Versioned> Output<T> {
         // SAFETY: as in output_struct; `value` is at least `end` bytes long.
         unsafe {
             let from = (&raw const value).cast::<u8>().add(field);
-            std::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(field), end - field);
+            ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(field), end - field);
         }
     }
 }

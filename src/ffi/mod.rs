@@ -4,9 +4,10 @@
 //! |---|---|
 //! | [`status`] | the status codes, and which one each error of the core becomes |
 //! | `glue` | macros that write impls for structs and enums |
-//! | `guard` | panics, and contexts in use, made statuses |
+//! | `guard` | panics made failures |
 //! | `input` | raw pointers to slices, buffers, flags and structs |
-//! | [`context`] | threads, progress, cancel, log, message, report |
+//! | `host` | callbacks, as the core calls them |
+//! | [`context`] | threads, progress, cancel, log, message, report; what a call does first and last |
 //! | [`version`] | versions of the library and of its binary interface |
 //!
 //! | folder | what it owns |
@@ -27,9 +28,8 @@
 
 /// Names that nearly every file of the border uses.
 mod prelude {
-    pub(crate) use super::context::gusset_context;
-    pub(crate) use super::glue::{c_enum, fixed, lend, versioned};
-    pub(crate) use super::guard::{create, guard};
+    pub(crate) use super::context::{answer, answer_struct, create, guard, gusset_context, lend};
+    pub(crate) use super::glue::{c_enum, fixed, laid_out_like, versioned};
     pub(crate) use super::input::{self, Choice, choice, fill, flag, lent};
     pub(crate) use super::status::{Failure, gusset_status};
     pub(crate) use crate::alloc;
@@ -41,6 +41,7 @@ pub mod context;
 pub mod curve;
 mod glue;
 mod guard;
+mod host;
 pub(crate) mod input;
 pub mod mesh;
 pub mod net;

@@ -211,9 +211,7 @@ impl Failure {
     pub(crate) fn of_input(self, input: u32) -> Self {
         Failure { input, ..self }
     }
-}
 
-impl Failure {
     /// A failure that is about element `index`.
     fn at(status: gusset_status, element: gusset_element, index: impl Into<u64>, value: impl Into<f64>) -> Self {
         Failure { element, index: index.into(), value: value.into(), ..Failure::new(status, "") }

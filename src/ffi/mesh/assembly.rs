@@ -7,7 +7,8 @@ use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::repair::weld;
-use crate::stitch::assemble::{Assembly, Joint, MaxGap, Options, Outcome, Reason, Selector, assemble};
+use crate::stitch::IndexMap;
+use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector, assemble};
 
 /// Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
 pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
@@ -146,8 +147,7 @@ pub struct gusset_left_loop {
     pub reserved: u32,
 }
 
-/// The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the
-/// count is 0.
+/// The account of an assembly. Pointers are valid until it is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_assembly_view {
@@ -201,9 +201,7 @@ fixed! { gusset_joint: 104, gusset_left_loop: 24, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
 fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Result<Vec<[Selector; 2]>, Failure> {
-    if count as u64 > MAX_ELEMENTS {
-        return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
-    }
+    input::check_count(count, MAX_ELEMENTS, name)?;
     let pair = |[p, q, v, w]: [u32; 4]| [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }];
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
 }
@@ -256,9 +254,13 @@ impl gusset_assembly_options {
     }
 }
 
-impl gusset_joint {
-    fn of(joint: &Joint) -> Self {
-        gusset_joint {
+impl gusset_assembly {
+    fn new(done: Assembly) -> Result<Self, Error> {
+        let map = |map: &IndexMap| gusset_piece_map {
+            vertices: gusset_indices::lend(&map.vertices),
+            faces: gusset_indices::lend(&map.faces),
+        };
+        let joint = |joint: &Joint| gusset_joint {
             side: joint.sides.each_ref().map(|side| gusset_indices::lend(side)),
             gap: joint.gap,
             vertex_first: joint.vertices.start as usize,
@@ -270,19 +272,9 @@ impl gusset_joint {
             outcome: joint.outcome.number(),
             whole: joint.whole.into(),
             reserved: 0,
-        }
-    }
-}
-
-impl gusset_assembly {
-    fn new(done: Assembly) -> Result<Self, Error> {
-        let (vertices, faces) = (gusset_indices::lend, gusset_indices::lend);
-        let map = |map: &crate::stitch::IndexMap| gusset_piece_map {
-            vertices: vertices(&map.vertices),
-            faces: faces(&map.faces),
         };
-        let left = |left: &crate::stitch::assemble::LeftLoop| gusset_left_loop {
-            vertices: vertices(&left.vertices),
+        let left = |left: &LeftLoop| gusset_left_loop {
+            vertices: gusset_indices::lend(&left.vertices),
             reason: left.reason.number(),
             reserved: 0,
         };
@@ -291,7 +283,7 @@ impl gusset_assembly {
         // The lists that these point to lie on the heap and stay where they are.
         Ok(gusset_assembly {
             pieces: alloc::collect(done.maps.iter().map(map))?,
-            joints: alloc::collect(done.joints.iter().map(gusset_joint::of))?,
+            joints: alloc::collect(done.joints.iter().map(joint))?,
             left: alloc::collect(done.left.iter().map(left))?,
             holes: alloc::collect(done.holes.iter().map(gusset_hole::of))?,
             turned,

@@ -237,14 +237,13 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     view: *mut gusset_loop_view,
 ) -> gusset_status {
     lend!(boundary, view, |boundary| {
-        let boundary = &boundary.boundary;
-        let found = boundary.get(index).ok_or(Failure::no_such("loop", index))?;
+        let found = boundary.boundary.get(index).ok_or(Failure::no_such("loop", index))?;
         gusset_loop_view {
             struct_size: size_of::<gusset_loop_view>(),
             vertices: gusset_indices::lend(found.vertices),
             half_edges: gusset_indices::lend(found.half_edges),
             faces: gusset_indices::lend(found.faces),
-            edge_flags: found.edge_flags.as_ptr(),
+            edge_flags: lent(found.edge_flags),
             length: found.length,
             flags: found.flags.0,
             walk: found.walk,
@@ -274,9 +273,7 @@ pub unsafe extern "C" fn gusset_boundary_get_defects(
         let count = input::output(count, 0, "count")?;
         let defects = input::output(defects, ptr::null(), "defects")?;
         let found = &input::reference(boundary, "boundary")?.defects;
-        if !found.is_empty() {
-            (*defects, *count) = (found.as_ptr(), found.len());
-        }
+        (*defects, *count) = (lent(found), found.len());
         Ok(())
     })
 }

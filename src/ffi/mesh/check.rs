@@ -82,8 +82,7 @@ pub unsafe extern "C" fn gusset_check_create(
 ) -> gusset_status {
     create(context, check, "check", |job| {
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let found = self::check(&mesh, &job.part(0.2, 1.0))?;
-        Ok(gusset_check(found))
+        Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
     })
 }
 
@@ -109,8 +108,7 @@ pub unsafe extern "C" fn gusset_check_get_view(
     check: *const gusset_check,
     report: *mut gusset_check_view,
 ) -> gusset_status {
-    lend!(check, report, |check| {
-        let c = &check.0;
+    lend!(check, report, |gusset_check(c)| {
         let bit = |set, bit| if set { bit } else { 0 };
         gusset_check_view {
             struct_size: size_of::<gusset_check_view>(),

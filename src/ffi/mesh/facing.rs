@@ -4,8 +4,6 @@
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::mesh::stitch_options::tolerance;
 use crate::ffi::prelude::*;
-use crate::ffi::status::GUSSET_ELEMENT_COUNT;
-use crate::ffi::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
@@ -15,7 +13,7 @@ use glam::DVec3;
 /// points.
 pub struct gusset_facing {
     found: Facing,
-    runs: [Vec<u32>; 2],
+    runs: [Vec<[u32; 2]>; 2],
 }
 
 /// How facing vertices are found; all zero is the default.
@@ -68,11 +66,14 @@ impl gusset_facing_options {
     }
 }
 
+/// The first place of a run, and its number of vertices.
+fn pair(arc: &Arc) -> [u32; 2] {
+    [arc.first as u32, arc.count as u32]
+}
+
 /// Packed points of the caller's.
 pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
-    if count as u64 > MAX_ELEMENTS {
-        return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
-    }
+    input::check_count(count, MAX_ELEMENTS, name)?;
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
 }
 
@@ -82,8 +83,7 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 /// @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of
 ///     them, at least 1 each.
 /// @param count_a see points_a.
-/// @param points_b x, y, z of the vertices of each loop in order, packed, count_a and count_b of
-///     them, at least 1 each.
+/// @param points_b see points_a.
 /// @param count_b see points_a.
 /// @param options NULL for the defaults.
 /// @param[out] facing receives the result, for gusset_facing_destroy; NULL on failure.
@@ -109,11 +109,7 @@ pub unsafe extern "C" fn gusset_facing_create(
         let a = points(points_a, count_a, "points_a")?;
         let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
         let found = self::facing(&a, &b, &options, &crate::Job::default())?;
-        let pairs = |arcs: &[Arc]| {
-            let mut list = alloc::with_capacity(2 * arcs.len())?;
-            list.extend(arcs.iter().flat_map(|arc| [arc.first as u32, arc.count as u32]));
-            Ok::<_, Error>(list)
-        };
+        let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(pair));
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
         Ok(gusset_facing { found, runs })
     })
@@ -130,7 +126,7 @@ pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
 
 /// Lends what was found.
 ///
-/// @param facing the facing.
+/// @param facing what was found.
 /// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -145,9 +141,9 @@ pub unsafe extern "C" fn gusset_facing_get_view(
         struct_size: size_of::<gusset_facing_view>(),
         centre: found.planes.centres.map(|c| c.to_array()),
         normal: found.planes.normals.map(|n| n.to_array()),
-        distances: found.distances.each_ref().map(Vec::as_ptr),
-        runs: runs.each_ref().map(|list| gusset_indices::lend(list)),
-        taken: found.taken.map(|arc| [arc.first as u32, arc.count as u32]),
+        distances: found.distances.each_ref().map(|list| lent(list)),
+        runs: runs.each_ref().map(|list| gusset_indices::lend(list.as_flattened())),
+        taken: found.taken.each_ref().map(pair),
     })
 }
 
@@ -156,8 +152,7 @@ pub unsafe extern "C" fn gusset_facing_get_view(
 ///
 /// @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
 ///     N vertices has N - 1, a closed one N.
-/// @param m segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
-///     N vertices has N - 1, a closed one N.
+/// @param m see n.
 /// @param[out] j receives n + 1 numbers; NULL with capacity 0 asks for how many.
 /// @param capacity of j.
 /// @param[out] written receives their number; may not be NULL.
@@ -180,17 +175,9 @@ pub unsafe extern "C" fn gusset_meridians_index(
         if m > n {
             return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());
         }
-        *written = n as usize + 1;
-        if j.is_null() && capacity == 0 {
-            return Ok(());
-        }
-        if capacity < *written {
-            let message = format!("{} numbers, and room for {capacity}", *written);
-            let failure = Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message);
-            return Err(Failure { element: GUSSET_ELEMENT_COUNT, index: *written as u64, ..failure });
-        }
-        let out = input::slice(j, *written, "j")?;
-        out.iter_mut().zip(index_rule(n, m)).for_each(|(slot, j)| *slot = j);
-        Ok(())
+        fill(j, capacity, n as usize + 1, written, "j", |out| {
+            out.iter_mut().zip(index_rule(n, m)).for_each(|(slot, j)| *slot = j);
+            Ok(())
+        })
     })
 }

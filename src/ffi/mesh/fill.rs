@@ -172,17 +172,12 @@ impl gusset_hole {
 
 /// The caller's loops, copied; `None` for all.
 fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
-    if count as u64 > MAX_ELEMENTS {
-        return Err(Error::TooLarge { what: "loops", count: count as u64, limit: MAX_ELEMENTS }.into());
-    }
+    input::check_count(count, MAX_ELEMENTS, "loops")?;
     if loops.is_null() {
         return if count == 0 { Ok(None) } else { Err(Failure::null("loops")) };
     }
-    let mut list = alloc::with_capacity(count)?;
-    for i in 0..count {
-        list.push(mesh::indices(loops.wrapping_add(i), "loops")?.unwrap_or_default());
-    }
-    Ok(Some(list))
+    let list = |i| mesh::indices(loops.wrapping_add(i), "loops").map(Option::unwrap_or_default);
+    alloc::try_collect((0..count).map(list)).map(Some)
 }
 
 /// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round
@@ -225,10 +220,7 @@ pub unsafe extern "C" fn gusset_fill_create(
         let options = input::read(options, true, "options")?.checked()?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let given = given(loops, loop_count)?;
-        let slices = match &given {
-            Some(loops) => Some(alloc::collect(loops.iter().map(Vec::as_slice))?),
-            None => None,
-        };
+        let slices = given.as_ref().map(|loops| alloc::collect(loops.iter().map(Vec::as_slice))).transpose()?;
         let filled = fill_holes(&mesh, slices.as_deref(), &options, &job.part(0.1, 1.0))?;
         let holes = alloc::collect(filled.holes.iter().map(gusset_hole::of))?;
         Ok(gusset_fill { filled, holes })
@@ -246,7 +238,7 @@ pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
 
 /// Lends the result, valid until the fill is destroyed.
 ///
-/// @param fill the fill.
+/// @param fill the filled mesh.
 /// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -259,7 +251,7 @@ pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *m
 
 /// Lends the accounts of the loops.
 ///
-/// @param fill the fill.
+/// @param fill the filled mesh.
 /// @param[out] parts receives the parts; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: those of gusset_fill_get_mesh.
 /// @since 0.1
@@ -276,8 +268,8 @@ pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *
 
 /// Measures of the new faces and of the result.
 ///
-/// @param fill the fill.
-/// @param[out] quality receives the quality; struct_size is set by the caller.
+/// @param fill the filled mesh.
+/// @param[out] quality receives the measures; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1

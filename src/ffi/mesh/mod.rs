@@ -82,7 +82,7 @@ versioned! { gusset_mesh_view: 72 reserved }
 
 /// The caller's mesh number `number`, held to the rules.
 pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
-    checked(view, job).map_err(|failure| failure.of_input(number))
+    checked(view, "mesh", job).map_err(|failure| failure.of_input(number))
 }
 
 /// An array of the caller's meshes, whose structs are as large as the first one says.
@@ -94,18 +94,17 @@ pub(crate) fn meshes<'a>(
     if count == 0 {
         return Err(Error::EmptyMesh { what: "faces" }.into());
     }
-    let size = input::struct_size(views, "pieces")?;
-    input::bytes(views.cast(), count, size, "pieces")?;
-    let mut meshes = alloc::with_capacity(count)?;
-    for k in 0..count {
-        let part = job.share(k, count);
-        meshes.push(mesh(views.wrapping_byte_add(k * size), k as u32, &part)?);
-    }
-    Ok(meshes)
+    let views = input::structs(views, count, "pieces")?.enumerate();
+    alloc::try_collect(views.map(|(k, view)| mesh(view, k as u32, &job.share(k, count))))
 }
 
-fn checked<'a>(view: *const gusset_mesh_view, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
-    let view = input::read(view, false, "mesh")?;
+/// A mesh of the caller's, held to the rules; `name` is that of its view.
+pub(crate) fn checked<'a>(
+    view: *const gusset_mesh_view,
+    name: &'static str,
+    job: &Job<'_>,
+) -> Result<MeshView<'a>, Failure> {
+    let view = input::read(view, false, name)?;
     let scalar = choice(view.scalar)?;
     if view.index != GUSSET_U32 {
         return Err(Failure::unknown("index", view.index.into()));
@@ -142,19 +141,19 @@ fn checked<'a>(view: *const gusset_mesh_view, job: &Job<'_>) -> Result<MeshView<
 
 /// The arrays of `mesh`.
 pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
-    let (positions, scalar): (*const c_void, _) = match &mesh.positions {
-        PositionBuffer::F32(points) => (points.as_ptr().cast(), GUSSET_F32),
-        PositionBuffer::F64(points) => (points.as_ptr().cast(), GUSSET_F64),
-    };
+    let scalar = mesh.positions.view().scalar();
     gusset_mesh_view {
-        struct_size: size_of::<gusset_mesh_view>(),
-        positions,
-        position_stride: mesh.positions.view().scalar().position_size(),
+        struct_size: 0,
+        positions: match &mesh.positions {
+            PositionBuffer::F32(points) => lent(points).cast(),
+            PositionBuffer::F64(points) => lent(points).cast(),
+        },
+        position_stride: scalar.position_size(),
         vertex_count: mesh.positions.len(),
-        face_offsets: mesh.face_offsets.as_ptr().cast(),
-        face_corners: mesh.face_corners.as_ptr().cast(),
+        face_offsets: lent(&mesh.face_offsets).cast(),
+        face_corners: lent(&mesh.face_corners).cast(),
         face_count: mesh.face_count(),
-        scalar,
+        scalar: scalar.number(),
         index: GUSSET_U32,
         face_size: 0,
         reserved: 0,
@@ -164,8 +163,7 @@ pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
 impl gusset_indices {
     /// Lends a slice; NULL for an empty one.
     pub(crate) fn lend(indices: &[u32]) -> Self {
-        let data = lent(indices);
-        gusset_indices { data, count: indices.len() }
+        gusset_indices { data: lent(indices), count: indices.len() }
     }
 }
 
@@ -175,9 +173,7 @@ pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Resul
         return Ok(None);
     }
     let given = *input::reference(given, name)?;
-    if given.count as u64 > MAX_ELEMENTS {
-        return Err(Error::TooLarge { what: name, count: given.count as u64, limit: MAX_ELEMENTS }.into());
-    }
+    input::check_count(given.count, MAX_ELEMENTS, name)?;
     input::list(given.data, given.count, name).map(Some)
 }
 

@@ -59,12 +59,6 @@ versioned! { gusset_orient_options: 16 reserved, gusset_orient_view: 72 }
 
 c_enum! { outward: Outward { GUSSET_OUTWARD_KEEP => Keep, GUSSET_OUTWARD_CLOSED => Closed } }
 
-impl gusset_orient_options {
-    fn checked(self) -> Result<Options, Failure> {
-        Ok(Options { outward: choice(self.outward)? })
-    }
-}
-
 /// Turns faces over until faces that share an edge of two faces run it in opposite directions.
 ///
 /// In each component as few faces as possible are turned; where both sides are as many, its
@@ -90,7 +84,7 @@ pub unsafe extern "C" fn gusset_orient_create(
     orient: *mut *mut gusset_orient,
 ) -> gusset_status {
     create(context, orient, "orient", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let options = Options { outward: choice(input::read(options, true, "options")?.outward)? };
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let done = self::orient(&mesh, &options, &job.part(0.2, 1.0))?;
         let one_sided = [
@@ -112,7 +106,7 @@ pub unsafe extern "C" fn gusset_orient_destroy(orient: *mut gusset_orient) {
 
 /// Lends the oriented mesh, valid until the handle is destroyed.
 ///
-/// @param orient the orient.
+/// @param orient the oriented mesh.
 /// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -128,7 +122,7 @@ pub unsafe extern "C" fn gusset_orient_get_mesh(
 
 /// Lends the flags, lists and counts.
 ///
-/// @param orient the orient.
+/// @param orient the oriented mesh.
 /// @param[out] parts receives the parts; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: those of gusset_orient_get_mesh.
 /// @since 0.1
@@ -141,7 +135,7 @@ pub unsafe extern "C" fn gusset_orient_get_view(
     lend!(orient, parts, |gusset_orient { done, one_sided }| gusset_orient_view {
         struct_size: size_of::<gusset_orient_view>(),
         // A bool is one byte, 0 or 1.
-        turned: done.turned.as_ptr().cast(),
+        turned: lent(&done.turned).cast(),
         face_count: done.turned.len(),
         one_sided_faces: gusset_indices::lend(&one_sided[0]),
         one_sided_half_edges: gusset_indices::lend(&one_sided[1]),

@@ -115,14 +115,12 @@ impl gusset_quality_report {
 /// only; two arcs of one vertex each get one meridian and no face.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param mesh_a the mesh a.
+/// @param mesh_a the first mesh.
 /// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
 ///     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
 ///     and the loops that lie nearest to each other are taken.
 /// @param mesh_b NULL if both loops are of mesh_a.
-/// @param loop_b the vertices of each loop in order, in either direction, each consecutive pair
-///     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
-///     and the loops that lie nearest to each other are taken.
+/// @param loop_b see loop_a.
 /// @param options NULL for the defaults.
 /// @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
@@ -155,15 +153,11 @@ pub unsafe extern "C" fn gusset_stitch_create(
     create(context, stitch, "stitch", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
-        let b = match mesh_b.is_null() {
-            true => None,
-            false => Some(mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))?),
-        };
+        let b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
         let loop_a = mesh::indices(loop_a, "loop_a")?;
         let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.of_input(1))?;
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
-        let done = self::stitch(&request, &options, &job.part(0.2, 1.0))?;
-        Ok(gusset_stitch(done))
+        Ok(gusset_stitch(self::stitch(&request, &options, &job.part(0.2, 1.0))?))
     })
 }
 
@@ -219,34 +213,31 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
     stitch: *const gusset_stitch,
     parts: *mut gusset_stitch_view,
 ) -> gusset_status {
-    lend!(stitch, parts, |stitch| {
-        let done = &stitch.0;
-        gusset_stitch_view {
-            struct_size: size_of::<gusset_stitch_view>(),
-            vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
-            face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
-            rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
-            meridians: gusset_indices::lend(done.meridians.as_flattened()),
-            matrix: gusset_indices::lend(&done.matrix),
-            parents: gusset_indices::lend(done.parents.as_flattened()),
-            weights: lent(&done.weights),
-            strip_face_first: done.strip_faces.start as usize,
-            strip_face_count: done.strip_faces.len(),
-            row_count: done.rows,
-            closed: done.closed.into(),
-            turned: done.turned.into(),
-            intersections_known: done.intersections.is_some().into(),
-            intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
-            back_off_count: done.back_offs,
-            reserved: 0,
-        }
+    lend!(stitch, parts, |gusset_stitch(done)| gusset_stitch_view {
+        struct_size: size_of::<gusset_stitch_view>(),
+        vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
+        face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
+        rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
+        meridians: gusset_indices::lend(done.meridians.as_flattened()),
+        matrix: gusset_indices::lend(&done.matrix),
+        parents: gusset_indices::lend(done.parents.as_flattened()),
+        weights: lent(&done.weights),
+        strip_face_first: done.strip_faces.start as usize,
+        strip_face_count: done.strip_faces.len(),
+        row_count: done.rows,
+        closed: done.closed.into(),
+        turned: done.turned.into(),
+        intersections_known: done.intersections.is_some().into(),
+        intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+        back_off_count: done.back_offs,
+        reserved: 0,
     })
 }
 
 /// Measures of the strip and of the result.
 ///
 /// @param stitch the stitch.
-/// @param[out] quality receives the quality; struct_size is set by the caller.
+/// @param[out] quality receives the measures; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
 /// @since 0.1

@@ -66,8 +66,7 @@ impl gusset_strip_options {
 /// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
 ///     each, closed ones at least 3, and the last point is not the first again.
 /// @param count_a see points_a.
-/// @param points_b x, y, z of the points in order, packed, count_a and count_b of them: at least 1
-///     each, closed ones at least 3, and the last point is not the first again.
+/// @param points_b see points_a.
 /// @param count_b see points_a.
 /// @param options NULL for the defaults (open polylines).
 /// @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
@@ -117,13 +116,10 @@ pub unsafe extern "C" fn gusset_strip_get_view(
     strip: *const gusset_strip,
     parts: *mut gusset_strip_view,
 ) -> gusset_status {
-    lend!(strip, parts, |strip| {
-        let done = &strip.0;
-        gusset_strip_view {
-            struct_size: size_of::<gusset_strip_view>(),
-            start: done.start,
-            meridians: gusset_indices::lend(done.meridians.as_flattened()),
-            triangles: gusset_indices::lend(done.triangles.as_flattened()),
-        }
+    lend!(strip, parts, |gusset_strip(done)| gusset_strip_view {
+        struct_size: size_of::<gusset_strip_view>(),
+        start: done.start,
+        meridians: gusset_indices::lend(done.meridians.as_flattened()),
+        triangles: gusset_indices::lend(done.triangles.as_flattened()),
     })
 }

@@ -136,7 +136,7 @@ pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
 
 /// Lends the welded mesh, valid until the weld is destroyed.
 ///
-/// @param weld the weld.
+/// @param weld the welded mesh.
 /// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -149,25 +149,22 @@ pub unsafe extern "C" fn gusset_weld_get_mesh(weld: *const gusset_weld, view: *m
 
 /// Lends the maps, lists and counts.
 ///
-/// @param weld the weld.
+/// @param weld the welded mesh.
 /// @param[out] parts receives the parts; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: those of gusset_weld_get_mesh.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *mut gusset_weld_view) -> gusset_status {
-    lend!(weld, parts, |weld| {
-        let done = &weld.0;
-        gusset_weld_view {
-            struct_size: size_of::<gusset_weld_view>(),
-            vertex_map: gusset_indices::lend(&done.vertex_map),
-            face_map: gusset_indices::lend(&done.face_map),
-            left_edges: gusset_indices::lend(&done.left_edges),
-            left_vertices: gusset_indices::lend(&done.left_vertices),
-            welded_vertices: done.welded_vertices,
-            sewn_edges: done.sewn_edges,
-            dropped_faces: done.dropped_faces,
-            reserved: 0,
-        }
+    lend!(weld, parts, |gusset_weld(done)| gusset_weld_view {
+        struct_size: size_of::<gusset_weld_view>(),
+        vertex_map: gusset_indices::lend(&done.vertex_map),
+        face_map: gusset_indices::lend(&done.face_map),
+        left_edges: gusset_indices::lend(&done.left_edges),
+        left_vertices: gusset_indices::lend(&done.left_vertices),
+        welded_vertices: done.welded_vertices,
+        sewn_edges: done.sewn_edges,
+        dropped_faces: done.dropped_faces,
+        reserved: 0,
     })
 }

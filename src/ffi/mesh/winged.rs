@@ -93,7 +93,7 @@ pub struct gusset_winged_view {
 }
 
 versioned! { gusset_winged_options: 16 reserved, gusset_winged_view: 120 }
-const _: () = assert!(size_of::<gusset_winged_edge>() == size_of::<WingedEdge>());
+laid_out_like! { gusset_winged_edge: WingedEdge { m, n, b, c, d, e, left, right, marks } }
 c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise, GUSSET_FACES_CLOCKWISE => Clockwise } }
 
 /// Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
 
 /// Lends the tables.
 ///
-/// @param winged the winged.
+/// @param winged the tables.
 /// @param[out] view receives the view; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -154,8 +154,7 @@ pub unsafe extern "C" fn gusset_winged_get_view(
 ) -> gusset_status {
     lend!(winged, view, |gusset_winged { tables, loops }| gusset_winged_view {
         struct_size: size_of::<gusset_winged_view>(),
-        // The core's record has the same fields in the same order.
-        edges: tables.edges().as_ptr().cast(),
+        edges: lent(tables.edges()).cast(),
         edge_count: tables.edges().len(),
         edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
         edge_of_face: gusset_indices::lend(tables.edge_of_face()),

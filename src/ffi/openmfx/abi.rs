@@ -25,34 +25,6 @@ impl Status {
     }
 }
 
-/// What a host asks of an effect.
-#[derive(Clone, Copy)]
-pub(super) enum Action {
-    Load,
-    Unload,
-    Describe,
-    DescribeInContext,
-    CreateInstance,
-    DestroyInstance,
-    Cook,
-    Other,
-}
-
-/// The action of this name. Whether an effect changes anything (`IsIdentity`) is found by cooking
-/// it, so that is left to the default.
-pub(super) fn action(name: &CStr) -> Action {
-    match name.to_bytes() {
-        b"OfxActionLoad" => Action::Load,
-        b"OfxActionUnload" => Action::Unload,
-        b"OfxActionDescribe" => Action::Describe,
-        b"OfxMeshEffectActionDescribeInContext" => Action::DescribeInContext,
-        b"OfxActionCreateInstance" => Action::CreateInstance,
-        b"OfxActionDestroyInstance" => Action::DestroyInstance,
-        b"OfxMeshEffectActionCook" => Action::Cook,
-        _ => Action::Other,
-    }
-}
-
 /// The API that the effects implement, and its version.
 pub(super) const API: &CStr = c"OfxMeshEffectPluginAPI";
 pub(super) const API_VERSION: c_int = 1;

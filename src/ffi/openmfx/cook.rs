@@ -4,35 +4,15 @@
 use super::abi::{Handle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, PROP_TIME, Status};
 use super::effects::{Effect, Knob, KnobKind, SUIT};
 use super::meshes::{self, Polygons, Read};
-use super::suites::{HostMesh, Parameters, Suites};
+use super::suites::{Fault, HostMesh, Parameters, Suites};
 use crate::alloc;
 use crate::error::Error;
+use crate::ffi::guard::caught;
 use crate::ffi::status::{Failure, gusset_status};
 use crate::filters::data::{Curves, Input, InputKind, Output};
 use crate::job::{Job, Progress};
 use libc::c_int;
 use std::ops::ControlFlow;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// Why an effect gave nothing.
-pub(super) enum Fault {
-    /// The host failed, or lacks something.
-    Host(Status),
-    /// The library refused.
-    Ours(Failure),
-}
-
-impl From<Status> for Fault {
-    fn from(status: Status) -> Self {
-        Fault::Host(status)
-    }
-}
-
-impl<F: Into<Failure>> From<F> for Fault {
-    fn from(failure: F) -> Self {
-        Fault::Ours(failure.into())
-    }
-}
 
 /// Asks the host whether to go on.
 struct Watch<'a> {
@@ -53,12 +33,7 @@ impl Progress for Watch<'_> {
 /// The action of this name.
 pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: Handle) -> Result<(), Status> {
     let time = suites.properties(in_args).double(PROP_TIME).unwrap_or(0.0);
-    let done = catch_unwind(AssertUnwindSafe(|| work(effect, suites, instance, time))).unwrap_or_else(|panic| {
-        // As in `guard`: the payload's own destructor could panic.
-        std::mem::forget(panic);
-        Err(Failure::new(gusset_status::GUSSET_ERROR_PANIC, "internal error: please report it").into())
-    });
-    done.map_err(|fault| match fault {
+    caught(|| work(effect, suites, instance, time)).map_err(|fault| match fault {
         Fault::Host(status) => status,
         Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => Status::MEMORY,
         // The host knows.
@@ -93,20 +68,16 @@ fn work(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result
             None => {}
         }
     }
-    let mut given = alloc::with_capacity(read.len())?;
-    for (kind, mesh) in &read {
-        given.push(match kind {
+    let given = alloc::try_collect(read.iter().map(|(kind, mesh)| {
+        Ok::<_, Error>(match kind {
             InputKind::Mesh => Given::Mesh(mesh, mesh.polygons()?),
             InputKind::Curves => Given::Curves(mesh.curves()?),
-        });
-    }
-    let mut inputs = alloc::with_capacity(given.len())?;
-    for one in &given {
-        inputs.push(match one {
-            Given::Mesh(mesh, polygons) => mesh.mesh(polygons, &job.part(0.0, 0.05))?,
-            Given::Curves(curves) => Input::Curves(curves),
-        });
-    }
+        })
+    }))?;
+    let inputs = alloc::try_collect(given.iter().map(|given| match given {
+        Given::Mesh(mesh, polygons) => mesh.mesh(polygons, &job.part(0.0, 0.05)),
+        Given::Curves(curves) => Ok(Input::Curves(curves)),
+    }))?;
     let values = values(effect, &suites.parameters(instance)?, time, &inputs)?;
     let outputs = effect.filter.run(&inputs, &values, &job.part(0.05, 1.0))?;
     for output in &outputs {
@@ -150,12 +121,14 @@ fn values(effect: &Effect, parameters: &Parameters<'_>, time: f64, inputs: &[Inp
     }
     if effect.filter.has_suggestions() {
         let mut suit = 1;
-        parameters.int(SUIT, time, &mut suit)?;
+        parameters.value(SUIT, time, &mut suit)?;
         if suit != 0 {
             let plain = effect.filter.plain_defaults();
             let better = effect.filter.defaults(inputs);
             for (value, (plain, better)) in values.iter_mut().zip(plain.into_iter().zip(better)) {
-                *value = if *value == plain { better } else { *value };
+                if *value == plain {
+                    *value = better;
+                }
             }
         }
     }
@@ -167,16 +140,16 @@ fn read(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64])
     match knob.kind {
         KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => {
             let mut value = values[0] as c_int;
-            parameters.int(&knob.name, time, &mut value)?;
+            parameters.value(&knob.name, time, &mut value)?;
             values[0] = if knob.kind == KnobKind::Boolean { f64::from(u8::from(value != 0)) } else { value.into() };
         }
-        KnobKind::Double => parameters.double(&knob.name, time, &mut values[0])?,
+        KnobKind::Double => parameters.value(&knob.name, time, &mut values[0])?,
         KnobKind::Angle => {
             // Through degrees and back a default may not be quite the same.
             let shown = values[0].to_degrees();
             let mut value = shown;
-            parameters.double(&knob.name, time, &mut value)?;
-            values[0] = if value == shown { values[0] } else { value.to_radians().clamp_near(knob) };
+            parameters.value(&knob.name, time, &mut value)?;
+            values[0] = if value == shown { values[0] } else { put_back(value.to_radians(), knob) };
         }
         KnobKind::Vector => {
             let mut vector = [values[0], values[1], values[2]];
@@ -188,13 +161,7 @@ fn read(parameters: &Parameters<'_>, knob: &Knob, time: f64, values: &mut [f64])
 }
 
 /// What left its range by rounding alone is put back.
-trait ClampNear {
-    fn clamp_near(self, knob: &Knob) -> f64;
-}
-
-impl ClampNear for f64 {
-    fn clamp_near(self, knob: &Knob) -> f64 {
-        let nearest = self.clamp(knob.param.min, knob.param.max);
-        if (nearest - self).abs() <= 4.0 * f64::EPSILON * self.abs() { nearest } else { self }
-    }
+fn put_back(value: f64, knob: &Knob) -> f64 {
+    let nearest = value.clamp(knob.param.min, knob.param.max);
+    if (nearest - value).abs() <= 4.0 * f64::EPSILON * value.abs() { nearest } else { value }
 }

@@ -1,24 +1,18 @@
 //! The effects and their texts, made once of [`FILTERS`] and never changed: hosts keep pointers to
 //! the texts.
 
-use super::abi::{API, API_VERSION, MAIN_INPUT, OfxPlugin};
-use super::{FUNCTIONS, ROOM};
+use super::abi::MAIN_INPUT;
 use crate::filters::data::{InputKind, OutputKind};
 use crate::filters::param::{Param, ParamKind};
 use crate::filters::{FILTERS, Filter};
-use libc::c_uint;
 use std::ffi::{CStr, CString};
 use std::sync::OnceLock;
 
 /// An effect has a fixed number of inputs; filters that take any number get so many.
 const MOST_INPUTS: usize = 8;
 
-const _: () = assert!(FILTERS.len() <= ROOM, "more filters than functions: enlarge the list of numbers");
-
 /// A filter as an effect.
 pub(super) struct Effect {
-    /// What a host looks at.
-    pub(super) plugin: OfxPlugin,
     pub(super) filter: &'static Filter,
     pub(super) label: CString,
     pub(super) help: CString,
@@ -28,12 +22,6 @@ pub(super) struct Effect {
     /// the first input is passed on.
     pub(super) output: Option<usize>,
 }
-
-// SAFETY: its pointers are to texts and functions that live as long as the library is loaded, and
-// never change.
-unsafe impl Send for Effect {}
-// SAFETY: as above.
-unsafe impl Sync for Effect {}
 
 /// An input.
 pub(super) struct Slot {
@@ -72,32 +60,16 @@ pub(super) struct Knob {
 /// All effects.
 pub(super) fn all() -> &'static [Effect] {
     static EFFECTS: OnceLock<Vec<Effect>> = OnceLock::new();
-    EFFECTS.get_or_init(|| {
-        let offered = FILTERS.iter().filter(|filter| filter.min_inputs <= MOST_INPUTS);
-        offered.zip(FUNCTIONS).map(|(filter, functions)| Effect::new(filter, functions)).collect()
-    })
+    EFFECTS.get_or_init(|| FILTERS.iter().filter(|filter| filter.min_inputs <= MOST_INPUTS).map(Effect::new).collect())
 }
 
-fn text(of: &str) -> CString {
+pub(super) fn text(of: &str) -> CString {
     CString::new(of.replace('\0', " ")).unwrap_or_default()
 }
 
 impl Effect {
-    fn new(filter: &'static Filter, (set_host, main_entry): super::Functions) -> Self {
-        let version = |part: &str| part.parse::<c_uint>().unwrap_or(0);
-        let identifier = text(&format!("gusset.{}", filter.id));
-        let plugin = OfxPlugin {
-            plugin_api: API.as_ptr(),
-            api_version: API_VERSION,
-            // Never freed, as the effects are not.
-            plugin_identifier: identifier.into_raw(),
-            plugin_version_major: version(env!("CARGO_PKG_VERSION_MAJOR")),
-            plugin_version_minor: version(env!("CARGO_PKG_VERSION_MINOR")),
-            set_host,
-            main_entry,
-        };
+    fn new(filter: &'static Filter) -> Self {
         Effect {
-            plugin,
             filter,
             label: text(filter.name),
             help: text(&format!("{}\n\n{}", filter.help, filter.reference)),

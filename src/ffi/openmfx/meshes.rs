@@ -6,8 +6,7 @@ use super::abi::{
     MESH_FACE_COUNT, MESH_NO_LOOSE_EDGE, MESH_POINT_COUNT, MESH_TRANSFORM, POINT_POSITION, Status, TYPE_FLOAT,
     TYPE_INT,
 };
-use super::cook::Fault;
-use super::suites::{Attribute, HostMesh};
+use super::suites::{Attribute, Fault, HostMesh};
 use super::wires;
 use crate::alloc;
 use crate::error::Error;
@@ -175,8 +174,7 @@ fn transform(mesh: &HostMesh<'_>) -> Result<Option<DMat4>, Fault> {
 
 /// A mesh, into the host's output.
 pub(super) fn write_mesh(to: &HostMesh<'_>, mesh: &Mesh) -> Result<(), Fault> {
-    let sizes =
-        alloc::collect(mesh.face_offsets.windows(2).map(|ends| ends[1] - ends[0]).collect::<Vec<_>>().into_iter())?;
+    let sizes = alloc::collect(mesh.face_offsets.windows(2).map(|ends| ends[1] - ends[0]))?;
     write(to, mesh.positions.len(), |v| mesh.positions.get(v), &mesh.face_corners, &sizes)
 }
 
@@ -198,9 +196,8 @@ fn write(
     for (name, count) in
         [(MESH_POINT_COUNT, points), (MESH_CORNER_COUNT, corners.len()), (MESH_FACE_COUNT, sizes.len())]
     {
-        let limit = c_int::MAX as u64;
-        let too_large = Error::TooLarge { what: "elements", count: count as u64, limit };
-        to.properties.set_int(name, 0, c_int::try_from(count).map_err(|_| too_large)?)?;
+        input::check_count(count, c_int::MAX as u64, "elements")?;
+        to.properties.set_int(name, 0, count as c_int)?;
     }
     let loose = sizes.contains(&2);
     to.properties.set_int(MESH_NO_LOOSE_EDGE, 0, c_int::from(!loose))?;

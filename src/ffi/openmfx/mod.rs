@@ -27,18 +27,22 @@ mod meshes;
 mod suites;
 mod wires;
 
-use abi::{Action, Handle, OfxHost, OfxPlugin, Status, action};
+use crate::filters::FILTERS;
+use abi::{API, API_VERSION, Handle, OfxHost, OfxPlugin, Status};
 use effects::Effect;
-use libc::{c_char, c_int, c_void};
+use libc::{c_char, c_int, c_uint, c_void};
 use std::ffi::CStr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicPtr, Ordering};
 use suites::Suites;
 
 /// More effects than there are filters; each needs functions of its own, since no call says which
 /// effect is meant.
 const ROOM: usize = 64;
+
+const _: () = assert!(FILTERS.len() <= ROOM, "more filters than functions: enlarge the list of numbers");
 
 /// What the host of each effect handed over.
 static HOSTS: [AtomicPtr<OfxHost>; ROOM] = [const { AtomicPtr::new(ptr::null_mut()) }; ROOM];
@@ -54,8 +58,35 @@ pub extern "C" fn OfxGetNumberOfPlugins() -> c_int {
 #[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "the standard names it")]
 pub extern "C" fn OfxGetPlugin(nth: c_int) -> *const OfxPlugin {
-    let effect = catch_unwind(|| usize::try_from(nth).ok().and_then(|nth| effects::all().get(nth)));
-    effect.ok().flatten().map_or(ptr::null(), |effect| &raw const effect.plugin)
+    let plugin = catch_unwind(|| usize::try_from(nth).ok().and_then(|nth| Plugins::get().0.get(nth)));
+    plugin.ok().flatten().map_or(ptr::null(), ptr::from_ref)
+}
+
+/// The effects as hosts see them.
+struct Plugins(Vec<OfxPlugin>);
+
+// SAFETY: its pointers are to texts and functions that live as long as the library is loaded, and
+// never change.
+unsafe impl Send for Plugins {}
+// SAFETY: as above.
+unsafe impl Sync for Plugins {}
+
+impl Plugins {
+    fn get() -> &'static Self {
+        static PLUGINS: OnceLock<Plugins> = OnceLock::new();
+        let version = |part: &str| part.parse::<c_uint>().unwrap_or(0);
+        let plugin = |(effect, (set_host, main_entry)): (&Effect, Functions)| OfxPlugin {
+            plugin_api: API.as_ptr(),
+            api_version: API_VERSION,
+            // Never freed, as the effects are not.
+            plugin_identifier: effects::text(&format!("gusset.{}", effect.filter.id)).into_raw(),
+            plugin_version_major: version(env!("CARGO_PKG_VERSION_MAJOR")),
+            plugin_version_minor: version(env!("CARGO_PKG_VERSION_MINOR")),
+            set_host,
+            main_entry,
+        };
+        PLUGINS.get_or_init(|| Plugins(effects::all().iter().zip(FUNCTIONS).map(plugin).collect()))
+    }
 }
 
 /// The functions of the effect of this number.
@@ -88,7 +119,7 @@ unsafe extern "C" fn main_entry<const NUMBER: usize>(
         // SAFETY: not NULL; the host gives a text with a closing NUL.
         let name = unsafe { CStr::from_ptr(name) };
         let effect = effects::all().get(NUMBER).ok_or(Status::BAD_HANDLE)?;
-        act(effect, HOSTS[NUMBER].load(Ordering::Acquire), action(name), handle.cast_mut(), in_args)
+        act(effect, HOSTS[NUMBER].load(Ordering::Acquire), name, handle.cast_mut(), in_args)
     }));
     let status = done.unwrap_or_else(|panic| {
         // As in `guard`: the payload's own destructor could panic.
@@ -101,26 +132,22 @@ unsafe extern "C" fn main_entry<const NUMBER: usize>(
 fn act(
     effect: &'static Effect,
     host: *mut OfxHost,
-    action: Action,
+    action: &CStr,
     handle: Handle,
     in_args: Handle,
 ) -> Result<Status, Status> {
-    match action {
+    match action.to_bytes() {
         // Nothing is kept for the library or for an instance; what an effect needs of its host is
         // seen when it is described.
-        Action::Load
-        | Action::Unload
-        | Action::CreateInstance
-        | Action::DestroyInstance
-        | Action::DescribeInContext => Ok(Status::OK),
-        Action::Describe => {
-            describe::describe(effect, &Suites::fetch(host)?, handle)?;
-            Ok(Status::OK)
-        }
-        Action::Cook => {
-            cook::cook(effect, &Suites::fetch(host)?, handle, in_args)?;
-            Ok(Status::OK)
-        }
-        Action::Other => Ok(Status::REPLY_DEFAULT),
+        b"OfxActionLoad"
+        | b"OfxActionUnload"
+        | b"OfxActionCreateInstance"
+        | b"OfxActionDestroyInstance"
+        | b"OfxMeshEffectActionDescribeInContext" => Ok(Status::OK),
+        b"OfxActionDescribe" => describe::describe(effect, &Suites::fetch(host)?, handle).map(|()| Status::OK),
+        b"OfxMeshEffectActionCook" => cook::cook(effect, &Suites::fetch(host)?, handle, in_args).map(|()| Status::OK),
+        // Whether an effect changes anything (`IsIdentity`) is found by cooking it, so that is left
+        // to the default too.
+        _ => Ok(Status::REPLY_DEFAULT),
     }
 }

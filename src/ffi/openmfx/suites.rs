@@ -5,9 +5,30 @@ use super::abi::{
     OfxHost, PARAMETER_SUITE, PROPERTY_SUITE, ParameterSuite, PropertySuite, Status,
 };
 use crate::ffi::input;
+use crate::ffi::status::Failure;
 use libc::{c_int, c_void};
 use std::ffi::{CStr, CString};
 use std::ptr;
+
+/// Why an effect gave nothing.
+pub(super) enum Fault {
+    /// The host failed, or lacks something.
+    Host(Status),
+    /// The library refused.
+    Ours(Failure),
+}
+
+impl From<Status> for Fault {
+    fn from(status: Status) -> Self {
+        Fault::Host(status)
+    }
+}
+
+impl<F: Into<Failure>> From<F> for Fault {
+    fn from(failure: F) -> Self {
+        Fault::Ours(failure.into())
+    }
+}
 
 /// Calls a function of a suite: an error if the host lacks it or it says so.
 macro_rules! call {
@@ -167,17 +188,10 @@ impl Parameters<'_> {
         Ok(self.suites.properties(handle))
     }
 
-    /// The value of an integer, of a choice, or of a boolean. What the host leaves alone stays as
-    /// it is.
-    pub(super) fn int(&self, name: &CStr, time: f64, value: &mut c_int) -> Result<(), Status> {
-        let value: *mut c_int = value;
-        let (suite, handle) = (self.suites.parameters, self.handle(name)?);
-        call!(suite, get_value_at_time(handle, time, value)).or_else(|_| call!(suite, get_value(handle, value)))
-    }
-
-    /// The value of a double.
-    pub(super) fn double(&self, name: &CStr, time: f64, value: &mut f64) -> Result<(), Status> {
-        let value: *mut f64 = value;
+    /// The value of a double, or a `c_int` of an integer, of a choice, or of a boolean. What the host
+    /// leaves alone stays as it is.
+    pub(super) fn value<T>(&self, name: &CStr, time: f64, value: &mut T) -> Result<(), Status> {
+        let value: *mut T = value;
         let (suite, handle) = (self.suites.parameters, self.handle(name)?);
         call!(suite, get_value_at_time(handle, time, value)).or_else(|_| call!(suite, get_value(handle, value)))
     }

@@ -1,6 +1,6 @@
 //! What the tables look like to a host: the structs and constants of gusset_plugin.h.
 
-use super::outputs::gusset_outputs;
+use super::outcome::gusset_outputs;
 use crate::ffi::glue::versioned;
 use libc::{c_char, c_void};
 

@@ -3,22 +3,27 @@
 use super::descriptor::{
     GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input, gusset_plugin_curves, gusset_plugin_mesh,
 };
-use super::run::Fault;
+use super::outcome::Fault;
 use crate::alloc;
 use crate::error::{Element, Error};
-use crate::ffi::input::{self, choice};
-use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64, gusset_mesh_view};
+use crate::ffi::glue::laid_out_like;
+use crate::ffi::host::Callbacks;
+use crate::ffi::input::{self, check_count, choice};
+use crate::ffi::mesh::{self, GUSSET_F32, GUSSET_F64, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use crate::filters::Filter;
 use crate::filters::data::{Curves, Input, InputKind};
-use crate::job::{Job, Progress};
+use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, MeshView, Positions};
-use std::cell::Cell;
-use std::ffi::CString;
-use std::ops::ControlFlow;
 
-// The plugin's numbers are the library's.
+// The plugin's numbers are the library's, and so is its view of a mesh.
 const _: () = assert!(GUSSET_PLUGIN_F32 == GUSSET_F32 && GUSSET_PLUGIN_F64 == GUSSET_F64);
+laid_out_like! {
+    gusset_plugin_mesh: gusset_mesh_view {
+        struct_size, positions, position_stride, vertex_count, face_offsets, face_corners, face_count, scalar, index,
+        face_size, reserved,
+    }
+}
 
 /// An input with what it needs to own: meshes stay in the host's memory, curves are small and
 /// copied.
@@ -45,56 +50,28 @@ pub(super) fn inputs<'a>(
     job: &Job<'_>,
 ) -> Result<Vec<Given<'a>>, Fault> {
     filter.check_input_count(count as usize)?;
-    if count == 0 {
-        return Ok(Vec::new());
-    }
-    let size = input::struct_size(given, "inputs")?;
-    input::bytes(given.cast(), count as usize, size, "inputs")?;
-    let mut all = alloc::with_capacity(count as usize)?;
-    for k in 0..count {
-        let part = job.share(k as usize, count as usize);
-        let at = given.wrapping_byte_add(k as usize * size);
-        all.push(read(filter, at, k, &part).map_err(|fault| fault.of_input(k))?);
-    }
-    Ok(all)
+    let given = input::structs(given, count as usize, "inputs")?;
+    alloc::try_collect(given.enumerate().map(|(k, one)| {
+        let part = job.share(k, count as usize);
+        read(filter, one, k, &part).map_err(|fault| fault.of_input(k as u32))
+    }))
 }
 
-fn read<'a>(filter: &Filter, given: *const gusset_input, place: u32, job: &Job<'_>) -> Result<Given<'a>, Fault> {
+fn read<'a>(filter: &Filter, given: *const gusset_input, place: usize, job: &Job<'_>) -> Result<Given<'a>, Fault> {
     let given = input::read(given, false, "inputs")?;
     let kind = choice(given.kind)?;
-    filter.check_input_kind(place as usize, kind)?;
+    filter.check_input_kind(place, kind)?;
     Ok(match kind {
-        InputKind::Mesh => mesh(given.view.cast(), job).map(Given::Mesh)?,
-        InputKind::Curves => curves(given.view.cast(), job).map(Given::Curves)?,
+        InputKind::Mesh => Given::Mesh(mesh::checked(given.view.cast(), "view", job)?),
+        InputKind::Curves => Given::Curves(curves(given.view.cast(), job)?),
     })
-}
-
-fn mesh<'a>(view: *const gusset_plugin_mesh, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
-    let view = input::read(view, false, "view")?;
-    let same = gusset_mesh_view {
-        struct_size: size_of::<gusset_mesh_view>(),
-        positions: view.positions,
-        position_stride: view.position_stride,
-        vertex_count: view.vertex_count,
-        face_offsets: view.face_offsets,
-        face_corners: view.face_corners,
-        face_count: view.face_count,
-        scalar: view.scalar,
-        index: view.index,
-        face_size: view.face_size,
-        reserved: view.reserved,
-    };
-    crate::ffi::mesh::mesh(&raw const same, 0, job)
 }
 
 fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
     let view = input::read(view, false, "view")?;
     let scalar = choice(view.scalar)?;
-    for (what, count) in [("points", view.point_count), ("curves", view.curve_count)] {
-        if count as u64 > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what, count: count as u64, limit: MAX_ELEMENTS }.into());
-        }
-    }
+    check_count(view.point_count, MAX_ELEMENTS, "points")?;
+    check_count(view.curve_count, MAX_ELEMENTS, "curves")?;
     let size = Positions::bytes_needed(view.point_stride, view.point_count, scalar)?;
     let points = input::bytes(view.points, size, 1, "points")?;
     let points = Positions::strided(points, view.point_stride, view.point_count, scalar)?;
@@ -127,54 +104,8 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
     Ok(found)
 }
 
-/// The host's values, copied as they may have any alignment; no more of them are read than the
-/// filter has.
-pub(super) fn values(filter: &Filter, given: *const f64, count: u32) -> Result<Vec<f64>, Failure> {
-    filter.check_value_count(count as usize)?;
-    input::list(given, count as usize, "values")
-}
-
-/// The host's callbacks, as the core calls them.
-pub(super) struct Host {
-    host: gusset_host,
-    /// The greatest part that was reported.
-    done: Cell<f64>,
-    /// The callback asked to stop: the run is over, whatever it does next.
-    stopped: Cell<bool>,
-}
-
-impl Host {
-    pub(super) fn new(host: *const gusset_host) -> Result<Self, Failure> {
-        let host = input::read(host, true, "host")?;
-        Ok(Host { host, done: Cell::new(0.0), stopped: Cell::new(false) })
-    }
-
-    pub(super) fn job(&self) -> Job<'_> {
-        Job::new(self.host.threads as usize, self)
-    }
-}
-
-impl Progress for Host {
-    fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
-        if let Some(callback) = self.host.progress
-            && !self.stopped.get()
-        {
-            let stage = CString::new(stage).unwrap_or_default();
-            let fraction = fraction.max(self.done.get());
-            self.done.set(fraction);
-            // SAFETY: the host gave this function for this purpose, and the text lives through the
-            // call.
-            let answer = unsafe { callback(self.host.user, fraction, stage.as_ptr()) };
-            self.stopped.set(answer != 0);
-        }
-        if self.stopped.get() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }
-
-    fn note(&self, message: &str) {
-        if let Some(callback) = self.host.log {
-            let message = CString::new(message).unwrap_or_default();
-            // SAFETY: as above.
-            unsafe { callback(self.host.user, message.as_ptr()) };
-        }
-    }
+/// The host's number of threads, and its callbacks.
+pub(super) fn host(host: *const gusset_host) -> Result<(usize, Callbacks), Failure> {
+    let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;
+    Ok((threads as usize, Callbacks { progress, progress_user: user, log, log_user: user }))
 }

@@ -4,15 +4,15 @@
 //! | file | what it owns |
 //! |---|---|
 //! | [`descriptor`] | the structs and constants |
-//! | [`table`] | the tables, made once of [`crate::filters::FILTERS`] |
-//! | [`inputs`] | what a host gives: meshes, curves, values, callbacks |
-//! | [`outputs`] | what a run leaves, and how a host reads it |
-//! | [`run`] | a run, and values suggested for one |
+//! | [`table`] | the tables, made once of [`crate::filters::FILTERS`], and runs of filters |
+//! | [`inputs`] | what a host gives: meshes, curves, callbacks |
+//! | [`outcome`] | what a run leaves: outputs, or a failure |
+//! | [`outputs`] | how a host reads it |
 
 pub mod descriptor;
 mod inputs;
-pub mod outputs;
-mod run;
+pub mod outcome;
+mod outputs;
 mod table;
 
 use descriptor::{GUSSET_PLUGIN_ABI, gusset_plugin};

@@ -1,18 +1,20 @@
-//! The tables behind the one symbol, made once of [`FILTERS`] and never freed: texts get their
-//! closing NUL here.
+//! The tables behind the one symbol, made once of [`FILTERS`] and never freed, and the functions in
+//! them by which filters are found and run. Texts get their closing NUL here.
 
-use super::descriptor::{
-    GUSSET_FILTER_REPLACES, GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PARAM_ANGLE,
-    GUSSET_PARAM_BOOL, GUSSET_PARAM_CHOICE, GUSSET_PARAM_DIRECTION, GUSSET_PARAM_INT, GUSSET_PARAM_LENGTH,
-    GUSSET_PARAM_PLANE, GUSSET_PARAM_POINT, GUSSET_PARAM_REAL, GUSSET_PLUGIN_ABI, gusset_choice, gusset_filter,
-    gusset_param_info, gusset_plugin,
-};
-use super::{outputs, run};
+use super::descriptor::*;
+use super::inputs::{self, Given};
+use super::outcome::{Fault, gusset_outputs};
+use super::outputs;
+use crate::error::{Error, Side};
 use crate::ffi::glue::c_enum;
-use crate::ffi::input::Choice;
-use crate::filters::data::{InputKind, OutputKind};
+use crate::ffi::guard::caught;
+use crate::ffi::host::{Host, Watch};
+use crate::ffi::input::{self, Choice};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::filters::data::{Input, InputKind, Output, OutputKind};
 use crate::filters::param::{Param, ParamKind};
 use crate::filters::{FILTERS, Filter};
+use crate::job::Job;
 use libc::{c_char, c_void};
 use std::ffi::{CStr, CString};
 use std::ptr;
@@ -65,12 +67,6 @@ pub(super) fn get() -> &'static Table {
     })
 }
 
-/// The filter that a host means by a pointer into the tables, if it is one.
-pub(super) fn meant(filter: *const gusset_filter) -> Option<&'static Filter> {
-    let place = get().filters.iter().position(|entry| ptr::eq(&raw const entry.filter, filter))?;
-    FILTERS.get(place)
-}
-
 /// Never freed: part of the tables.
 fn text(of: &str) -> *const c_char {
     // A text with a NUL inside ends there.
@@ -105,8 +101,8 @@ impl Entry {
             value_count,
             reserved: 0,
             param: param_at,
-            suggest: run::suggest,
-            run: run::run,
+            suggest,
+            run,
         };
         Entry { filter, params }
     }
@@ -165,10 +161,99 @@ unsafe extern "C" fn find(id: *const c_char) -> *const gusset_filter {
 }
 
 unsafe extern "C" fn param_at(of: *const gusset_filter, index: u32) -> *const gusset_param_info {
-    let entry = get().filters.iter().find(|entry| ptr::eq(&raw const entry.filter, of));
-    entry.and_then(|entry| entry.params.get(index as usize)).map_or(ptr::null(), ptr::from_ref)
+    entry(of).and_then(|(entry, _)| entry.params.get(index as usize)).map_or(ptr::null(), ptr::from_ref)
 }
 
 unsafe extern "C" fn extension(_: *const c_char) -> *const c_void {
     ptr::null()
+}
+
+/// As the descriptor says of `run`.
+unsafe extern "C" fn run(
+    filter: *const gusset_filter,
+    host: *const gusset_host,
+    given: *const gusset_input,
+    input_count: u32,
+    values: *const f64,
+    value_count: u32,
+    outputs: *mut *mut gusset_outputs,
+) -> i32 {
+    let slot = match input::output(outputs, ptr::null_mut(), "outputs") {
+        Ok(slot) => slot,
+        Err(failure) => return failure.status as i32,
+    };
+    let outcome: Result<_, Fault> = caught(|| {
+        let filter = meant(filter)?;
+        let (threads, callbacks) = inputs::host(host)?;
+        let watch = Watch::default();
+        let host = Host::new(&watch, callbacks);
+        let job = Job::new(threads, &host);
+        // Before the inputs are looked at: a host that has stopped waiting waits no longer.
+        job.step(0.0, "reading inputs")?;
+        let given = inputs::inputs(filter, given, input_count, &job.part(0.0, 0.05))?;
+        let given: Vec<Input<'_>> = given.iter().map(Given::lend).collect();
+        // No more of them are read than the filter has.
+        filter.check_value_count(value_count as usize)?;
+        let values = input::list(values, value_count as usize, "values")?;
+        answer(filter, &given, &values, &job.part(0.05, 1.0))
+    });
+    let status = outcome.as_ref().map_or_else(|fault| fault.failure.status as i32, |_| GUSSET_PLUGIN_DONE);
+    // Only texts are copied here: nothing that could fail but memory itself.
+    if let Ok(done) = caught(|| Ok::<_, Failure>(Box::new(gusset_outputs::new(outcome)))) {
+        *slot = Box::into_raw(done);
+    }
+    status
+}
+
+/// As the descriptor says of `suggest`.
+unsafe extern "C" fn suggest(
+    filter: *const gusset_filter,
+    given: *const gusset_input,
+    input_count: u32,
+    values: *mut f64,
+) -> i32 {
+    let outcome: Result<_, Fault> = caught(|| {
+        let filter = meant(filter)?;
+        let plain = filter.plain_defaults();
+        let out = input::results(values, plain.len(), "values")?;
+        out.copy_from_slice(&plain);
+        let given = inputs::inputs(filter, given, input_count, &Job::default())?;
+        let given: Vec<Input<'_>> = given.iter().map(Given::lend).collect();
+        out.copy_from_slice(&filter.defaults(&given));
+        Ok(())
+    });
+    outcome.map_or_else(|fault| fault.failure.status as i32, |()| GUSSET_PLUGIN_DONE)
+}
+
+/// What a host means by a pointer into the tables.
+fn entry(of: *const gusset_filter) -> Option<(&'static Entry, &'static Filter)> {
+    get().filters.iter().zip(FILTERS).find(|(entry, _)| ptr::eq(&raw const entry.filter, of))
+}
+
+fn meant(filter: *const gusset_filter) -> Result<&'static Filter, Failure> {
+    if filter.is_null() {
+        return Err(Failure::null("filter"));
+    }
+    let unknown = || Failure::new(gusset_status::GUSSET_ERROR_NO_SUCH_ELEMENT, "this filter is none of the plugin's");
+    entry(filter).map(|(_, filter)| filter).ok_or_else(unknown)
+}
+
+fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>, Fault> {
+    filter.run(given, values, job).map_err(|error| {
+        let param = match error {
+            Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
+            _ => None,
+        };
+        let unfit = if let Error::InputUnfit { input, .. } = error { Some(input) } else { None };
+        let (side, fault) = (error.side(), Fault::from(error));
+        // An element may be one of any input, unless there is one only, or the error says of which
+        // of two it is.
+        let input = match (given.len(), side) {
+            _ if unfit.is_some() => unfit,
+            (1, _) => fault.input.map(|_| 0),
+            (2, Some(side)) => Some(u32::from(side == Side::B)),
+            _ => None,
+        };
+        Fault { input, param: param.map(|place| place as u32), ..fault }
+    })
 }

@@ -1,0 +1,78 @@
+//! A host as the core sees it.
+
+use crate::job::Progress;
+use libc::{c_char, c_int, c_void};
+use std::cell::Cell;
+use std::ffi::CString;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// The functions that a host wants called, each with what it is handed.
+#[derive(Clone, Copy)]
+pub(crate) struct Callbacks {
+    pub(crate) progress: Option<unsafe extern "C" fn(*mut c_void, f64, *const c_char) -> c_int>,
+    pub(crate) progress_user: *mut c_void,
+    pub(crate) log: Option<unsafe extern "C" fn(*mut c_void, *const c_char)>,
+    pub(crate) log_user: *mut c_void,
+}
+
+/// What any thread may see of a call, and ask of it.
+#[derive(Default)]
+pub(crate) struct Watch {
+    /// Somebody asked to stop.
+    pub(crate) cancelled: AtomicBool,
+    /// The greatest part that was reported: the bits of an f64.
+    fraction: AtomicU64,
+}
+
+impl Watch {
+    /// The greatest part that was reported.
+    pub(crate) fn fraction(&self) -> f64 {
+        f64::from_bits(self.fraction.load(Ordering::Relaxed))
+    }
+}
+
+/// The host of one call.
+pub(crate) struct Host<'a> {
+    watch: &'a Watch,
+    callbacks: Callbacks,
+    /// The callback asked to stop: this call is over, whatever it does next.
+    stopped: Cell<bool>,
+}
+
+impl<'a> Host<'a> {
+    /// The host of a call that begins.
+    pub(crate) fn new(watch: &'a Watch, callbacks: Callbacks) -> Self {
+        watch.fraction.store(0, Ordering::Relaxed);
+        Host { watch, callbacks, stopped: Cell::new(false) }
+    }
+}
+
+impl Progress for Host<'_> {
+    fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
+        let fraction = fraction.max(self.watch.fraction());
+        self.watch.fraction.store(fraction.to_bits(), Ordering::Relaxed);
+        if let Some(callback) = self.callbacks.progress
+            && !self.stopped.get()
+        {
+            let stage = CString::new(stage).unwrap_or_default();
+            // SAFETY: the host gave this function for this purpose, and the text lives through the
+            // call.
+            let answer = unsafe { callback(self.callbacks.progress_user, fraction, stage.as_ptr()) };
+            self.stopped.set(answer != 0);
+        }
+        if self.stopped.get() || self.watch.cancelled.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    fn note(&self, message: &str) {
+        if let Some(callback) = self.callbacks.log {
+            let message = CString::new(message).unwrap_or_default();
+            // SAFETY: as above.
+            unsafe { callback(self.callbacks.log_user, message.as_ptr()) };
+        }
+    }
+}

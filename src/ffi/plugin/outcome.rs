@@ -1,0 +1,82 @@
+//! What becomes of a run: outputs, or why there are none.
+
+use crate::ffi::status::{Failure, gusset_status};
+use crate::filters::data::{Curves, Output};
+use crate::mesh::Mesh;
+use std::ffi::CString;
+
+/// What a run left: its outputs, or why there are none. Opaque; may be read from many threads at
+/// once.
+pub struct gusset_outputs {
+    pub(super) outputs: Vec<Held>,
+    pub(super) message: CString,
+    pub(super) fault: Option<Fault>,
+}
+
+/// An output as hosts read it.
+pub(super) enum Held {
+    Mesh(Mesh),
+    Curves(Curves),
+    Text(CString),
+}
+
+impl gusset_outputs {
+    pub(super) fn new(outcome: Result<Vec<Output>, Fault>) -> Self {
+        match outcome {
+            Ok(outputs) => {
+                let outputs = outputs.into_iter().map(Held::from).collect();
+                gusset_outputs { outputs, message: CString::default(), fault: None }
+            }
+            Err(fault) => {
+                let message = CString::new(fault.failure.message.as_bytes()).unwrap_or_default();
+                gusset_outputs { outputs: Vec::new(), message, fault: Some(fault) }
+            }
+        }
+    }
+}
+
+impl From<Output> for Held {
+    fn from(output: Output) -> Self {
+        match output {
+            Output::Mesh(mesh) => Held::Mesh(mesh),
+            Output::Curves(mut curves) => {
+                // A host may read the first offset even where there are no curves.
+                if curves.offsets.is_empty() {
+                    curves.offsets = vec![0];
+                }
+                Held::Curves(curves)
+            }
+            Output::Text(text) => Held::Text(CString::new(text).unwrap_or_default()),
+        }
+    }
+}
+
+/// A failure, and the numbers of the parameter and of the input that it is about, if it is about
+/// one.
+pub(super) struct Fault {
+    pub(super) failure: Failure,
+    pub(super) param: Option<u32>,
+    pub(super) input: Option<u32>,
+}
+
+impl<F: Into<Failure>> From<F> for Fault {
+    fn from(failure: F) -> Self {
+        let failure = failure.into();
+        // Without an element it need not be about an input.
+        let names_input = (failure.element != 0 || failure.input != 0) && !is_environment(&failure);
+        Fault { param: None, input: names_input.then_some(failure.input), failure }
+    }
+}
+
+impl Fault {
+    /// The same of input `input`, whatever it is about in it.
+    pub(super) fn of_input(self, input: u32) -> Self {
+        if is_environment(&self.failure) { self } else { Fault { input: Some(input), ..self } }
+    }
+}
+
+/// A cancel or a want of memory is no input's fault.
+fn is_environment(failure: &Failure) -> bool {
+    use gusset_status::{GUSSET_ERROR_CANCELLED, GUSSET_ERROR_OUT_OF_MEMORY};
+    matches!(failure.status, GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY)
+}
