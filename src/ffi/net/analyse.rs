@@ -65,35 +65,12 @@ pub struct gusset_net_analysis_view {
 
 versioned! { gusset_net_analysis_view: 112 }
 
-impl From<&gusset_net_analysis> for gusset_net_analysis_view {
-    fn from(found: &gusset_net_analysis) -> Self {
-        let Analysis { links, cells, determinants, torn, folded, .. } = &found.analysis;
-        gusset_net_analysis_view {
-            struct_size: size_of::<Self>(),
-            links: lent(links),
-            link_count: links.len(),
-            cells: lent(cells),
-            determinants: lent(determinants),
-            cell_count: cells.len(),
-            contracted: lent(&found.contracted),
-            stars: lent(&found.stars),
-            contracted_count: found.contracted.len(),
-            torn: lent(torn),
-            torn_count: torn.len(),
-            folded: lent(folded),
-            folded_count: folded.len(),
-            soft: found.analysis.is_soft().into(),
-            reserved: 0,
-        }
-    }
-}
-
 /// Compares a net after a deformation with what it was before: what is newly glued, torn, folded
 /// over, stretched.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param before of one size; the gluing is that of `before`.
-/// @param after of one size; the gluing is that of `before`.
+/// @param before what it was; its gluing counts.
+/// @param after what it is, of the same size.
 /// @param tolerance lengths up to it, at least 0 and finite, are none.
 /// @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
@@ -160,7 +137,26 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
     analysis: *const gusset_net_analysis,
     parts: *mut gusset_net_analysis_view,
 ) -> gusset_status {
-    lend!(analysis, parts, |analysis| analysis.into())
+    lend!(analysis, parts, |gusset_net_analysis { analysis, contracted, stars }| {
+        let Analysis { links, cells, determinants, torn, folded, .. } = analysis;
+        gusset_net_analysis_view {
+            struct_size: 0,
+            links: lent(links),
+            link_count: links.len(),
+            cells: lent(cells),
+            determinants: lent(determinants),
+            cell_count: cells.len(),
+            contracted: lent(contracted),
+            stars: lent(stars),
+            contracted_count: contracted.len(),
+            torn: lent(torn),
+            torn_count: torn.len(),
+            folded: lent(folded),
+            folded_count: folded.len(),
+            soft: analysis.is_soft().into(),
+            reserved: 0,
+        }
+    })
 }
 
 /// Destroys an analysis; NULL is allowed.

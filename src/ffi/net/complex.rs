@@ -84,38 +84,7 @@ pub struct gusset_net_complex_view {
 
 versioned! { gusset_net_complex_view: 216 }
 
-impl gusset_net_complex {
-    fn report(&self) -> gusset_net_complex_view {
-        let c = &self.complex;
-        let bit = |set, bit| if set { bit } else { 0 };
-        gusset_net_complex_view {
-            struct_size: size_of::<gusset_net_complex_view>(),
-            vertex_count: c.vertices,
-            edge_count: c.edges,
-            quad_count: c.quads,
-            triangle_count: c.triangles,
-            digon_count: c.digons,
-            point_count: c.points,
-            fold_count: c.folds,
-            boundary_edge_count: c.boundary_edges,
-            component_count: c.components,
-            euler: c.euler_characteristic(),
-            genus: c.genus().map_or(-1, |genus| genus as i64),
-            properties: bit(c.is_closed(), GUSSET_NET_CLOSED)
-                | bit(c.is_manifold(), GUSSET_NET_MANIFOLD)
-                | bit(c.conflicts.is_empty(), GUSSET_NET_ORIENTED)
-                | bit(c.orientable, GUSSET_NET_ORIENTABLE),
-            reserved: 0,
-            boundary_offsets: gusset_indices::lend(c.boundary.offsets()),
-            boundary_nodes: gusset_indices::lend(c.boundary.nodes()),
-            boundary_open: gusset_indices::lend(&self.open),
-            wires: gusset_indices::lend(c.wires.as_flattened()),
-            branches: gusset_indices::lend(c.branches.as_flattened()),
-            pinches: gusset_indices::lend(&c.pinches),
-            conflicts: gusset_indices::lend(c.conflicts.as_flattened()),
-        }
-    }
-}
+c_enum! { cells: Cells { GUSSET_NET_CELLS_ALL => All, GUSSET_NET_CELLS_PRESENT => Present } }
 
 /// Finds out what surface a net is once glued nodes are one.
 ///
@@ -138,11 +107,7 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     complex: *mut *mut gusset_net_complex,
 ) -> gusset_status {
     create(context, complex, "complex", |job| {
-        let cells = match cells {
-            GUSSET_NET_CELLS_ALL => Cells::All,
-            GUSSET_NET_CELLS_PRESENT => Cells::Present,
-            other => return Err(Failure::unknown("cells", other.into())),
-        };
+        let cells = choice(cells)?;
         let complex = Complex::of(read(net)?, cells, job)?;
         Ok(gusset_net_complex { open: complex.boundary.open_flags()?, complex })
     })
@@ -161,7 +126,35 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
     complex: *const gusset_net_complex,
     report: *mut gusset_net_complex_view,
 ) -> gusset_status {
-    lend!(complex, report, |complex| complex.report())
+    lend!(complex, report, |gusset_net_complex { complex: c, open }| {
+        let bit = |set, bit| if set { bit } else { 0 };
+        gusset_net_complex_view {
+            struct_size: 0,
+            vertex_count: c.vertices,
+            edge_count: c.edges,
+            quad_count: c.quads,
+            triangle_count: c.triangles,
+            digon_count: c.digons,
+            point_count: c.points,
+            fold_count: c.folds,
+            boundary_edge_count: c.boundary_edges,
+            component_count: c.components,
+            euler: c.euler_characteristic(),
+            genus: c.genus().map_or(-1, |genus| genus as i64),
+            properties: bit(c.is_closed(), GUSSET_NET_CLOSED)
+                | bit(c.is_manifold(), GUSSET_NET_MANIFOLD)
+                | bit(c.conflicts.is_empty(), GUSSET_NET_ORIENTED)
+                | bit(c.orientable, GUSSET_NET_ORIENTABLE),
+            reserved: 0,
+            boundary_offsets: gusset_indices::lend(c.boundary.offsets()),
+            boundary_nodes: gusset_indices::lend(c.boundary.nodes()),
+            boundary_open: gusset_indices::lend(open),
+            wires: gusset_indices::lend(c.wires.as_flattened()),
+            branches: gusset_indices::lend(c.branches.as_flattened()),
+            pinches: gusset_indices::lend(&c.pinches),
+            conflicts: gusset_indices::lend(c.conflicts.as_flattened()),
+        }
+    })
 }
 
 /// Destroys a complex; NULL is allowed.

@@ -124,15 +124,13 @@ impl Given {
 
 /// The fields of the caller's at a time.
 pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
-    let mut given = alloc::with_capacity(count)?;
     let stride = if count == 0 { 0 } else { input::struct_size(fields, "fields")? };
-    for k in 0..count {
-        let field = input::read(fields.wrapping_byte_add(k * stride), false, "fields")?;
-        let of_item = |failure: Failure| failure.of_item(given.len());
-        let (checked, strength) = (field.checked().map_err(of_item)?, field.strength_at(time).map_err(of_item)?);
-        given.push(Given { field: checked, strength });
-    }
-    Ok(given)
+    alloc::try_collect((0..count).map(|k| {
+        let given = input::read(fields.wrapping_byte_add(k * stride), false, "fields")?;
+        let of_item = |failure: Failure| failure.of_item(k);
+        let (field, strength) = (given.checked().map_err(of_item)?, given.strength_at(time).map_err(of_item)?);
+        Ok(Given { field, strength })
+    }))
 }
 
 /// Groups of N numbers of the caller's, at any alignment.
@@ -296,8 +294,7 @@ pub unsafe extern "C" fn gusset_net_snap(
     let moved = input::optional_output(moved, 0, "moved");
     guard(context, |_| {
         let moved = moved?;
-        let count = snap(edit(net)?)?;
-        moved.into_iter().for_each(|moved| *moved = count);
+        input::set(moved, snap(edit(net)?)?);
         Ok(())
     })
 }

@@ -115,12 +115,8 @@ impl gusset_gluing {
 
 /// The caller's, at any alignment.
 fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
-    let given = input::items(data, count, "gluings")?;
-    let mut gluings = alloc::with_capacity(count)?;
-    for (k, gluing) in given.enumerate() {
-        gluings.push(gluing.checked().map_err(|failure| failure.of_item(k))?);
-    }
-    Ok(gluings)
+    let given = input::items(data, count, "gluings")?.enumerate();
+    alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.of_item(k))))
 }
 
 /// The number of a type for the caller.
@@ -192,10 +188,7 @@ pub unsafe extern "C" fn gusset_net_unglue(
     let out = input::optional_output(moved, 0, "moved");
     guard(context, |_| {
         let out = out?;
-        let pieces = edit(net)?.unglue(&self::gluings(gluings, count)?, separation)?;
-        if let Some(out) = out {
-            *out = pieces;
-        }
+        input::set(out, edit(net)?.unglue(&self::gluings(gluings, count)?, separation)?);
         Ok(())
     })
 }
@@ -329,10 +322,8 @@ pub unsafe extern "C" fn gusset_net_classify_node(
     cyclic: u32,
     found: *mut gusset_gluing_type,
 ) -> gusset_status {
-    let found = input::output(found, GUSSET_TYPE_NONE, "found");
-    guard(context, |_| {
-        *found? = number(read(net)?.topology().node_type(node, flag(cyclic, "cyclic")?)?);
-        Ok(())
+    answer(context, (found, "found"), GUSSET_TYPE_NONE, |_| {
+        Ok(number(read(net)?.topology().node_type(node, flag(cyclic, "cyclic")?)?))
     })
 }
 
@@ -353,11 +344,7 @@ pub unsafe extern "C" fn gusset_net_classify_cell(
     cell: u32,
     found: *mut gusset_gluing_type,
 ) -> gusset_status {
-    let found = input::output(found, GUSSET_TYPE_NONE, "found");
-    guard(context, |_| {
-        *found? = number(read(net)?.topology().cell_type(cell)?);
-        Ok(())
-    })
+    answer(context, (found, "found"), GUSSET_TYPE_NONE, |_| Ok(number(read(net)?.topology().cell_type(cell)?)))
 }
 
 /// Counts the local gluings of a net by type.
@@ -366,8 +353,7 @@ pub unsafe extern "C" fn gusset_net_classify_cell(
 /// @param net the net.
 /// @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
 ///     many cells have each type; NULL for what is not wanted.
-/// @param[out] cells receive 18 numbers each, how many nodes (without links that lead back) and how
-///     many cells have each type; NULL for what is not wanted.
+/// @param[out] cells see nodes.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(nodes); 4 bytes a node.
 /// @since 0.1
@@ -392,8 +378,5 @@ pub unsafe extern "C" fn gusset_net_histogram(
 
 /// Room for the counts, cleared; none if they are not wanted.
 fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
-    let wanted = if out.is_null() { 0 } else { GluingType::COUNT };
-    let room = input::results(out, wanted, name)?;
-    room.fill(0);
-    Ok(room)
+    input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
 }

@@ -1,6 +1,6 @@
 //! What is glued to what in a net, as C sees it.
 
-use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::net::net_handle::{edit, gusset_net, read};
 use crate::ffi::prelude::*;
 use crate::net::topology::{Links, Run};
 use crate::net::{Matrix, Seam, Shape, Sides, Topology};
@@ -125,12 +125,7 @@ pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
 
 /// Seams of the caller's, at any alignment.
 pub(crate) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
-    let given = input::items(data, count, "seams")?;
-    let mut seams = alloc::with_capacity(count)?;
-    for given in given {
-        seams.push(seam(&given)?);
-    }
-    Ok(seams)
+    alloc::try_collect(input::items(data, count, "seams")?.map(|given| seam(&given)))
 }
 
 impl From<&Seam> for gusset_seam {
@@ -214,15 +209,9 @@ pub unsafe extern "C" fn gusset_net_get_topology(
         let count = input::optional_output(seam_count, 0, "seam_count")?;
         let turned = input::optional_output(reversed, 0, "reversed")?;
         let topology = read(net)?.topology();
-        if let Some(out) = out {
-            *out = topology.sides().map_or(u32::MAX, sides_bits);
-        }
-        if let Some(count) = count {
-            *count = topology.seams().len();
-        }
-        if let Some(turned) = turned {
-            *turned = topology.is_reversed().into();
-        }
+        input::set(out, topology.sides().map_or(u32::MAX, sides_bits));
+        input::set(count, topology.seams().len());
+        input::set(turned, topology.is_reversed().into());
         Ok(())
     })
 }

@@ -4,9 +4,7 @@ use crate::error::Element;
 use crate::ffi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
 use crate::ffi::net::{edit, gusset_net, read};
 use crate::ffi::prelude::*;
-use crate::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, JoinOptions, MAX_NODES, Net, concatenate_all,
-};
+use crate::net::{BridgeKind, BridgeMode, BridgeProperties, JoinOptions, MAX_NODES, Net, concatenate_all};
 
 /// What is done with the cells between two nets that were joined.
 pub type gusset_bridge_mode = u32;
@@ -104,11 +102,6 @@ c_enum! {
 }
 
 impl gusset_join_options {
-    /// What scenes are flattened with: each net below the one before, and nothing between them.
-    pub(crate) fn of_scenes() -> JoinOptions {
-        JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
-    }
-
     pub(crate) fn checked(self) -> Result<JoinOptions, Failure> {
         let refuse = self.equalise == GUSSET_REPLICATE_REFUSE;
         Ok(JoinOptions {
@@ -123,33 +116,11 @@ impl gusset_join_options {
     }
 }
 
-impl From<&Bridge> for gusset_bridge {
-    fn from(bridge: &Bridge) -> Self {
-        let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
-        gusset_bridge {
-            struct_size: size_of::<Self>(),
-            properties: gusset_bridge_properties { tension, elasticity, stiffness, user },
-            direction: bridge.direction.number(),
-            at: bridge.at,
-            start: bridge.start,
-            end: bridge.end,
-            kind: bridge.kind.number(),
-            mode: bridge.mode.number(),
-        }
-    }
-}
-
 /// The nets of an array of handles.
 fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
-    if count as u64 > MAX_NODES {
-        return Err(Error::TooLarge { what: "nets", count: count as u64, limit: MAX_NODES }.into());
-    }
+    input::check_count(count, MAX_NODES, "nets")?;
     let handles = input::references(handles, count, "net")?;
-    let mut nets = alloc::with_capacity(count)?;
-    for handle in handles {
-        nets.push(handle?.net());
-    }
-    Ok(nets)
+    alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }
 
 /// Joins nets side by side to one, in one pass.
@@ -198,8 +169,8 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
 /// @param bridge its number, counted from 0.
-/// @param[out] first receive the nets, for gusset_net_destroy; NULL on failure.
-/// @param[out] second receive the nets, for gusset_net_destroy; NULL on failure.
+/// @param[out] first receives the one, for gusset_net_destroy; NULL on failure.
+/// @param[out] second receives the other, likewise.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
 ///     bridge, or it is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes).
@@ -233,11 +204,7 @@ pub unsafe extern "C" fn gusset_net_split_create(
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: *mut usize) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let count = input::output(count, 0, "count")?;
-        *count = read(net)?.bridges().len();
-        Ok(())
-    })
+    answer(ptr::null(), (count, "count"), 0, |_| Ok(read(net)?.bridges().len()))
 }
 
 /// A bridge of a net.
@@ -258,7 +225,18 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 ) -> gusset_status {
     lend!(net, bridge, |net| {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
-        net.net().bridges().get(index).ok_or(no_such)?.into()
+        let bridge = net.net().bridges().get(index).ok_or(no_such)?;
+        let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
+        gusset_bridge {
+            struct_size: 0,
+            properties: gusset_bridge_properties { tension, elasticity, stiffness, user },
+            direction: bridge.direction.number(),
+            at: bridge.at,
+            start: bridge.start,
+            end: bridge.end,
+            kind: bridge.kind.number(),
+            mode: bridge.mode.number(),
+        }
     })
 }
 

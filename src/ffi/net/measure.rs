@@ -2,7 +2,7 @@
 
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
-use crate::net::measure::{Measures, Moments, Planarity, measure, moments, planarity};
+use crate::net::measure::{measure, moments, planarity};
 
 /// What gusset_net_measure finds.
 #[repr(C)]
@@ -61,43 +61,6 @@ versioned! {
     gusset_net_planarity_report: 40,
 }
 
-impl From<Measures> for gusset_net_measure_report {
-    fn from(found: Measures) -> Self {
-        gusset_net_measure_report {
-            struct_size: size_of::<Self>(),
-            area: found.area,
-            volume: found.volume,
-            area_vector: found.area_vector.to_array(),
-            low: found.low.to_array(),
-            high: found.high.to_array(),
-        }
-    }
-}
-
-impl From<Moments> for gusset_net_moment_report {
-    fn from(found: Moments) -> Self {
-        gusset_net_moment_report {
-            struct_size: size_of::<Self>(),
-            volume: found.volume,
-            centroid: found.centroid.to_array(),
-            // Symmetrical: rows are columns.
-            inertia: found.inertia.to_cols_array(),
-        }
-    }
-}
-
-impl From<&Planarity> for gusset_net_planarity_report {
-    fn from(found: &Planarity) -> Self {
-        gusset_net_planarity_report {
-            struct_size: size_of::<Self>(),
-            worst: found.worst.map_or(0.0, |(off, _)| off),
-            worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),
-            mean: found.mean,
-            above: found.above,
-        }
-    }
-}
-
 /// Measures a net: area, volume, box.
 ///
 /// Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
@@ -118,11 +81,16 @@ pub unsafe extern "C" fn gusset_net_measure(
     net: *const gusset_net,
     measures: *mut gusset_net_measure_report,
 ) -> gusset_status {
-    let out = input::output_struct(measures, "measures");
-    guard(context, |job| {
-        let out = out?;
-        out.write(measure(read(net)?, job)?.into());
-        Ok(())
+    answer_struct(context, (measures, "measures"), |job| {
+        let found = measure(read(net)?, job)?;
+        Ok(gusset_net_measure_report {
+            struct_size: 0,
+            area: found.area,
+            volume: found.volume,
+            area_vector: found.area_vector.to_array(),
+            low: found.low.to_array(),
+            high: found.high.to_array(),
+        })
     })
 }
 
@@ -141,11 +109,15 @@ pub unsafe extern "C" fn gusset_net_moments(
     net: *const gusset_net,
     moments: *mut gusset_net_moment_report,
 ) -> gusset_status {
-    let out = input::output_struct(moments, "moments");
-    guard(context, |job| {
-        let out = out?;
-        out.write(self::moments(read(net)?, job)?.into());
-        Ok(())
+    answer_struct(context, (moments, "moments"), |job| {
+        let found = self::moments(read(net)?, job)?;
+        Ok(gusset_net_moment_report {
+            struct_size: 0,
+            volume: found.volume,
+            centroid: found.centroid.to_array(),
+            // Symmetrical: rows are columns.
+            inertia: found.inertia.to_cols_array(),
+        })
     })
 }
 
@@ -176,13 +148,16 @@ pub unsafe extern "C" fn gusset_net_planarity(
     summary: *mut gusset_net_planarity_report,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    let out = input::output_struct(summary, "summary");
-    guard(context, |job| {
+    answer_struct(context, (summary, "summary"), |job| {
         let written = written?;
-        let out = out?;
         let found = planarity(read(net)?, tolerance, job)?;
         input::copy(cells, capacity, &found.cells, written, "cells")?;
-        out.write((&found).into());
-        Ok(())
+        Ok(gusset_net_planarity_report {
+            struct_size: 0,
+            worst: found.worst.map_or(0.0, |(off, _)| off),
+            worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),
+            mean: found.mean,
+            above: found.above,
+        })
     })
 }

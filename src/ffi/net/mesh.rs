@@ -3,6 +3,7 @@
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
+use crate::geom::strided::Strided;
 use crate::job::Job;
 use crate::mesh::{NONE, Scalar};
 use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights};
@@ -41,8 +42,7 @@ pub struct gusset_net_mesh_options {
     pub reserved: u32,
 }
 
-/// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL
-/// where the count is 0.
+/// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_mesh_view {
@@ -205,8 +205,7 @@ pub unsafe extern "C" fn gusset_net_mesh_get_view(
     mesh: *const gusset_net_mesh,
     maps: *mut gusset_net_mesh_view,
 ) -> gusset_status {
-    lend!(mesh, maps, |mesh| {
-        let made = &mesh.0;
+    lend!(mesh, maps, |gusset_net_mesh(made)| {
         let (coordinates, corners) =
             made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
         gusset_net_mesh_view {
@@ -216,7 +215,7 @@ pub unsafe extern "C" fn gusset_net_mesh_get_view(
             cell_of_face: gusset_indices::lend(&made.cell_of_face),
             wires: gusset_indices::lend(made.wires.as_flattened()),
             texture_corners: gusset_indices::lend(corners),
-            texture_coordinates: if coordinates.is_empty() { ptr::null() } else { coordinates.as_ptr().cast() },
+            texture_coordinates: lent(coordinates).cast(),
             texture_count: coordinates.len(),
         }
     })
@@ -224,16 +223,12 @@ pub unsafe extern "C" fn gusset_net_mesh_get_view(
 
 /// Numbers of the caller's, at any alignment, with the gaps between rows left out.
 fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
-    let row = shape.columns() * size_of::<T>();
-    let stride = if heights.row_stride == 0 { row } else { heights.row_stride };
-    if stride < row {
-        return Err(Error::StrideTooSmall { stride: stride as u64, min: row as u64 }.into());
-    }
-    let span = (shape.rows() - 1).checked_mul(stride).and_then(|n| n.checked_add(row));
-    let bytes = input::bytes(heights.values, span.unwrap_or(usize::MAX), 1, "values")?;
+    let (count, stride, row) = (shape.rows(), heights.row_stride, shape.columns() * size_of::<T>());
+    let bytes = input::bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
+    let rows = Strided::new(bytes, count, stride, row, "rows of values")?;
     let mut values = alloc::with_capacity(shape.node_count())?;
-    for bytes in bytes.chunks(stride) {
-        values.extend(bytes[..row].chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>));
+    for i in 0..count {
+        values.extend(rows.bytes(i).chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>));
     }
     Ok(values)
 }

@@ -1,4 +1,4 @@
-//! The handle of a net: its coordinates, and what is glued to what.
+//! Nets and their coordinates.
 
 pub mod analyse;
 pub mod arrange;
@@ -9,6 +9,7 @@ pub mod gluing;
 pub mod join;
 pub mod measure;
 pub mod mesh;
+mod net_handle;
 pub mod normals;
 pub mod primitive;
 pub mod resample;
@@ -17,19 +18,15 @@ pub mod stream;
 pub mod transform;
 pub mod validate;
 
-use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64};
 use crate::ffi::net::gluing::{gusset_net_gluing, topology};
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 use libc::c_void;
-use std::sync::Arc;
 
-/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take
-/// it as const may run at the same time in many threads; those that change it need it for
-/// themselves.
-pub struct gusset_net(Arc<Net<'static>>);
+pub use net_handle::gusset_net;
+pub(crate) use net_handle::{edit, read};
 
 /// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
 /// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
@@ -61,46 +58,6 @@ pub struct gusset_net_view {
 }
 
 versioned! { gusset_net_view: 72 reserved }
-
-impl gusset_net {
-    /// A handle of a net that owns its memory, or of the host's.
-    pub(crate) fn new(net: Net<'static>) -> Self {
-        gusset_net(Arc::new(net))
-    }
-
-    /// The net.
-    pub(crate) fn net(&self) -> &Net<'static> {
-        &self.0
-    }
-
-    /// The net, to be changed: what shares it, a scene or a copy, keeps it as it is.
-    pub(crate) fn edit(&mut self) -> Result<&mut Net<'static>, Failure> {
-        if Arc::get_mut(&mut self.0).is_none() {
-            self.0 = Arc::new(self.0.copied()?);
-        }
-        Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
-    }
-
-    /// The net as it is now, for somebody else to keep; a net in the host's memory is copied.
-    pub(crate) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
-        if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
-    }
-
-    /// A handle of a net that somebody else keeps too.
-    pub(crate) fn of_shared(net: Arc<Net<'static>>) -> Self {
-        gusset_net(net)
-    }
-}
-
-/// The net of a handle.
-pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
-    Ok(input::reference(net, "net")?.net())
-}
-
-/// The net of a handle, to be changed.
-pub(crate) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Failure> {
-    input::exclusive(net, "net")?.edit()
-}
 
 /// How the caller's matrices lie: bytes from row to row, from number to number, and all that one
 /// matrix spans.
@@ -226,14 +183,7 @@ pub unsafe extern "C" fn gusset_net_create(
     gluing: *const gusset_net_gluing,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| {
-        let (arrays, shape) = read_arrays(arrays)?;
-        let coordinates = match choice(arrays.scalar)? {
-            Scalar::F32 => Coordinates::F32(copied(shape, &arrays)?),
-            Scalar::F64 => Coordinates::F64(copied(shape, &arrays)?),
-        };
-        Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
-    })
+    create(context, net, "net", |_| net_of(arrays, gluing, false))
 }
 
 /// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
@@ -256,14 +206,24 @@ pub unsafe extern "C" fn gusset_net_borrow_create(
     gluing: *const gusset_net_gluing,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| {
-        let (arrays, shape) = read_arrays(arrays)?;
-        let coordinates = match choice(arrays.scalar)? {
-            Scalar::F32 => Coordinates::F32(borrowed(shape, &arrays)?),
-            Scalar::F64 => Coordinates::F64(borrowed(shape, &arrays)?),
-        };
-        Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
-    })
+    create(context, net, "net", |_| net_of(arrays, gluing, true))
+}
+
+/// A net of the caller's matrices, borrowed or copied.
+fn net_of(
+    arrays: *const gusset_net_view,
+    gluing: *const gusset_net_gluing,
+    borrow: bool,
+) -> Result<gusset_net, Failure> {
+    fn planes<T: Real>(shape: Shape, arrays: &gusset_net_view, borrow: bool) -> Result<Planes<'static, T>, Failure> {
+        if borrow { borrowed(shape, arrays) } else { copied(shape, arrays) }
+    }
+    let (arrays, shape) = read_arrays(arrays)?;
+    let coordinates = match choice(arrays.scalar)? {
+        Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow)?),
+        Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow)?),
+    };
+    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
 }
 
 fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
@@ -322,29 +282,24 @@ pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
     input::destroy(net);
 }
 
-fn lend(planes: &Planes<'_, impl Real>, scalar: u32) -> gusset_net_view {
-    let [x, y, z] = planes.matrices().map(|matrix| matrix.as_ptr().cast_mut().cast());
-    let size = size_of_val(&planes.matrices()[0][0]);
-    gusset_net_view {
-        struct_size: size_of::<gusset_net_view>(),
-        rows: planes.shape().rows(),
-        columns: planes.shape().columns(),
-        x,
-        y,
-        z,
-        row_stride: planes.stride() * size,
-        column_stride: size,
-        scalar,
-        reserved: 0,
-    }
-}
-
-fn lend_all(net: &Net<'_>) -> gusset_net_view {
-    let scalar = match net.coordinates().scalar() {
-        Scalar::F32 => GUSSET_F32,
-        Scalar::F64 => GUSSET_F64,
-    };
-    each!(net.coordinates(), planes => lend(planes, scalar))
+fn lend(net: &Net<'_>) -> gusset_net_view {
+    each!(net.coordinates(), planes => {
+        let matrices = planes.matrices();
+        let size = size_of_val(&matrices[0][0]);
+        let [x, y, z] = matrices.map(|matrix| matrix.as_ptr().cast_mut().cast());
+        gusset_net_view {
+            struct_size: 0,
+            rows: planes.shape().rows(),
+            columns: planes.shape().columns(),
+            x,
+            y,
+            z,
+            row_stride: planes.stride() * size,
+            column_stride: size,
+            scalar: net.coordinates().scalar().number(),
+            reserved: 0,
+        }
+    })
 }
 
 /// Lends size and coordinates to be read only, as copies may share them, valid until the net is
@@ -358,7 +313,7 @@ fn lend_all(net: &Net<'_>) -> gusset_net_view {
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
-    lend!(net, arrays, |net| lend_all(net.net()))
+    lend!(net, arrays, |net| lend(net.net()))
 }
 
 /// Lends the coordinates to be written, valid until the next call with this net.
@@ -383,7 +338,7 @@ pub unsafe extern "C" fn gusset_net_edit(
     guard(context, |_| {
         let out = out?;
         let net = edit(net)?;
-        let mut lent = lend_all(net);
+        let mut lent = lend(net);
         // The pointers must come from where they may be written through.
         let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {
             planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())

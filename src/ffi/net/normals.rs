@@ -8,44 +8,32 @@ use crate::net::normals::normals_into;
 use crate::net::{Coordinates, Net, Planes, Real, each};
 use libc::c_void;
 
-/// Where the caller wants the normals.
-#[derive(Clone, Copy)]
-struct Buffers {
-    starts: [*mut c_void; 3],
-    capacity: usize,
+/// The caller's buffers as matrices of the net's size.
+fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {
+    let count = net.shape().node_count();
+    if capacity < count {
+        let message = format!("x, y and z have room for {capacity} and {count} are needed");
+        return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    check_overlap(net, buffers, count * size_of::<T>())?;
+    let [x, y, z] = buffers.map(<*mut c_void>::cast::<T>);
+    let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
+    Ok(Planes::borrowed(net.shape(), 0, matrices)?)
 }
 
-impl Buffers {
-    /// The caller's buffers as matrices of the net's size.
-    fn planes<T: Real>(self, net: &Net<'_>) -> Result<Planes<'static, T>, Failure> {
-        let count = net.shape().node_count();
-        if self.capacity < count {
-            let message = format!("x, y and z have room for {} and {count} are needed", self.capacity);
-            return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
-        }
-        self.check_overlap(net, count * size_of::<T>())?;
-        let [x, y, z] = self.starts.map(<*mut c_void>::cast::<T>);
-        let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
-        Ok(Planes::borrowed(net.shape(), 0, matrices)?)
-    }
-
-    /// The buffers must share memory neither with each other nor with the coordinates, which a host
-    /// may have been lent.
-    fn check_overlap(self, net: &Net<'_>, bytes: usize) -> Result<(), Failure> {
-        let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
-            planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))
-        });
-        let starts = self.starts.map(|start| start as usize);
-        let apart = |(a, length_a): (usize, usize), (b, length_b): (usize, usize)| {
-            a.saturating_add(length_a) <= b || b.saturating_add(length_b) <= a
-        };
-        let good = (0..3).all(|k| {
-            let own = (starts[k], bytes);
-            apart(own, (starts[(k + 1) % 3], bytes)) && ranges.iter().all(|&range| apart(own, range))
-        });
-        let is_null = starts.contains(&0);
-        if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
-    }
+/// The buffers must share memory neither with each other nor with the coordinates, which a host may
+/// have been lent.
+fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Result<(), Failure> {
+    let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
+        planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))
+    });
+    let own = buffers.map(|start| (start as usize, bytes));
+    let apart = |(a, length_a): (usize, usize), (b, length_b): (usize, usize)| {
+        a.saturating_add(length_a) <= b || b.saturating_add(length_b) <= a
+    };
+    let good = (0..3).all(|k| apart(own[k], own[(k + 1) % 3]) && ranges.iter().all(|&range| apart(own[k], range)));
+    let is_null = buffers.iter().any(|start| start.is_null());
+    if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
 }
 
 /// Computes the unit normal of every node of a net.
@@ -57,15 +45,11 @@ impl Buffers {
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
-/// @param[out] x receive the coordinates of the normals, float or double as the net's are, rows x
-///     columns numbers each, row after row without gaps, aligned, and apart from each other and
-///     from the net's own.
-/// @param[out] y receive the coordinates of the normals, float or double as the net's are, rows x
-///     columns numbers each, row after row without gaps, aligned, and apart from each other and
-///     from the net's own.
-/// @param[out] z receive the coordinates of the normals, float or double as the net's are, rows x
-///     columns numbers each, row after row without gaps, aligned, and apart from each other and
-///     from the net's own.
+/// @param[out] x receives the first coordinates of the normals, float or double as the net's are,
+///     rows x columns numbers, row after row without gaps, aligned; the three buffers are apart
+///     from each other and from the net's own.
+/// @param[out] y receives the second ones.
+/// @param[out] z receives the third ones.
 /// @param capacity the numbers that each has room for.
 /// @param[out] missing_count receives the number of nodes that have no normal and get zeros:
 ///     missing ones, and those whose cells have no area or cancel out; may be NULL.
@@ -88,13 +72,12 @@ pub unsafe extern "C" fn gusset_net_normals(
     let missing_count = input::optional_output(missing_count, 0, "missing_count");
     guard(context, |job| {
         let missing_count = missing_count?;
-        let (net, buffers) = (read(net)?, Buffers { starts: [x, y, z], capacity });
+        let net = read(net)?;
         let mut out = match net.coordinates().scalar() {
-            Scalar::F32 => Coordinates::F32(buffers.planes(net)?),
-            Scalar::F64 => Coordinates::F64(buffers.planes(net)?),
+            Scalar::F32 => Coordinates::F32(planes(net, [x, y, z], capacity)?),
+            Scalar::F64 => Coordinates::F64(planes(net, [x, y, z], capacity)?),
         };
-        let count = normals_into(net, &mut out, job)?;
-        missing_count.into_iter().for_each(|missing_count| *missing_count = count);
+        input::set(missing_count, normals_into(net, &mut out, job)?);
         Ok(())
     })
 }

@@ -97,17 +97,6 @@ c_enum! {
 }
 
 impl gusset_net_primitive {
-    fn cuboid(&self) -> Result<Cuboid, Failure> {
-        Ok(Cuboid { kind: choice(self.box_kind)?, cells: self.cells })
-    }
-
-    fn profile(&self) -> Result<Vec<[f64; 2]>, Failure> {
-        if self.shape != GUSSET_NET_LATHE {
-            return Ok(Vec::new());
-        }
-        input::list(self.profile.cast(), self.profile_count, "profile")
-    }
-
     fn primitive<'a>(&self, profile: &'a [[f64; 2]]) -> Result<Primitive<'a>, Failure> {
         let gusset_net_primitive { radius, minor_radius, height, size, sides, .. } = *self;
         Ok(match self.shape {
@@ -121,7 +110,9 @@ impl gusset_net_primitive {
             GUSSET_NET_PYRAMID => Primitive::Pyramid { sides, radius, height },
             GUSSET_NET_LATHE => Primitive::Lathe { profile },
             GUSSET_NET_TORUS => Primitive::Torus { radius, minor_radius },
-            GUSSET_NET_BOX => Primitive::Cuboid { cuboid: self.cuboid()?, size },
+            GUSSET_NET_BOX => {
+                Primitive::Cuboid { cuboid: Cuboid { kind: choice(self.box_kind)?, cells: self.cells }, size }
+            }
             GUSSET_NET_MOEBIUS => Primitive::Moebius { radius, width: size[0] },
             GUSSET_NET_KLEIN => Primitive::Klein { radius, minor_radius },
             GUSSET_NET_PROJECTIVE_PLANE => Primitive::ProjectivePlane { radius },
@@ -154,7 +145,8 @@ pub unsafe extern "C" fn gusset_net_primitive_create(
 ) -> gusset_status {
     create(context, net, "net", |job| {
         let given = input::read(primitive, false, "primitive")?;
-        let profile = given.profile()?;
+        let point_count = if given.shape == GUSSET_NET_LATHE { given.profile_count } else { 0 };
+        let profile: Vec<[f64; 2]> = input::list(given.profile.cast(), point_count, "profile")?;
         let (primitive, scalar) = (given.primitive(&profile)?, choice(given.scalar)?);
         let request = Request { primitive, rows: given.rows, columns: given.columns, scalar };
         Ok(gusset_net::new(request.net(job)?))

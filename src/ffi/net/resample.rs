@@ -60,8 +60,7 @@ pub unsafe extern "C" fn gusset_net_resample_create(
 ///     segments that replace their columns, and as much from those that replace their rows.
 /// @param[out] rows receive the indices of what was kept, as many as the new net has; each has room
 ///     for as many as the old net has; NULL if not wanted.
-/// @param[out] columns receive the indices of what was kept, as many as the new net has; each has
-///     room for as many as the old net has; NULL if not wanted.
+/// @param[out] columns see rows.
 /// @param[out] deviation receives what was reached; may be NULL.
 /// @param[out] decimated receives the net; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE,
@@ -85,7 +84,7 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
         let found = decimate(read(net)?, tolerance, job)?;
         write(&found.rows, rows, "rows")?;
         write(&found.columns, columns, "columns")?;
-        deviation.into_iter().for_each(|deviation| *deviation = found.deviation);
+        input::set(deviation, found.deviation);
         Ok(gusset_net::new(found.net))
     })
 }

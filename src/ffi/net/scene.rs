@@ -5,6 +5,7 @@ use crate::ffi::net::join::gusset_join_options;
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
 use crate::net::scene::{Content, Instance, Scene};
+use crate::net::{BridgeMode, Direction, JoinOptions};
 use glam::{DAffine3, DVec3};
 
 /// What an entry of a scene is.
@@ -99,13 +100,6 @@ impl From<gusset_transform> for DAffine3 {
     }
 }
 
-impl From<&Instance> for gusset_scene_instance {
-    fn from(instance: &Instance) -> Self {
-        let Instance { entry, parent, visible, world } = *instance;
-        gusset_scene_instance { world: world.into(), entry, parent, visible: visible.into(), reserved: 0 }
-    }
-}
-
 fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
     Ok(&input::reference(scene, "scene")?.0)
 }
@@ -157,12 +151,12 @@ pub unsafe extern "C" fn gusset_scene_add_net(
     net: *const gusset_net,
     entry: *mut u32,
 ) -> gusset_status {
-    let entry = input::output(entry, u32::MAX, "entry");
-    guard(context, |_| {
-        let entry = entry?;
-        *entry = changed(scene)?.add_net(input::reference(net, "net")?.share()?)?;
-        Ok(())
-    })
+    answer(
+        context,
+        (entry, "entry"),
+        u32::MAX,
+        |_| Ok(changed(scene)?.add_net(input::reference(net, "net")?.share()?)?),
+    )
 }
 
 /// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
@@ -205,12 +199,7 @@ pub unsafe extern "C" fn gusset_scene_add_group(
     scene: *mut gusset_scene,
     entry: *mut u32,
 ) -> gusset_status {
-    let entry = input::output(entry, u32::MAX, "entry");
-    guard(context, |_| {
-        let entry = entry?;
-        *entry = changed(scene)?.add_group()?;
-        Ok(())
-    })
+    answer(context, (entry, "entry"), u32::MAX, |_| Ok(changed(scene)?.add_group()?))
 }
 
 /// Puts an entry into a group, behind what is in it; again, if it is in it already.
@@ -335,8 +324,7 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
     entry: u32,
     out: *mut gusset_scene_entry_report,
 ) -> gusset_status {
-    lend!(scene, out, |scene| {
-        let scene = &scene.0;
+    lend!(scene, out, |gusset_scene(scene)| {
         let (kind, child_count) = match scene.content(entry)? {
             Content::Net(_) => (GUSSET_SCENE_NET, 0),
             Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
@@ -398,8 +386,7 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     let written = input::output(written, 0, "written");
     guard(context, |_| {
         let written = written?;
-        let list = self::scene(scene)?.children(group)?;
-        input::copy(children, capacity, list, written, "children")
+        input::copy(children, capacity, self::scene(scene)?.children(group)?, written, "children")
     })
 }
 
@@ -417,8 +404,8 @@ pub unsafe extern "C" fn gusset_scene_get_report(
     scene: *const gusset_scene,
     counts: *mut gusset_scene_report,
 ) -> gusset_status {
-    lend!(scene, counts, |scene| {
-        let counts = scene.0.counts()?;
+    lend!(scene, counts, |gusset_scene(scene)| {
+        let counts = scene.counts()?;
         gusset_scene_report {
             struct_size: size_of::<gusset_scene_report>(),
             instances: counts.instances,
@@ -458,7 +445,10 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
         let written = written?;
         let scene = self::scene(scene)?;
         fill(instances, capacity, scene.instance_count()?, written, "instances", |to| {
-            to.iter_mut().zip(&scene.instances(job)?).for_each(|(to, instance)| *to = instance.into());
+            for (to, Instance { entry, parent, visible, world }) in to.iter_mut().zip(scene.instances(job)?) {
+                let (world, visible) = (world.into(), visible.into());
+                *to = gusset_scene_instance { world, entry, parent, visible, reserved: 0 };
+            }
             Ok(())
         })
     })
@@ -488,7 +478,7 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
 ) -> gusset_status {
     create(context, net, "net", |job| {
         let options = if options.is_null() {
-            gusset_join_options::of_scenes()
+            JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
         } else {
             input::read(options, false, "options")?.checked()?
         };

@@ -1,9 +1,7 @@
 //! Nets as bytes, as C sees them.
 
-use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64};
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
-use crate::mesh::Scalar;
 use crate::net::MAX_NODES;
 use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
 use libc::c_void;
@@ -90,29 +88,6 @@ impl gusset_stream_options {
     }
 }
 
-impl From<&StreamInfo> for gusset_stream_report {
-    fn from(info: &StreamInfo) -> Self {
-        let (mode, bits) = match info.mode {
-            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
-            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
-            Mode::Raw => (GUSSET_STREAM_RAW, 0),
-        };
-        gusset_stream_report {
-            struct_size: size_of::<Self>(),
-            rows: info.shape.rows(),
-            columns: info.shape.columns(),
-            rows_per_block: info.rows_per_block,
-            prelude_size: info.prelude_size,
-            origin: info.origin,
-            step: info.step,
-            scalar: if info.scalar == Scalar::F32 { GUSSET_F32 } else { GUSSET_F64 },
-            mode,
-            bits,
-            reserved: 0,
-        }
-    }
-}
-
 /// Makes a stream of a net: its coordinates, what is glued to what, its bridges.
 ///
 /// QUANTISED and LOSSLESS do not store nodes that are glued to others; decoding gives them the same
@@ -146,8 +121,8 @@ pub unsafe extern "C" fn gusset_net_encode_create(
 /// Lends the bytes of a stream, valid until it is destroyed.
 ///
 /// @param stream the stream.
-/// @param[out] data receive where they are and how many.
-/// @param[out] size receive where they are and how many.
+/// @param[out] data receives where they are.
+/// @param[out] size receives how many they are.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
 /// @complexity O(1).
 /// @since 0.1
@@ -162,7 +137,7 @@ pub unsafe extern "C" fn gusset_stream_get_view(
     guard(ptr::null(), |_| {
         let (data, size) = (data?, size?);
         let bytes = &input::reference(stream, "stream")?.0;
-        (*data, *size) = (bytes.as_ptr().cast(), bytes.len());
+        (*data, *size) = (lent(bytes).cast(), bytes.len());
         Ok(())
     })
 }
@@ -194,11 +169,26 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     size: usize,
     info: *mut gusset_stream_report,
 ) -> gusset_status {
-    let out = input::output_struct(info, "info");
-    guard(context, |_| {
-        let out = out?;
-        out.write((&StreamInfo::read(input::bytes(data, size, 1, "data")?)?).into());
-        Ok(())
+    answer_struct(context, (info, "info"), |_| {
+        let info = StreamInfo::read(input::bytes(data, size, 1, "data")?)?;
+        let (mode, bits) = match info.mode {
+            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
+            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
+            Mode::Raw => (GUSSET_STREAM_RAW, 0),
+        };
+        Ok(gusset_stream_report {
+            struct_size: 0,
+            rows: info.shape.rows(),
+            columns: info.shape.columns(),
+            rows_per_block: info.rows_per_block,
+            prelude_size: info.prelude_size,
+            origin: info.origin,
+            step: info.step,
+            scalar: info.scalar.number(),
+            mode,
+            bits,
+            reserved: 0,
+        })
     })
 }
 
@@ -272,8 +262,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     let out = input::optional_output(rows_done, 0, "rows_done");
     guard(context, |_| {
         let (out, decoder) = (out?, input::exclusive(decoder, "decoder")?);
-        let rows = decoder.0.push(input::bytes(data, size, 1, "data")?)?;
-        out.into_iter().for_each(|out| *out = rows);
+        input::set(out, decoder.0.push(input::bytes(data, size, 1, "data")?)?);
         Ok(())
     })
 }

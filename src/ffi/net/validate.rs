@@ -63,13 +63,6 @@ c_enum! {
     }
 }
 
-impl From<&Finding> for gusset_net_finding {
-    fn from(finding: &Finding) -> Self {
-        let Finding { kind, element, nodes, distance } = *finding;
-        gusset_net_finding { kind: kind.number(), element, nodes, distance }
-    }
-}
-
 /// Checks that glued nodes lie together, and looks for what is suspicious.
 ///
 /// What it finds is no error.
@@ -95,8 +88,13 @@ pub unsafe extern "C" fn gusset_net_validation_create(
     validation: *mut *mut gusset_net_validation,
 ) -> gusset_status {
     create(context, validation, "validation", |job| {
-        let findings = read(net)?.validate(tolerance, job)?;
-        Ok(gusset_net_validation(alloc::collect(findings.iter().map(gusset_net_finding::from))?))
+        let finding = |Finding { kind, element, nodes, distance }| gusset_net_finding {
+            kind: kind.number(),
+            element,
+            nodes,
+            distance,
+        };
+        Ok(gusset_net_validation(alloc::collect(read(net)?.validate(tolerance, job)?.into_iter().map(finding))?))
     })
 }
 
@@ -113,14 +111,11 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
     validation: *const gusset_net_validation,
     report: *mut gusset_net_validation_view,
 ) -> gusset_status {
-    lend!(validation, report, |validation| {
-        let findings = &validation.0;
-        gusset_net_validation_view {
-            struct_size: size_of::<gusset_net_validation_view>(),
-            findings: lent(findings),
-            count: findings.len(),
-            violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
-        }
+    lend!(validation, report, |gusset_net_validation(findings)| gusset_net_validation_view {
+        struct_size: size_of::<gusset_net_validation_view>(),
+        findings: lent(findings),
+        count: findings.len(),
+        violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
     })
 }
 
