@@ -2,7 +2,7 @@
 
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
 use crate::ffi::prelude::*;
-use crate::outline::ops::{Offset, OffsetOptions};
+use crate::outline::ops::OffsetOptions;
 
 /// How an offset is fitted.
 #[repr(C)]
@@ -44,18 +44,6 @@ impl gusset_offset_options {
         let degree = if self.degree == 0 { 3 } else { self.degree as usize };
         let max_segments = if self.max_segments == 0 { 1 << 16 } else { self.max_segments };
         Ok(OffsetOptions { degree, tolerance: self.tolerance, max_segments })
-    }
-}
-
-impl From<&Offset> for gusset_offset_report {
-    fn from(offset: &Offset) -> Self {
-        gusset_offset_report {
-            struct_size: size_of::<Self>(),
-            deviation: offset.deviation,
-            corners: offset.corners,
-            reached: offset.reached.into(),
-            tight: offset.tight.into(),
-        }
     }
 }
 
@@ -221,7 +209,13 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
         let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose()?;
         let done = view(curve, "curve")?.offset(distance, &options)?;
         if let Some(out) = out {
-            out.write((&done).into());
+            out.write(gusset_offset_report {
+                struct_size: 0,
+                deviation: done.deviation,
+                corners: done.corners,
+                reached: done.reached.into(),
+                tight: done.tight.into(),
+            });
         }
         Ok(gusset_curve(done.curve))
     })

@@ -64,7 +64,7 @@ pub unsafe extern "C" fn gusset_curve_svg_create(
     create(context, form, "form", |_| {
         let mut text = view(curve, "curve")?.svg_path()?.into_bytes();
         alloc::push(&mut text, 0)?;
-        Ok(gusset_curve_form { text, ..gusset_curve_form::default() })
+        Ok(gusset_curve_form { text, ..Default::default() })
     })
 }
 
@@ -90,8 +90,7 @@ pub unsafe extern "C" fn gusset_curve_contour_create(
 ) -> gusset_status {
     create(context, form, "form", |_| {
         let contour = view(curve, "curve")?.contour(tolerance)?;
-        let (points, on_curve) = (contour.points, contour.on_curve);
-        Ok(gusset_curve_form { points, on_curve, ..gusset_curve_form::default() })
+        Ok(gusset_curve_form { points: contour.points, on_curve: contour.on_curve, ..Default::default() })
     })
 }
 
@@ -116,7 +115,7 @@ pub unsafe extern "C" fn gusset_curve_spline_create(
     create(context, form, "form", |_| {
         let spline = view(curve, "curve")?.spline()?;
         let (points, knots, degree) = (spline.controls, spline.knots, spline.degree);
-        Ok(gusset_curve_form { points, knots, degree, ..gusset_curve_form::default() })
+        Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
     })
 }
 
@@ -146,10 +145,10 @@ pub unsafe extern "C" fn gusset_curve_form_get_view(
         struct_size: size_of::<gusset_curve_form_view>(),
         text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
         text_length: form.text.len().saturating_sub(1),
-        points: form.points.as_ptr().cast(),
+        points: lent(&form.points).cast(),
         point_count: form.points.len(),
-        on_curve: form.on_curve.as_ptr(),
-        knots: form.knots.as_ptr(),
+        on_curve: lent(&form.on_curve),
+        knots: lent(&form.knots),
         knot_count: form.knots.len(),
         degree: form.degree,
     })

@@ -91,7 +91,7 @@ pub struct gusset_frame_view {
 
 /// What a section measures.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct gusset_section_report {
     /// Its length: of a closed section all round.
     pub girth: f64,
@@ -188,10 +188,10 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             struct_size: size_of::<gusset_frame_view>(),
             rows: grid.rows,
             columns: grid.columns,
-            nodes: grid.nodes.as_ptr().cast(),
-            across: grid.across.as_ptr().cast(),
-            along: grid.along.as_ptr().cast(),
-            turned: grid.turned.as_ptr(),
+            nodes: lent(&grid.nodes).cast(),
+            across: lent(&grid.across).cast(),
+            along: lent(&grid.along).cast(),
+            turned: lent(&grid.turned),
             ambiguous: gusset_indices::lend(&grid.ambiguous),
             max_gap: grid.max_gap,
             min_sine: grid.min_sine,
@@ -205,8 +205,8 @@ pub unsafe extern "C" fn gusset_frame_get_view(
 /// Not to be destroyed: valid until the frame is. Either may be NULL.
 ///
 /// @param frame the frame.
-/// @param[out] across receives the result, for gusset_outline_destroy; NULL on failure.
-/// @param[out] along receives the result, for gusset_outline_destroy; NULL on failure.
+/// @param[out] across receives the curves across; NULL on failure.
+/// @param[out] along receives the curves along; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
 /// @complexity O(1).
 /// @since 0.1
@@ -221,12 +221,8 @@ pub unsafe extern "C" fn gusset_frame_get_curves(
         let across = input::optional_output(across, ptr::null(), "across")?;
         let along = input::optional_output(along, ptr::null(), "along")?;
         let frame = input::reference(frame, "frame")?;
-        if let Some(across) = across {
-            *across = &raw const frame.across;
-        }
-        if let Some(along) = along {
-            *along = &raw const frame.along;
-        }
+        input::set(across, &raw const frame.across);
+        input::set(along, &raw const frame.along);
         Ok(())
     })
 }
@@ -236,8 +232,8 @@ pub unsafe extern "C" fn gusset_frame_get_curves(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param frame the frame.
-/// @param point x, y, z; the normal of any length but 0.
-/// @param normal x, y, z; the normal of any length but 0.
+/// @param point x, y, z.
+/// @param normal x, y, z, of any length but 0.
 /// @param[out] section receives one outline, for gusset_outline_destroy; NULL on failure; point i
 ///     of it is on the curve along column i, at its first crossing.
 /// @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (the normal),
@@ -277,14 +273,12 @@ pub unsafe extern "C" fn gusset_outline_get_section(
     index: usize,
     measure: *mut gusset_section_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output(measure, gusset_section_report { girth: 0.0, area: 0.0, centre: [0.0; 3] }, "measure")?;
+    answer(ptr::null(), (measure, "measure"), gusset_section_report::default(), |_| {
         let fit = &input::reference(outline, "outline")?.0;
         if index >= fit.len() {
             return Err(Failure::no_such("outline", index));
         }
         let Measure { girth, area, centre } = Measure::of(fit.curve(index))?;
-        *out = gusset_section_report { girth, area, centre: centre.to_array() };
-        Ok(())
+        Ok(gusset_section_report { girth, area, centre: centre.to_array() })
     })
 }

@@ -3,7 +3,7 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::outline::ops::{Intersections, NearMisses, PlaneIntersections, Samples};
+use crate::outline::ops::{Intersections, NearMisses, Overlap, PlaneIntersections};
 use crate::outline::{CurveView, Place};
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub struct gusset_places {
     places: Vec<gusset_place>,
     others: Vec<gusset_place>,
     points: Vec<DVec3>,
-    overlaps: Vec<gusset_place>,
+    overlaps: Vec<[gusset_place; 4]>,
     inside: Vec<u32>,
     undecided: bool,
 }
@@ -68,40 +68,30 @@ impl gusset_places {
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
     }
 
-    fn of_samples(found: Samples) -> Result<Self, Failure> {
-        let places = list(found.places.into_iter())?;
-        Ok(gusset_places { places, points: found.points, ..Self::default() })
-    }
-
     pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>) -> Result<Self, Failure> {
-        let at = alloc::collect(found.places.iter().map(|found| found.a))?;
-        let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
-        for o in &found.overlaps {
-            overlaps.extend([o.a[0], o.a[1], o.b[0], o.b[1]].map(gusset_place::from));
-        }
-        Ok(gusset_places {
-            places: list(at.iter().copied())?,
-            others: list(found.places.iter().map(|found| found.b))?,
-            points: curve.points_at(&at)?,
-            overlaps,
-            inside: Vec::new(),
-            undecided: found.undecided,
-        })
+        Self::of_pairs(found.places.iter().map(|near| [near.a, near.b]), &found.overlaps, found.undecided, curve)
     }
 
     fn of_intersections(found: &Intersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
-        let at = alloc::collect(found.points.iter().map(|m| m.a))?;
-        let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
-        for o in &found.overlaps {
-            overlaps.extend([o.a[0], o.a[1], o.b[0], o.b[1]].map(gusset_place::from));
-        }
+        Self::of_pairs(found.points.iter().map(|common| [common.a, common.b]), &found.overlaps, found.undecided, curve)
+    }
+
+    /// Places on `curve` and on another.
+    fn of_pairs(
+        pairs: impl ExactSizeIterator<Item = [Place; 2]> + Clone,
+        overlaps: &[Overlap],
+        undecided: bool,
+        curve: &CurveView<'_>,
+    ) -> Result<Self, Failure> {
+        let at = alloc::collect(pairs.clone().map(|[place, _]| place))?;
+        let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
         Ok(gusset_places {
             places: list(at.iter().copied())?,
-            others: list(found.points.iter().map(|m| m.b))?,
+            others: list(pairs.map(|[_, other]| other))?,
             points: curve.points_at(&at)?,
-            overlaps,
+            overlaps: alloc::collect(overlaps.iter().map(ends))?,
             inside: Vec::new(),
-            undecided: found.undecided,
+            undecided,
         })
     }
 }
@@ -163,7 +153,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param other the other.
+/// @param other the other curve.
 /// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
 ///     OUT_OF_MEMORY, CANCELLED.
@@ -208,13 +198,15 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
 ) -> gusset_status {
     create(context, places, "places", |_| {
         let view = view(curve, "curve")?;
-        gusset_places::of_samples(match rule {
+        let found = match rule {
             GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => view.sampled_by_count(amount as usize)?,
             GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
             GUSSET_SAMPLE_STEP => view.sampled_by_step(amount)?,
             GUSSET_SAMPLE_CHORD => view.sampled_by_chord(amount)?,
             other => return Err(Failure::unknown("rule", other.into())),
-        })
+        };
+        let places = list(found.places.into_iter())?;
+        Ok(gusset_places { places, points: found.points, ..Default::default() })
     })
 }
 
@@ -242,12 +234,12 @@ pub unsafe extern "C" fn gusset_places_get_view(
 ) -> gusset_status {
     lend!(places, view, |found| gusset_places_view {
         struct_size: size_of::<gusset_places_view>(),
-        places: found.places.as_ptr(),
+        places: lent(&found.places),
         count: found.places.len(),
-        points: found.points.as_ptr().cast(),
+        points: lent(&found.points).cast(),
         others: lent(&found.others),
-        overlaps: found.overlaps.as_ptr(),
-        overlap_count: found.overlaps.len() / 4,
+        overlaps: lent(found.overlaps.as_flattened()),
+        overlap_count: found.overlaps.len(),
         inside: gusset_indices::lend(&found.inside),
         undecided: found.undecided.into(),
         reserved: 0,

@@ -2,6 +2,8 @@
 
 use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
 use crate::ffi::prelude::*;
+use crate::outline::{CurveView, Place};
+use glam::DVec3;
 
 /// The nearest point of a curve.
 #[repr(C)]
@@ -33,6 +35,22 @@ pub struct gusset_curve_moment_report {
 versioned! { gusset_curve_moment_report: 56 }
 fixed! { gusset_curve_nearest_point: 48 }
 
+/// Answers a question about a curve at many places.
+fn at_places(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    (places, count): (*const gusset_place, usize),
+    answer: impl FnOnce(&CurveView<'_>, &[Place]) -> Result<(), Failure>,
+) -> gusset_status {
+    guard(context, |_| answer(&view(curve, "curve")?, &self::places(places, count, "places")?))
+}
+
+/// Writes points as x, y, z to the caller's buffer.
+fn write_points(points: &[DVec3], out: *mut f64) -> Result<(), Failure> {
+    write(points, input::results(out, times(points.len(), 3, "results")?, "out")?);
+    Ok(())
+}
+
 /// Points and derivatives at many places.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -56,11 +74,8 @@ pub unsafe extern "C" fn gusset_curve_derivatives(
     order: u32,
     out: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
-        let found = view.derivatives_at(&places, order as usize)?;
-        write(&found, input::results(out, times(found.len(), 3, "results")?, "out")?);
-        Ok(())
+    at_places(context, curve, (places, count), |curve, places| {
+        write_points(&curve.derivatives_at(places, order as usize)?, out)
     })
 }
 
@@ -82,11 +97,7 @@ pub unsafe extern "C" fn gusset_curve_tangents(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
-        write(&view.tangents_at(&places)?, input::results(out, times(count, 3, "results")?, "out")?);
-        Ok(())
-    })
+    at_places(context, curve, (places, count), |curve, places| write_points(&curve.tangents_at(places)?, out))
 }
 
 /// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
@@ -108,9 +119,8 @@ pub unsafe extern "C" fn gusset_curve_curvatures(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
-        input::results(out, count, "out")?.copy_from_slice(&view.curvatures_at(&places)?);
+    at_places(context, curve, (places, count), |curve, places| {
+        input::results(out, count, "out")?.copy_from_slice(&curve.curvatures_at(places)?);
         Ok(())
     })
 }
@@ -160,11 +170,7 @@ pub unsafe extern "C" fn gusset_curve_length(
     curve: *const gusset_curve,
     length: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        let out = input::output(length, 0.0, "length")?;
-        *out = view(curve, "curve")?.length()?;
-        Ok(())
-    })
+    answer(context, (length, "length"), 0.0, |_| Ok(view(curve, "curve")?.length()?))
 }
 
 /// The arc lengths from the start to many places.
@@ -186,11 +192,10 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
+    at_places(context, curve, (places, count), |curve, places| {
         let out = input::results(out, count, "out")?;
-        let lengths = view.lengths()?;
-        for (to, place) in out.iter_mut().zip(places) {
+        let lengths = curve.lengths()?;
+        for (to, &place) in out.iter_mut().zip(places) {
             *to = lengths.up_to(place)?;
         }
         Ok(())
@@ -288,12 +293,9 @@ pub unsafe extern "C" fn gusset_curve_moments(
     curve: *const gusset_curve,
     moments: *mut gusset_curve_moment_report,
 ) -> gusset_status {
-    guard(context, |_| {
-        let out = input::output_struct(moments, "moments")?;
+    answer_struct(context, (moments, "moments"), |_| {
         let found = view(curve, "curve")?.moments()?;
-        let struct_size = size_of::<gusset_curve_moment_report>();
         let centroid = [found.centroid.x, found.centroid.y];
-        out.write(gusset_curve_moment_report { struct_size, area: found.area, centroid, second: found.second });
-        Ok(())
+        Ok(gusset_curve_moment_report { struct_size: 0, area: found.area, centroid, second: found.second })
     })
 }

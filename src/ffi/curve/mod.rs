@@ -71,12 +71,7 @@ impl gusset_place {
 
 /// The caller's places, at any alignment.
 pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
-    let given = input::items(data, count, name)?;
-    let mut places = alloc::with_capacity(count)?;
-    for place in given {
-        places.push(place.checked()?);
-    }
-    Ok(places)
+    alloc::try_collect(input::items(data, count, name)?.map(gusset_place::checked))
 }
 
 /// The caller's points: x, y, z of each, packed.
@@ -159,7 +154,7 @@ pub unsafe extern "C" fn gusset_curve_get_view(
         let view = curve.0.view();
         gusset_curve_view {
             struct_size: size_of::<gusset_curve_view>(),
-            points: view.points().as_ptr().cast(),
+            points: lent(view.points()).cast(),
             point_count: view.points().len(),
             ends: gusset_indices::lend(view.ends()),
             closed: view.is_closed().into(),

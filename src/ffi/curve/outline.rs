@@ -162,12 +162,8 @@ impl Given<'_> {
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
         let points = input::bytes(given.points, size, 1, "points")?;
         let points = Points::strided(points, given.point_stride, given.point_count, dimension)?;
-        let limit = MAX_POINTS as u64;
-        for (what, count) in [("outlines", given.outline_count), ("constraints", given.constraint_count)] {
-            if count as u64 > limit {
-                return Err(Error::TooLarge { what, count: count as u64, limit }.into());
-            }
-        }
+        input::check_count(given.outline_count, MAX_POINTS as u64, "outlines")?;
+        input::check_count(given.constraint_count, MAX_POINTS as u64, "constraints")?;
         let offsets = if given.offsets.is_null() && given.outline_count == 0 {
             None
         } else {
@@ -175,10 +171,7 @@ impl Given<'_> {
         };
         let size = size_of::<gusset_constraint>();
         let bytes = input::bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
-        let mut constraints = alloc::with_capacity(given.constraint_count)?;
-        for bytes in bytes.chunks_exact(size) {
-            constraints.push(constraint(bytes)?);
-        }
+        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(constraint))?;
         Ok(Given { points, offsets, constraints, closed })
     }
 
@@ -257,20 +250,17 @@ pub unsafe extern "C" fn gusset_outline_get_view(
     outline: *const gusset_outline,
     parts: *mut gusset_outline_view,
 ) -> gusset_status {
-    lend!(outline, parts, |outline| {
-        let done = &outline.0;
-        gusset_outline_view {
-            struct_size: size_of::<gusset_outline_view>(),
-            outline_count: done.len(),
-            point_count: done.parameters().len(),
-            controls: done.points().as_ptr().cast(),
-            control_count: done.points().len(),
-            ends: gusset_indices::lend(done.ends()),
-            starts: done.starts().as_ptr().cast(),
-            segments: gusset_indices::lend(done.segments()),
-            parameters: done.parameters().as_ptr(),
-            statuses: done.statuses().as_ptr().cast(),
-        }
+    lend!(outline, parts, |gusset_outline(done)| gusset_outline_view {
+        struct_size: size_of::<gusset_outline_view>(),
+        outline_count: done.len(),
+        point_count: done.parameters().len(),
+        controls: lent(done.points()).cast(),
+        control_count: done.points().len(),
+        ends: gusset_indices::lend(done.ends()),
+        starts: lent(done.starts().as_flattened()),
+        segments: gusset_indices::lend(done.segments()),
+        parameters: lent(done.parameters()),
+        statuses: lent(done.statuses()).cast(),
     })
 }
 
@@ -290,8 +280,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     index: usize,
     report: *mut gusset_outline_report,
 ) -> gusset_status {
-    lend!(outline, report, |outline| {
-        let done = &outline.0;
+    lend!(outline, report, |gusset_outline(done)| {
         let report = done.reports().get(index).ok_or_else(|| Failure::no_such("outline", index))?;
         gusset_outline_report {
             struct_size: size_of::<gusset_outline_report>(),
@@ -389,14 +378,11 @@ pub unsafe extern "C" fn gusset_sections_get_view(
     sections: *const gusset_sections,
     parts: *mut gusset_sections_view,
 ) -> gusset_status {
-    lend!(sections, parts, |sections| {
-        let found = &sections.0;
-        gusset_sections_view {
-            struct_size: size_of::<gusset_sections_view>(),
-            count: found.controls.len(),
-            controls: found.controls.as_ptr().cast(),
-            parameters: found.parameters.as_ptr(),
-            statuses: found.statuses.as_ptr().cast(),
-        }
+    lend!(sections, parts, |gusset_sections(found)| gusset_sections_view {
+        struct_size: size_of::<gusset_sections_view>(),
+        count: found.controls.len(),
+        controls: lent(&found.controls).cast(),
+        parameters: lent(&found.parameters),
+        statuses: lent(&found.statuses).cast(),
     })
 }
