@@ -2,7 +2,7 @@
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
-use crate::surface::contour::{NearestAngle, Planes, PointSpacing};
+use crate::surface::contour::{Planes, PointSpacing};
 
 /// What is between the points where a curve crosses the lines of the surface.
 pub type gusset_point_spacing = u32;
@@ -41,7 +41,7 @@ pub struct gusset_contour_options {
 
 /// Where the angle of a normal is nearest to the one asked for.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct gusset_nearest_angle_report {
     /// sizeof(gusset_nearest_angle_report), set by the caller.
     pub struct_size: usize,
@@ -74,30 +74,6 @@ fn options(given: *const gusset_contour_options) -> Result<(PointSpacing, bool),
         other => return Err(Failure::unknown("spacing", other.into())),
     };
     Ok((spacing, flag(options.unsigned_normals, "unsigned_normals")?))
-}
-
-impl From<Option<NearestAngle>> for gusset_nearest_angle_report {
-    fn from(found: Option<NearestAngle>) -> Self {
-        let zero = gusset_surface_place { sheet: 0, row: 0, column: 0, reserved: 0, u: 0.0, v: 0.0 };
-        let none = gusset_nearest_angle_report {
-            struct_size: 0,
-            place: zero,
-            point: [0.0; 3],
-            normal: [0.0; 3],
-            angle: 0.0,
-            deviation: f64::INFINITY,
-            bound: 0.0,
-        };
-        found.map_or(none, |found| gusset_nearest_angle_report {
-            struct_size: 0,
-            place: found.place.into(),
-            point: found.point.into(),
-            normal: found.normal.into(),
-            angle: found.angle,
-            deviation: found.deviation,
-            bound: found.bound,
-        })
-    }
 }
 
 /// Where parallel planes cut a surface: curves in the order of the planes and of their lowest
@@ -159,7 +135,7 @@ pub unsafe extern "C" fn gusset_surface_section_create(
 /// @param level_count see levels.
 /// @param options NULL for the defaults.
 /// @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there;
+/// @return GUSSET_OK, or an error: those of gusset_surface_section_create;
 ///     SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number
 ///     of the value.
 /// @complexity O(values + cells that are crossed); threads.
@@ -202,7 +178,7 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
 /// @param count see angles.
 /// @param options NULL for the defaults.
 /// @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there.
+/// @return GUSSET_OK, or an error: those of gusset_surface_section_create.
 /// @complexity About O(cells that are crossed), and O(cells) once, for the cones of normals;
 ///     threads.
 /// @source Leus, task b.
@@ -249,11 +225,18 @@ pub unsafe extern "C" fn gusset_surface_nearest_angle(
     options: *const gusset_contour_options,
     nearest: *mut gusset_nearest_angle_report,
 ) -> gusset_status {
-    let out = input::output_struct(nearest, "nearest");
-    guard(context, |job| {
-        let (out, surface, (_, unsigned)) = (out?, read(surface)?, self::options(options)?);
+    answer_struct(context, (nearest, "nearest"), |job| {
+        let (surface, (_, unsigned)) = (read(surface)?, self::options(options)?);
         let direction = input::vector(direction, "direction")?;
-        out.write(surface.nearest_angle(direction, angle, unsigned, job)?.into());
-        Ok(())
+        let none = gusset_nearest_angle_report { deviation: f64::INFINITY, ..Default::default() };
+        Ok(surface.nearest_angle(direction, angle, unsigned, job)?.map_or(none, |found| gusset_nearest_angle_report {
+            struct_size: 0,
+            place: found.place.into(),
+            point: found.point.into(),
+            normal: found.normal.into(),
+            angle: found.angle,
+            deviation: found.deviation,
+            bound: found.bound,
+        }))
     })
 }

@@ -82,7 +82,7 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param other the other.
+/// @param other the other curve.
 /// @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
 /// @param[out] places receives the places on the first curve, those on the other, and the points of
 ///     the first; overlaps are parts where the curves stay as near, or cannot be told apart;

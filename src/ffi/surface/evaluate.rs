@@ -84,15 +84,11 @@ const LOCATED: usize = 1 << 20;
 
 /// The caller's places on a surface, at any alignment.
 pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
-    let all = input::items(data, count, "places")?;
-    let mut places = alloc::with_capacity(count)?;
-    for (k, given) in all.enumerate() {
-        if given.reserved != 0 {
-            return Err(Failure::unknown("reserved", given.reserved.into()).of_item(k));
-        }
-        places.push(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v });
-    }
-    Ok(places)
+    let place = |(k, given): (usize, gusset_surface_place)| match given.reserved {
+        0 => Ok(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v }),
+        other => Err(Failure::unknown("reserved", other.into()).of_item(k)),
+    };
+    alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
 }
 
 /// Points, derivatives, normals and curvatures at places.

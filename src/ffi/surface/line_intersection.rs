@@ -3,7 +3,8 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
-use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line, Lines};
+use crate::outline::Place;
+use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line};
 use glam::DVec3;
 
 /// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
@@ -62,11 +63,10 @@ pub struct gusset_surface_hit {
 }
 
 /// Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
-#[derive(Default)]
 pub struct gusset_surface_hits {
     ends: Vec<u64>,
     hits: Vec<gusset_surface_hit>,
-    on_curve: Vec<gusset_place>,
+    on_curve: Vec<[gusset_place; 3]>,
 }
 
 /// The hits. Pointers are valid until the handle is destroyed.
@@ -92,15 +92,6 @@ pub struct gusset_surface_hits_view {
 versioned! { gusset_surface_hits_view: 48 }
 fixed! { gusset_line: 64, gusset_surface_hit: 112 }
 
-/// What a hit is called in C, by how often it counts.
-fn kind(multiplicity: u32) -> gusset_hit_kind {
-    match multiplicity {
-        0 => GUSSET_HIT_INSIDE,
-        1 => GUSSET_HIT_CROSSING,
-        _ => GUSSET_HIT_TOUCH,
-    }
-}
-
 impl From<&Hit> for gusset_surface_hit {
     fn from(hit: &Hit) -> Self {
         gusset_surface_hit {
@@ -109,32 +100,13 @@ impl From<&Hit> for gusset_surface_hit {
             place: hit.place.into(),
             point: hit.point.to_array(),
             normal: hit.normal.to_array(),
-            kind: kind(hit.multiplicity),
+            kind: match hit.multiplicity {
+                0 => GUSSET_HIT_INSIDE,
+                1 => GUSSET_HIT_CROSSING,
+                _ => GUSSET_HIT_TOUCH,
+            },
             reserved: 0,
         }
-    }
-}
-
-impl gusset_surface_hits {
-    fn of_lines(found: Lines) -> Result<Self, Failure> {
-        let hits = alloc::collect(found.hits.iter().map(gusset_surface_hit::from))?;
-        Ok(gusset_surface_hits { ends: found.ends, hits, on_curve: Vec::new() })
-    }
-
-    fn of_curve(found: &[CurveHit]) -> Result<Self, Failure> {
-        let number = |place: crate::outline::Place| f64::from(place.segment) + place.t;
-        let hits = alloc::collect(found.iter().map(|hit| gusset_surface_hit {
-            t: number(hit.at),
-            span: hit.span.map(number),
-            place: hit.place.into(),
-            point: hit.point.to_array(),
-            normal: hit.normal.to_array(),
-            kind: kind(hit.multiplicity),
-            reserved: 0,
-        }))?;
-        let mut on_curve = alloc::with_capacity(3 * found.len())?;
-        found.iter().for_each(|hit| on_curve.extend([hit.at, hit.span[0], hit.span[1]].map(gusset_place::from)));
-        Ok(gusset_surface_hits { ends: vec![0, hits.len() as u64], hits, on_curve })
     }
 }
 
@@ -179,7 +151,9 @@ pub unsafe extern "C" fn gusset_surface_line_hits_create(
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
         let (surface, selection) = (read(surface)?, choice(selection)?);
-        gusset_surface_hits::of_lines(surface.lines(&self::lines(lines, count)?, selection, job)?)
+        let found = surface.lines(&self::lines(lines, count)?, selection, job)?;
+        let hits = alloc::collect(found.hits.iter().map(gusset_surface_hit::from))?;
+        Ok(gusset_surface_hits { ends: found.ends, hits, on_curve: Vec::new() })
     })
 }
 
@@ -205,10 +179,7 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     count: usize,
     hits: *mut gusset_surface_hit,
 ) -> gusset_status {
-    let mut out = input::results(hits, count, "hits");
-    if let Ok(out) = &mut out {
-        out.fill(bytemuck::Zeroable::zeroed());
-    }
+    let out = input::cleared(hits, count, "hits");
     guard(context, |job| {
         let (out, surface) = (out?, read(surface)?);
         let found = surface.first_hits(&self::lines(lines, count)?, job)?;
@@ -245,7 +216,14 @@ pub unsafe extern "C" fn gusset_surface_curve_hits_create(
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
         let (surface, curve) = (read(surface)?, view(curve, "curve")?);
-        gusset_surface_hits::of_curve(&surface.curve(&curve, choice(selection)?, job)?)
+        let found = surface.curve(&curve, choice(selection)?, job)?;
+        let number = |place: Place| f64::from(place.segment) + place.t;
+        let hit = |&CurveHit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
+            (&Hit { t: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
+        };
+        let places = |hit: &CurveHit| [hit.at, hit.span[0], hit.span[1]].map(gusset_place::from);
+        let (hits, on_curve) = (alloc::collect(found.iter().map(hit))?, alloc::collect(found.iter().map(places))?);
+        Ok(gusset_surface_hits { ends: vec![0, found.len() as u64], hits, on_curve })
     })
 }
 
@@ -262,15 +240,13 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
     hits: *const gusset_surface_hits,
     parts: *mut gusset_surface_hits_view,
 ) -> gusset_status {
-    lend!(hits, parts, |found| {
-        gusset_surface_hits_view {
-            struct_size: 0,
-            line_count: found.ends.len() - 1,
-            hit_count: found.hits.len(),
-            ends: found.ends.as_ptr(),
-            hits: found.hits.as_ptr(),
-            on_curve: lent(&found.on_curve),
-        }
+    lend!(hits, parts, |found| gusset_surface_hits_view {
+        struct_size: 0,
+        line_count: found.ends.len() - 1,
+        hit_count: found.hits.len(),
+        ends: lent(&found.ends),
+        hits: lent(&found.hits),
+        on_curve: lent(found.on_curve.as_flattened()),
     })
 }
 

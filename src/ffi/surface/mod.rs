@@ -27,7 +27,7 @@ pub struct gusset_surface(pub(crate) Surface<'static>);
 
 /// A place on a surface.
 #[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[derive(Clone, Copy, Default, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_place {
     /// The sheet, counted from 0 as they were given.
     pub sheet: u32,
@@ -141,11 +141,7 @@ impl TryFrom<Paths> for gusset_surface_paths {
 /// The sheets of an array of handles; copies share their nodes.
 fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
     let handles = input::references(handles, count, "sheets")?;
-    let mut sheets = alloc::with_capacity(count)?;
-    for handle in handles {
-        sheets.push(handle?.0.clone());
-    }
-    Ok(sheets)
+    alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
 }
 
 /// Builds the index of one sheet or several, which together are one surface.
@@ -212,21 +208,19 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
     paths: *const gusset_surface_paths,
     parts: *mut gusset_surface_paths_view,
 ) -> gusset_status {
-    lend!(paths, parts, |paths| {
-        gusset_surface_paths_view {
-            struct_size: 0,
-            path_count: paths.closed.len(),
-            point_count: paths.points.len(),
-            ends: gusset_indices::lend(&paths.ends),
-            closed: paths.closed.as_ptr(),
-            levels: paths.levels.as_ptr(),
-            points: paths.points.as_ptr().cast(),
-            normals: paths.normals.as_ptr().cast(),
-            places: paths.places.as_ptr(),
-            others: lent(&paths.others),
-            unresolved: paths.unresolved.as_ptr(),
-            unresolved_count: paths.unresolved.len(),
-        }
+    lend!(paths, parts, |paths| gusset_surface_paths_view {
+        struct_size: 0,
+        path_count: paths.closed.len(),
+        point_count: paths.points.len(),
+        ends: gusset_indices::lend(&paths.ends),
+        closed: lent(&paths.closed),
+        levels: lent(&paths.levels),
+        points: lent(&paths.points).cast(),
+        normals: lent(&paths.normals).cast(),
+        places: lent(&paths.places),
+        others: lent(&paths.others),
+        unresolved: lent(&paths.unresolved),
+        unresolved_count: paths.unresolved.len(),
     })
 }
 

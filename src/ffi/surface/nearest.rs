@@ -160,36 +160,9 @@ impl gusset_nearest_options {
     }
 }
 
-impl TryFrom<Minima> for gusset_surface_points {
-    type Error = Error;
-
-    fn try_from(minima: Minima) -> Result<Self, Error> {
-        let Minima { points, complete, bound } = minima;
-        let points = alloc::collect(points.into_iter().map(|point| Some(point).into()))?;
-        Ok(gusset_surface_points { points, bound, complete })
-    }
-}
-
-impl TryFrom<Region> for gusset_surface_region {
-    type Error = Error;
-
-    fn try_from(region: Region) -> Result<Self, Error> {
-        let Region { cells, whole, mask, first } = region;
-        let cell = |([sheet, row, column], whole): ([u32; 3], bool)| gusset_surface_cell {
-            sheet,
-            row,
-            column,
-            whole: whole.into(),
-        };
-        Ok(gusset_surface_region { cells: alloc::collect(cells.into_iter().zip(whole).map(cell))?, mask, first })
-    }
-}
-
 /// The caller's points, `stride` bytes apart, 0 for none between; at any alignment.
 pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<Vec<DVec3>, Failure> {
-    if count as u64 > u64::from(u32::MAX) {
-        return Err(Error::TooLarge { what: "queries", count: count as u64, limit: u32::MAX.into() }.into());
-    }
+    input::check_count(count, u32::MAX.into(), "queries")?;
     let bytes = input::bytes(data.cast(), Strided::span(count, stride, 24, "queries")?, 1, "queries")?;
     let queries = Strided::new(bytes, count, stride, 24, "queries")?;
     Ok(alloc::collect((0..count).map(|k| DVec3::from_array(queries.get(k))))?)
@@ -205,7 +178,7 @@ pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<V
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.
 /// @param queries x, y, z of each, at any alignment, `stride` bytes apart (0: packed).
-/// @param count see points.
+/// @param count see queries.
 /// @param stride see queries.
 /// @param options NULL for the defaults: no limit.
 /// @param[out] points room for count answers, in the order of the queries; none is found on
@@ -228,23 +201,14 @@ pub unsafe extern "C" fn gusset_surface_nearest(
     options: *const gusset_nearest_options,
     points: *mut gusset_surface_nearest_point,
 ) -> gusset_status {
-    let out = cleared(points, count);
+    let mut out = input::results(points, count, "points");
+    out.iter_mut().for_each(|out| out.fill(None.into()));
     guard(context, |job| {
         let (out, limit) = (out?, input::read(options, true, "options")?.limit()?);
         let (surface, queries) = (read(surface)?, self::queries(queries, count, stride)?);
         let done = surface.closest_into(&queries, limit, out, gusset_surface_nearest_point::from, job);
         done.inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
     })
-}
-
-/// Room for answers, with nothing found.
-fn cleared<'a>(
-    points: *mut gusset_surface_nearest_point,
-    count: usize,
-) -> Result<&'a mut [gusset_surface_nearest_point], Failure> {
-    let out = input::results(points, count, "points")?;
-    out.fill(None.into());
-    Ok(out)
 }
 
 /// The places where the distance from a query is locally least: all, those within a limit, or the
@@ -277,7 +241,10 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
     create(context, points, "points", |job| {
         let options = input::read(options, true, "options")?;
         let (surface, query) = (read(surface)?, input::vector(query, "query")?);
-        surface.local_minima(query, options.limit()?, options.max_count, job)?.try_into().map_err(Failure::from)
+        let found = surface.local_minima(query, options.limit()?, options.max_count, job)?;
+        let Minima { points, complete, bound } = found;
+        let points = alloc::collect(points.into_iter().map(|point| Some(point).into()))?;
+        Ok(gusset_surface_points { points, bound, complete })
     })
 }
 
@@ -295,7 +262,7 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
     parts: *mut gusset_surface_points_view,
 ) -> gusset_status {
     lend!(points, parts, |found| {
-        let (points, count) = (found.points.as_ptr(), found.points.len());
+        let (points, count) = (lent(&found.points), found.points.len());
         let (bound, complete) = (found.bound, found.complete.into());
         gusset_surface_points_view { struct_size: 0, points, count, bound, complete, reserved: 0 }
     })
@@ -335,7 +302,14 @@ pub unsafe extern "C" fn gusset_surface_region_create(
 ) -> gusset_status {
     create(context, region, "region", |job| {
         let (surface, query) = (read(surface)?, input::vector(query, "query")?);
-        surface.region(query, radius, job)?.try_into().map_err(Failure::from)
+        let Region { cells, whole, mask, first } = surface.region(query, radius, job)?;
+        let cell = |([sheet, row, column], whole): ([u32; 3], bool)| gusset_surface_cell {
+            sheet,
+            row,
+            column,
+            whole: whole.into(),
+        };
+        Ok(gusset_surface_region { cells: alloc::collect(cells.into_iter().zip(whole).map(cell))?, mask, first })
     })
 }
 
@@ -352,16 +326,14 @@ pub unsafe extern "C" fn gusset_surface_region_get_view(
     region: *const gusset_surface_region,
     parts: *mut gusset_surface_region_view,
 ) -> gusset_status {
-    lend!(region, parts, |region| {
-        gusset_surface_region_view {
-            struct_size: 0,
-            cells: region.cells.as_ptr(),
-            cell_count: region.cells.len(),
-            mask: region.mask.as_ptr(),
-            word_count: region.mask.len(),
-            first: region.first.as_ptr(),
-            sheet_count: region.first.len() - 1,
-        }
+    lend!(region, parts, |region| gusset_surface_region_view {
+        struct_size: 0,
+        cells: lent(&region.cells),
+        cell_count: region.cells.len(),
+        mask: lent(&region.mask),
+        word_count: region.mask.len(),
+        first: lent(&region.first),
+        sheet_count: region.first.len() - 1,
     })
 }
 

@@ -163,22 +163,6 @@ impl gusset_reference_task {
     }
 }
 
-impl From<&SearchOutcome> for gusset_reference_report {
-    fn from(found: &SearchOutcome) -> Self {
-        let ([row, column], min_distance) = found.least;
-        gusset_reference_report {
-            struct_size: size_of::<Self>(),
-            cells: found.mask.count() as u64,
-            evaluations: found.evaluations,
-            blocks: found.blocks,
-            dropped: found.dropped,
-            min_distance,
-            row: row as u32,
-            column: column as u32,
-        }
-    }
-}
-
 /// Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -216,7 +200,7 @@ pub unsafe extern "C" fn gusset_sheet_diameters(
             let room = if buffer.is_null() { 0 } else { capacity };
             input::copy(buffer, room, sizes.all(), written, "diameters")?;
         }
-        max.into_iter().for_each(|out| *out = [found.euclidean.greatest(), found.intrinsic.greatest()]);
+        input::set(max, [found.euclidean.greatest(), found.intrinsic.greatest()]);
         Ok(())
     })
 }
@@ -236,11 +220,7 @@ pub unsafe extern "C" fn gusset_sheet_curvature_bound(
     sheet: *const gusset_sheet,
     bound: *mut f64,
 ) -> gusset_status {
-    let bound = input::output(bound, 0.0, "bound");
-    guard(context, |job| {
-        *bound? = curvature_bound(read(sheet)?, job)?;
-        Ok(())
-    })
+    answer(context, (bound, "bound"), 0.0, |job| Ok(curvature_bound(read(sheet)?, job)?))
 }
 
 /// Row and column of a cell.
@@ -259,8 +239,8 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
 /// @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
 ///     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
 /// @param count the words, at least as many as the cells need.
-/// @param from row and column of a cell of the region, two numbers each, at any alignment.
-/// @param to row and column of a cell of the region, two numbers each, at any alignment.
+/// @param from row and column of a cell of the region, two numbers, at any alignment.
+/// @param to the same of the other cell.
 /// @param[out] cells receives row and column of each cell of the chain, from and to included, two
 ///     numbers each; NULL with capacity 0 to ask for the size.
 /// @param capacity how many cells it has room for.
@@ -317,21 +297,19 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     count: usize,
     report: *mut gusset_mask_report,
 ) -> gusset_status {
-    let out = input::output_struct(report, "report");
-    guard(context, |job| {
-        let (out, sheet) = (out?, read(sheet)?);
+    answer_struct(context, (report, "report"), |job| {
+        let sheet = read(sheet)?;
         let region = region(sheet, words, count)?;
         let sizes = Diameters::new(sheet, &job.part(0.0, 0.4))?.euclidean;
         let euler = euler_characteristic(&region, &job.part(0.4, 0.5))?;
         let integer = integer_diameter(&region, &job.part(0.5, 1.0))?;
-        out.write(gusset_mask_report {
+        Ok(gusset_mask_report {
             struct_size: 0,
             cells: region.count() as u64,
             integer_diameter: integer.map_or(u64::MAX, |cells| cells as u64),
             euler,
             diameter: integer.map_or(Ok(f64::INFINITY), |cells| sizes.of_region(&region, cells))?,
-        });
-        Ok(())
+        })
     })
 }
 
@@ -354,7 +332,7 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
 ///     distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
 ///     at for the search.
-/// @source Leus; its errata are listed with the Rust module surface::leus.
+/// @source Leus; docs/errata.md lists its errata.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
@@ -374,7 +352,19 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
         let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
         buffer?;
         let found = task.search(read(sheet)?, job)?;
-        report.into_iter().for_each(|report| report.write((&found).into()));
+        let ([row, column], min_distance) = found.least;
+        if let Some(report) = report {
+            report.write(gusset_reference_report {
+                struct_size: 0,
+                cells: found.mask.count() as u64,
+                evaluations: found.evaluations,
+                blocks: found.blocks,
+                dropped: found.dropped,
+                min_distance,
+                row: row as u32,
+                column: column as u32,
+            });
+        }
         input::copy(words, capacity, found.mask.words(), written, "words")
     })
 }

@@ -66,8 +66,7 @@ pub unsafe extern "C" fn gusset_surface_get_report(
     surface: *const gusset_surface,
     facts: *mut gusset_surface_report,
 ) -> gusset_status {
-    lend!(surface, facts, |surface| {
-        let surface = &surface.0;
+    lend!(surface, facts, |gusset_surface(surface)| {
         let [low, high] = surface.bounds().map(|corner| corner.to_array());
         gusset_surface_report {
             struct_size: 0,
@@ -99,8 +98,7 @@ pub unsafe extern "C" fn gusset_surface_get_sheet(
     sheet: usize,
     facts: *mut gusset_surface_sheet_report,
 ) -> gusset_status {
-    lend!(surface, facts, |surface| {
-        let surface = &surface.0;
+    lend!(surface, facts, |gusset_surface(surface)| {
         if sheet >= surface.len() {
             return Err(Failure::no_such("sheet", sheet));
         }

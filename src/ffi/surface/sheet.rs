@@ -2,8 +2,9 @@
 
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
+use crate::geom::strided::Strided;
 use crate::mesh::Scalar;
-use crate::surface::{Grid, Nodes, Scheme, Sheet};
+use crate::surface::{Grid, MAX_NODES, Nodes, Scheme, Sheet};
 use libc::c_void;
 
 /// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
@@ -63,39 +64,23 @@ impl Layout {
         if rows < 2 || columns < 2 {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 }.into());
         }
-        let overflow = || {
-            Failure::from(Error::SizeOverflow { what: "nodes", count: (rows as u64).saturating_mul(columns as u64) })
-        };
         let column = if nodes.column_stride == 0 { 3 * size } else { nodes.column_stride };
-        let width = (columns - 1).checked_mul(column).and_then(|n| n.checked_add(3 * size)).ok_or_else(overflow)?;
-        let row = match nodes.row_stride {
-            0 => columns.checked_mul(column).ok_or_else(overflow)?,
-            given => given,
-        };
-        if column < 3 * size || row < width {
-            let (stride, least) = if column < 3 * size { (column, 3 * size) } else { (row, width) };
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into());
-        }
-        let span = (rows - 1).checked_mul(row).and_then(|n| n.checked_add(width)).ok_or_else(overflow)?;
-        if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) }
+        let width = Strided::span(columns, column, 3 * size, "nodes of a row")?;
+        // Of two columns and more these are at most twice the width, which is no overflow.
+        let row = if nodes.row_stride == 0 { columns * column } else { nodes.row_stride };
+        Ok(Layout { row, column, span: Strided::span(rows, row, width, "rows of nodes")? })
     }
 }
 
 /// A copy of the caller's numbers, packed.
 pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
-    let kind = choice(nodes.scalar)?;
-    let size = match kind {
-        Scalar::F32 => 4,
-        Scalar::F64 => 8,
-    };
-    let layout = Layout::of(nodes, size)?;
+    let kind: Scalar = choice(nodes.scalar)?;
+    let layout = Layout::of(nodes, kind.position_size() / 3)?;
     // Refused before anything is read.
-    let count = (nodes.rows as u64).saturating_mul(nodes.columns as u64);
-    if count > crate::surface::MAX_NODES {
-        return Err(Error::TooLarge { what: "nodes", count, limit: crate::surface::MAX_NODES }.into());
-    }
+    let count = nodes.rows.saturating_mul(nodes.columns);
+    input::check_count(count, MAX_NODES, "nodes")?;
     let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
-    let mut numbers = alloc::with_capacity(3 * count as usize)?;
+    let mut numbers = alloc::with_capacity(3 * count)?;
     for i in 0..nodes.rows {
         for j in 0..nodes.columns {
             let node = &bytes[i * layout.row + j * layout.column..];

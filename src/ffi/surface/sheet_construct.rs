@@ -107,6 +107,8 @@ pub struct gusset_curve_net {
 
 versioned! { gusset_tangents: 40 reserved, gusset_spline: 80, gusset_curve_net: 56 }
 
+c_enum! { kind: FrameSurface { GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves } }
+
 /// The caller's curves, borrowed.
 fn curves<'a>(
     handles: *const *const gusset_curve,
@@ -114,11 +116,7 @@ fn curves<'a>(
     name: &'static str,
 ) -> Result<Vec<CurveView<'a>>, Failure> {
     let handles = input::references(handles, count, name)?;
-    let mut views = alloc::with_capacity(count)?;
-    for handle in handles {
-        views.push(handle?.0.view());
-    }
-    Ok(views)
+    alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 
 /// Makes the bicubic Hermite surface through nodes with given tangents: C1.
@@ -146,33 +144,18 @@ pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
         let (layout, given) = (input::read(nodes, false, "nodes")?, input::read(tangents, false, "tangents")?);
         let (nodes, count) = (copied_nodes(&layout)?, layout.rows * layout.columns);
         let [u, v] = [points(given.u, count, 3)?, points(given.v, count, 3)?];
-        let twists = given.twists(count)?;
+        let twists = if given.twist == GUSSET_TWISTS_GIVEN { points(given.twists, count, 3)? } else { Vec::new() };
         let closed = [flag(layout.closed_u, "closed_u")?, flag(layout.closed_v, "closed_v")?];
-        let tangents = Tangents { nodes: &nodes, u: &u, v: &v, twists: twists.of(given.twist)?, closed };
+        let twists = match given.twist {
+            GUSSET_TWISTS_DIFFERENCES => Twists::Differences,
+            GUSSET_TWISTS_ADINI => Twists::Adini,
+            GUSSET_TWISTS_ZERO => Twists::Zero,
+            GUSSET_TWISTS_GIVEN => Twists::Given(&twists),
+            other => return Err(Failure::unknown("twist", other.into())),
+        };
+        let tangents = Tangents { nodes: &nodes, u: &u, v: &v, twists, closed };
         Ok(gusset_sheet(Sheet::from_tangents(&tangents, job)?))
     })
-}
-
-/// Twists that are given, or none.
-struct Given(Vec<glam::DVec3>);
-
-impl gusset_tangents {
-    fn twists(&self, count: usize) -> Result<Given, Failure> {
-        let given = self.twist == GUSSET_TWISTS_GIVEN;
-        Ok(Given(if given { points(self.twists, count, 3)? } else { Vec::new() }))
-    }
-}
-
-impl Given {
-    fn of(&self, kind: gusset_twists) -> Result<Twists<'_>, Failure> {
-        match kind {
-            GUSSET_TWISTS_DIFFERENCES => Ok(Twists::Differences),
-            GUSSET_TWISTS_ADINI => Ok(Twists::Adini),
-            GUSSET_TWISTS_ZERO => Ok(Twists::Zero),
-            GUSSET_TWISTS_GIVEN => Ok(Twists::Given(&self.0)),
-            other => Err(Failure::unknown("twist", other.into())),
-        }
-    }
 }
 
 /// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their
@@ -318,11 +301,7 @@ pub unsafe extern "C" fn gusset_sheet_from_frame_create(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let frame = input::reference(frame, "frame")?;
-        let kind = match kind {
-            GUSSET_FRAME_NODES => FrameSurface::Nodes,
-            GUSSET_FRAME_CURVES => FrameSurface::Curves,
-            other => return Err(Failure::unknown("kind", other.into())),
-        };
+        let kind = choice(kind)?;
         let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
         let (counts, closed) = ([grid.rows, grid.columns], [frame.ring, frame.closed]);
         Ok(gusset_sheet(Sheet::from_frame_parts(counts, &grid.nodes, curves, closed, kind, job)?))

@@ -116,11 +116,7 @@ pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
     mesh: *const gusset_sheet_mesh,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    let out = input::output_struct(view, "view");
-    guard(ptr::null(), |_| {
-        out?.write(self::mesh::lend(&input::reference(mesh, "mesh")?.mesh));
-        Ok(())
-    })
+    lend!(mesh, view, |made| self::mesh::lend(&made.mesh))
 }
 
 /// Lends places and normals of the vertices.
@@ -135,13 +131,11 @@ pub unsafe extern "C" fn gusset_sheet_mesh_get_view(
     mesh: *const gusset_sheet_mesh,
     parts: *mut gusset_sheet_mesh_view,
 ) -> gusset_status {
-    lend!(mesh, parts, |made| {
-        gusset_sheet_mesh_view {
-            struct_size: 0,
-            vertex_count: made.places.len(),
-            places: made.places.as_ptr(),
-            normals: made.normals.as_ptr().cast(),
-            deviation: made.deviation,
-        }
+    lend!(mesh, parts, |made| gusset_sheet_mesh_view {
+        struct_size: 0,
+        vertex_count: made.places.len(),
+        places: lent(&made.places),
+        normals: lent(&made.normals).cast(),
+        deviation: made.deviation,
     })
 }

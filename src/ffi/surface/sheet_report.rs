@@ -48,8 +48,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
     sheet: *const gusset_sheet,
     parts: *mut gusset_sheet_report,
 ) -> gusset_status {
-    lend!(sheet, parts, |sheet| {
-        let sheet = &sheet.0;
+    lend!(sheet, parts, |gusset_sheet(sheet)| {
         let ([rows, columns], [closed_u, closed_v]) = (sheet.cells(), sheet.is_closed().map(u32::from));
         let [[pole_u0, pole_u1], [pole_v0, pole_v1]] = sheet.poles().map(|pair| pair.map(u32::from));
         let (degree, is_grid) = match sheet {
@@ -150,9 +149,5 @@ pub unsafe extern "C" fn gusset_sheet_crease(
     sheet: *const gusset_sheet,
     crease: *mut f64,
 ) -> gusset_status {
-    let out = input::output(crease, 0.0, "crease");
-    guard(context, |job| {
-        *out? = input::reference(sheet, "sheet")?.0.crease(job)?;
-        Ok(())
-    })
+    answer(context, (crease, "crease"), 0.0, |job| Ok(input::reference(sheet, "sheet")?.0.crease(job)?))
 }

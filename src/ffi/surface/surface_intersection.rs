@@ -12,9 +12,8 @@ pub struct gusset_intersection_options {
     pub struct_size: usize,
     /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of
     /// the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
-    /// of cells of either surface. (In gusset_contour_options `between` says which of these is
-    /// meant, GUSSET_POINT_SPACING_AUTO, _CHORD or _NOTHING, and chord is read for the second
-    /// only.)
+    /// of cells of either surface. (In gusset_contour_options `spacing` says which of these is
+    /// meant.)
     pub chord: f64,
     /// A length, finite: branches that are shorter may be lost, and surfaces that are nearer to
     /// each other all over are reported as touching; 0: the smaller one of the tolerances of the
@@ -58,20 +57,6 @@ pub struct gusset_cell_pairs_view {
 versioned! { gusset_intersection_options: 24, gusset_cell_pairs_view: 24 }
 fixed! { gusset_cell_pair: 24 }
 
-impl From<gusset_intersection_options> for Options {
-    fn from(options: gusset_intersection_options) -> Self {
-        let given = |value: f64| (value != 0.0).then_some(value);
-        Options { chord: given(options.chord), tolerance: given(options.tolerance) }
-    }
-}
-
-impl From<CellPair> for gusset_cell_pair {
-    fn from(pair: CellPair) -> Self {
-        let CellPair { sheets: [sheet_a, sheet_b], cells: [[row_a, column_a], [row_b, column_b]] } = pair;
-        gusset_cell_pair { sheet_a, row_a, column_a, sheet_b, row_b, column_b }
-    }
-}
-
 /// The curves in which two surfaces meet, with the places of their points on both: ordered along
 /// N_A x N_B, closed ones marked so.
 ///
@@ -81,8 +66,8 @@ impl From<CellPair> for gusset_cell_pair {
 /// may end there. Intersections of one surface with itself are not looked for.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param a the surfaces, which may be the same handle: then all is reported as coincident.
-/// @param b the surfaces, which may be the same handle: then all is reported as coincident.
+/// @param a the one surface.
+/// @param b the other; of the same handle all is reported as coincident.
 /// @param options NULL for the defaults.
 /// @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
@@ -102,7 +87,9 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let options = input::read(options, true, "options")?.into();
+        let options = input::read(options, true, "options")?;
+        let given = |value: f64| (value != 0.0).then_some(value);
+        let options = Options { chord: given(options.chord), tolerance: given(options.tolerance) };
         Ok(read(a)?.meet(read(b)?, &options, job)?.try_into()?)
     })
 }
@@ -111,8 +98,8 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
 /// few others.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param a the a.
-/// @param b the b.
+/// @param a the one surface.
+/// @param b the other surface.
 /// @param within a length, finite; 0: cells that may meet.
 /// @param[out] pairs receives them, for gusset_cell_pairs_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),
@@ -129,8 +116,11 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
     pairs: *mut *mut gusset_cell_pairs,
 ) -> gusset_status {
     create(context, pairs, "pairs", |job| {
+        let pair = |CellPair { sheets: [sheet_a, sheet_b], cells: [[row_a, column_a], [row_b, column_b]] }| {
+            gusset_cell_pair { sheet_a, row_a, column_a, sheet_b, row_b, column_b }
+        };
         let found = read(a)?.candidates(read(b)?, within, job)?;
-        Ok(gusset_cell_pairs(alloc::collect(found.into_iter().map(gusset_cell_pair::from))?))
+        Ok(gusset_cell_pairs(alloc::collect(found.into_iter().map(pair))?))
     })
 }
 
@@ -148,8 +138,7 @@ pub unsafe extern "C" fn gusset_cell_pairs_get_view(
     parts: *mut gusset_cell_pairs_view,
 ) -> gusset_status {
     lend!(pairs, parts, |pairs| {
-        let pairs = &pairs.0;
-        gusset_cell_pairs_view { struct_size: 0, pairs: pairs.as_ptr(), count: pairs.len() }
+        gusset_cell_pairs_view { struct_size: 0, pairs: lent(&pairs.0), count: pairs.0.len() }
     })
 }
 
