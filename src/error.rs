@@ -83,6 +83,7 @@ impl fmt::Display for Number<'_> {
 }
 
 /// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
+#[allow(missing_docs, reason = "the texts say what the fields are")]
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -91,9 +92,7 @@ pub enum Error {
     TooLarge {
         /// What is counted.
         what: &'static str,
-        /// The count asked for.
         count: u64,
-        /// The largest count accepted.
         limit: u64,
     },
     /// The bytes of an array, count times stride, exceed what the machine can address.
@@ -101,7 +100,6 @@ pub enum Error {
     SizeOverflow {
         /// Which array.
         what: &'static str,
-        /// Its element count.
         count: u64,
     },
     /// An array has fewer bytes than its count and stride need.
@@ -109,9 +107,7 @@ pub enum Error {
     ArrayTooShort {
         /// Which array.
         what: &'static str,
-        /// Bytes needed.
         needed: u64,
-        /// Bytes given.
         given: u64,
     },
     /// The distance between positions is smaller than one position.
@@ -119,7 +115,6 @@ pub enum Error {
     StrideTooSmall {
         /// The stride given, in bytes.
         stride: u64,
-        /// The smallest stride accepted, in bytes.
         min: u64,
     },
     /// A mesh without vertices or without faces.
@@ -134,44 +129,27 @@ pub enum Error {
     BadOffsets {
         /// The first offending entry.
         entry: u32,
-        /// Its value.
         value: u32,
     },
     /// A face of fewer than three corners.
     #[error("face {face} has {corners} corners; it needs three")]
-    FaceTooSmall {
-        /// The face.
-        face: u32,
-        /// Its corner count.
-        corners: u32,
-    },
+    FaceTooSmall { face: u32, corners: u32 },
     /// A face names a vertex that does not exist.
     #[error("face {face}, corner {corner}: there is no vertex {vertex}")]
     IndexOutOfRange {
-        /// The face.
         face: u32,
         /// The corner: the position in the corner array.
         corner: u32,
-        /// The vertex index found there.
         vertex: u32,
     },
     /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point or a
     /// tangent there, a node.
     #[error("{element} {index} has a coordinate that is {value}")]
-    NotFinite {
-        /// Its kind.
-        element: Element,
-        /// Its index.
-        index: u64,
-        /// The coordinate.
-        value: f64,
-    },
+    NotFinite { element: Element, index: u64, value: f64 },
     /// A section of a frame has another number of points than the first one.
     #[error("section {section} has {count} points and the first one {expected}")]
     SectionsDiffer {
-        /// The section.
         section: u32,
-        /// Its number of points.
         count: u32,
         /// That of the first one.
         expected: u32,
@@ -182,7 +160,6 @@ pub enum Error {
     NoNode {
         /// The section, or the plane.
         section: u32,
-        /// The column.
         column: u32,
     },
     /// A closed curve does not end where it begins.
@@ -190,10 +167,7 @@ pub enum Error {
     CurveNotClosed,
     /// A plane curve is asked for, and a control point has z other than 0.
     #[error("control point {point} is not in the plane z = 0")]
-    CurveNotPlane {
-        /// The control point.
-        point: u32,
-    },
+    CurveNotPlane { point: u32 },
     /// A curve without segments, or without points, where one is needed.
     #[error("the curve is empty")]
     EmptyCurve,
@@ -202,50 +176,29 @@ pub enum Error {
     NoSuchPlace {
         /// Which of the places given.
         index: u32,
-        /// Its segment.
         segment: u32,
-        /// Its parameter.
         t: f64,
     },
     /// A constraint names a point that does not exist, or that the one before it names or passes.
     #[error("constraint {constraint} is on point {point}, which does not exist or comes earlier")]
-    BadConstraint {
-        /// The constraint.
-        constraint: u32,
-        /// The point.
-        point: u32,
-    },
+    BadConstraint { constraint: u32, point: u32 },
     /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's
     /// type, would round them.
     #[error("the inputs have coordinates of different types, where the result would round those of one: convert it")]
     MixedScalars,
     /// There is no boundary loop that could be stitched.
     #[error("mesh {side} has no boundary loop that can be stitched")]
-    NoLoop {
-        /// The piece without one.
-        side: Side,
-    },
+    NoLoop { side: Side },
     /// A loop of fewer than three vertices.
     #[error("loop {side} has {count} vertices; it needs three")]
-    LoopTooShort {
-        /// The piece.
-        side: Side,
-        /// The number of vertices given.
-        count: u32,
-    },
+    LoopTooShort { side: Side, count: u32 },
     /// A loop passes a vertex twice.
     #[error("loop {side} passes vertex {vertex} twice")]
-    LoopRepeatsVertex {
-        /// The piece.
-        side: Side,
-        /// The vertex.
-        vertex: u32,
-    },
+    LoopRepeatsVertex { side: Side, vertex: u32 },
     /// Two consecutive loop vertices are not the ends of a free edge: an edge with exactly one
     /// face.
     #[error("loop {side}: the edge that leaves place {place} (vertex {vertex}) is no free edge of the mesh")]
     LoopEdgeNotFree {
-        /// The piece.
         side: Side,
         /// The place in the loop where the edge starts.
         place: u32,
@@ -255,22 +208,15 @@ pub enum Error {
     },
     /// Both loops pass the same vertex of the same mesh.
     #[error("both loops pass vertex {vertex}")]
-    LoopsShareVertex {
-        /// The vertex.
-        vertex: u32,
-    },
+    LoopsShareVertex { vertex: u32 },
     /// No vertex of a loop is clearly on the other loop's side of the plane through its centre, or
     /// the centres coincide: the paper's planes cannot tell which vertices face each other. Such
     /// loops are joined whole.
     #[error("no vertex of loop {side} is clearly on the other loop's side of the plane through its centre")]
-    PlanesUndecided {
-        /// The loop.
-        side: Side,
-    },
+    PlanesUndecided { side: Side },
     /// The faces along one loop disagree in orientation.
     #[error("the faces along loop {side} disagree in orientation, face {face} among them")]
     LoopNotOriented {
-        /// The piece.
         side: Side,
         /// A face that runs against most others.
         face: u32,
@@ -290,12 +236,7 @@ pub enum Error {
     },
     /// A net of fewer than two rows or columns.
     #[error("{rows} rows and {columns} columns of nodes: a net has two of each at least")]
-    NetTooSmall {
-        /// The rows given.
-        rows: u64,
-        /// The columns given.
-        columns: u64,
-    },
+    NetTooSmall { rows: u64, columns: u64 },
     /// A gluing makes both pairs of opposite corners of a cell one each: no surface does that.
     #[error("cell {cell}: both pairs of opposite corners would be glued, which no surface allows")]
     CrossingCell {
@@ -304,43 +245,27 @@ pub enum Error {
     },
     /// A seam without nodes, or with nodes outside the net.
     #[error("seam {seam} is empty or leaves the net")]
-    BadSeam {
-        /// The seam.
-        seam: u32,
-    },
+    BadSeam { seam: u32 },
     /// An element that does not exist, or that is of another kind.
     #[error("there is no {element} {index}")]
-    NoSuch {
-        /// Its kind.
-        element: Element,
-        /// The index given.
-        index: u64,
-    },
+    NoSuch { element: Element, index: u64 },
     /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse
     /// to equalise them.
     #[error("the sides to be joined have {a} and {b} nodes")]
     SidesDiffer {
         /// Nodes of the first net's side.
         a: u32,
-        /// Nodes of the second net's.
         b: u32,
     },
     /// Sides of nets that are to be welded do not lie on each other.
     #[error("the sides to be welded are {} apart at place {place}", Number(.distance))]
-    SidesApart {
-        /// The place along the side.
-        place: u32,
-        /// How far the two nodes there are apart.
-        distance: f64,
-    },
+    SidesApart { place: u32, distance: f64 },
     /// A direction of a spline has another number of knots than its control points and degree need.
     #[error("direction {direction} has {given} knots; its control points and degree need {needed}")]
     WrongKnotCount {
         /// 0 for u, 1 for v.
         direction: u32,
-        /// The knots given.
         given: u64,
-        /// The knots needed.
         needed: u64,
     },
     /// A knot of a spline is not finite, less than the one before, or repeated too often; or the
@@ -349,17 +274,13 @@ pub enum Error {
     BadKnot {
         /// 0 for u, 1 for v.
         direction: u32,
-        /// The knot.
         knot: u32,
-        /// Its value.
         value: f64,
     },
     /// A row and a column of a net of curves do not meet.
     #[error("row {row} and column {column} of the net are {} apart where they are nearest", Number(.distance))]
     CurvesApart {
-        /// The row.
         row: u32,
-        /// The column.
         column: u32,
         /// How far they are apart where they are nearest.
         distance: f64,
@@ -369,7 +290,6 @@ pub enum Error {
     CurvesOutOfOrder {
         /// The row at the first crossing out of order.
         row: u32,
-        /// The column.
         column: u32,
     },
     /// Two nets cannot be joined, as faces of the one are to be taken the other way round.
@@ -383,18 +303,10 @@ pub enum Error {
     },
     /// A stream is damaged, cut off, or none of ours.
     #[error("the stream is damaged at byte {byte}: {what}")]
-    BadStream {
-        /// What is wrong.
-        what: &'static str,
-        /// Where: the byte.
-        byte: u64,
-    },
+    BadStream { what: &'static str, byte: u64 },
     /// A group of a scene would contain itself.
     #[error("entry {entry} of the scene would contain itself")]
-    SceneCycle {
-        /// The entry.
-        entry: u32,
-    },
+    SceneCycle { entry: u32 },
     /// A scene without nets, where one is needed.
     #[error("the scene has no nets")]
     EmptyScene,
@@ -412,7 +324,6 @@ pub enum Error {
     /// A line is not finite, has no direction, or ends before it begins.
     #[error("line {line} is not finite, has no direction, or ends before it begins: {}", Number(.value))]
     BadLine {
-        /// Which of the lines given.
         line: u64,
         /// The number that is wrong.
         value: f64,
@@ -420,43 +331,26 @@ pub enum Error {
     /// The greatest absolute coordinate of a sheet is too large or too small for a surface.
     #[error("sheet {sheet}: its greatest coordinate, {}, is not 0 nor from 1e-30 to 1e37", Number(.value))]
     SheetOutOfRange {
-        /// Which of the sheets given.
         sheet: u64,
         /// The coordinate, or infinity.
         value: f64,
     },
     /// A filter takes another number of inputs.
     #[error("the number of inputs is {given}, and the filter takes {}", if .min == .max { min.to_string() } else { format!("{min} to {max}") })]
-    InputCount {
-        /// The number given.
-        given: u64,
-        /// The smallest number accepted.
-        min: u64,
-        /// The largest number accepted.
-        max: u64,
-    },
+    InputCount { given: u64, min: u64, max: u64 },
     /// An input is not such as a filter takes.
     #[error("input {input}: {why}")]
     InputUnfit {
-        /// Which of the inputs.
         input: u32,
         /// What is needed.
         why: &'static str,
     },
     /// An option is outside its range.
     #[error("option {option} is out of range: {}", Number(.value))]
-    OptionOutOfRange {
-        /// The option's name.
-        option: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    OptionOutOfRange { option: &'static str, value: f64 },
     /// Memory for an array could not be had.
     #[error("{bytes} bytes of memory could not be had")]
-    OutOfMemory {
-        /// Bytes asked for.
-        bytes: u64,
-    },
+    OutOfMemory { bytes: u64 },
     /// The host asked to stop.
     #[error("cancelled by the host")]
     Cancelled,

@@ -17,25 +17,21 @@ pub enum Winding {
     Clockwise,
 }
 
-/// One edge, equation 2.
+/// One edge, equation 2; [`NONE`] is NULL. It runs from the vertex M to N; the face L runs N to M,
+/// and R runs M to N. In R the edge after this one is b, which leaves N, and the one before it d,
+/// which arrives at M; in L the one before it is c, which arrives at N, and the one after it e, which
+/// leaves M.
+#[allow(missing_docs, reason = "the paper's letters, explained above")]
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WingedEdge {
-    /// The vertex where it starts.
     pub m: u32,
-    /// The vertex where it ends.
     pub n: u32,
-    /// In R, the edge after this one; it leaves N.
     pub b: u32,
-    /// In L, the edge before this one; it arrives at N.
     pub c: u32,
-    /// In R, the edge before this one; it arrives at M.
     pub d: u32,
-    /// In L, the edge after this one; it leaves M.
     pub e: u32,
-    /// The face on the left: the one that runs N to M.
     pub left: u32,
-    /// The face on the right: the one that runs M to N.
     pub right: u32,
     /// [`EdgeMarks`].
     pub marks: u32,
