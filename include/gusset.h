@@ -8,7 +8,8 @@
  *     options.struct_size = sizeof options;
  *
  * Errors are listed without their prefix GUSSET_ERROR_. Every function that takes a context may also return CONTEXT_BUSY, and
- * CANCELLED before it looks at its other arguments; outputs are cleared in any case. C99 or later.
+ * CANCELLED before it looks at its other arguments; outputs are cleared in any case. An array that the library lends is NULL
+ * if it has no elements. C99 or later.
  */
 
 #ifndef GUSSET_H
@@ -43,13 +44,14 @@
 #define GUSSET_CORRESPONDENCE_GIVEN 0
 
 /**
- * Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than
- * the first one is taken backwards.
+ * Equal parts of the arc length of each section from its first point on; a closed section that
+ * runs the other way round than the first one is taken backwards.
  */
 #define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
 
 /**
- * Where half-planes at equal angles round the axis meet each section; the farthest place where there are several.
+ * Where half-planes at equal angles round the axis meet each section; the farthest place where
+ * there are several.
  */
 #define GUSSET_CORRESPONDENCE_ANGLE 2
 
@@ -64,13 +66,14 @@
 #define GUSSET_SAMPLE_COUNT 0
 
 /**
- * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
+ * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always
+ * the last.
  */
 #define GUSSET_SAMPLE_STEP 1
 
 /**
- * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
- * 20 times, which leaves 1e-12 of its size.
+ * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between
+ * the points; each segment is halved at most 20 times, which leaves 1e-12 of its size.
  */
 #define GUSSET_SAMPLE_CHORD 2
 
@@ -90,19 +93,22 @@
 #define GUSSET_CURVE_COMPOSITE 0
 
 /**
- * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end tangent, and n + 2 through n points of a
- * closed outline, whose seam is smooth. Above degree 64 a composite curve takes its place. Good for up to some 20 points.
+ * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end
+ * tangent, and n + 2 through n points of a closed outline, whose seam is smooth. Above degree 64 a
+ * composite curve takes its place. Good for up to some 20 points.
  */
 #define GUSSET_CURVE_SINGLE 1
 
 /**
- * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1
- * with the normal). With the bisector the centripetal Catmull-Rom spline.
+ * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of
+ * the method's exponent (G1 with the normal). With the bisector the centripetal Catmull-Rom
+ * spline.
  */
 #define GUSSET_CURVE_BLEND_C1 2
 
 /**
- * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the normal).
+ * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
+ * normal).
  */
 #define GUSSET_CURVE_BLEND_C2 3
 
@@ -132,8 +138,8 @@
 #define GUSSET_METHOD_SYMMEDIAN 3
 
 /**
- * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median
- * at alpha = 0, the bisector at 1/2, the symmedian at 1.
+ * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
+ * its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
  */
 #define GUSSET_METHOD_ALPHA 4
 
@@ -143,14 +149,15 @@
 #define GUSSET_LOCK_PARAMETER 0
 
 /**
- * The parameter is that of the method on the section's own triangle. With the normal there may be several solutions; which one is
- * found depends on the solver.
+ * The parameter is that of the method on the section's own triangle. With the normal there may be
+ * several solutions; which one is found depends on the solver.
  */
 #define GUSSET_LOCK_SELF_CONSISTENT 1
 
 /**
- * The control point lies on the guide of the data's triangle, where that is possible. Outlines must lie in a plane, any plane; points
- * of others get GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
+ * The control point lies on the guide of the data's triangle, where that is possible. Outlines
+ * must lie in a plane, any plane; points of others get GUSSET_POINT_OUT_OF_PLANE and the lock by
+ * parameter.
  */
 #define GUSSET_LOCK_DATA_GUIDE 2
 
@@ -210,14 +217,14 @@
 #define GUSSET_POINT_CLAMPED_PARAMETER 1
 
 /**
- * It repeats a point before it (or the first one, at the end of a closed outline), and was left out: the curve passes that one,
- * which is within the tolerance for repeats.
+ * It repeats a point before it (or the first one, at the end of a closed outline), and was left
+ * out: the curve passes that one, which is within the tolerance for repeats.
  */
 #define GUSSET_POINT_MERGED 2
 
 /**
- * It is so near the first or last point of its section that this has no control point by the method; the median took its
- * place.
+ * It is so near the first or last point of its section that this has no control point by the
+ * method; the median took its place.
  */
 #define GUSSET_POINT_REPEATED 3
 
@@ -252,7 +259,8 @@
 #define GUSSET_POINT_TANGENT_BACKWARD 9
 
 /**
- * The tangent cannot be reached by a quadratic: the point is farther from it than the section's end.
+ * The tangent cannot be reached by a quadratic: the point is farther from it than the section's
+ * end.
  */
 #define GUSSET_POINT_TANGENT_BEYOND 10
 
@@ -277,7 +285,8 @@
 #define GUSSET_POINT_NOT_CONVERGED 14
 
 /**
- * The curve misses it: the outline has too few different points, or its equations have no solution.
+ * The curve misses it: the outline has too few different points, or its equations have no
+ * solution.
  */
 #define GUSSET_POINT_MISSED 15
 
@@ -307,7 +316,8 @@
 #define GUSSET_FIT_ILL_CONDITIONED 4
 
 /**
- * Fewer than two different points, or three of a closed outline: there is no curve, or what two points give.
+ * Fewer than two different points, or three of a closed outline: there is no curve, or what two
+ * points give.
  */
 #define GUSSET_FIT_TOO_FEW_POINTS 5
 
@@ -347,10 +357,10 @@
 #define GUSSET_ASSEMBLY_NO_WELD 1
 
 /**
- * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
- * distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
- * loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
- * larger of the two.
+ * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller
+ * loop, which is the mean distance of its vertices from their centre; runs of loops where the gap
+ * is at most half that wide, and four edges of the loop with the longer ones. The width is the
+ * mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
  */
 #define GUSSET_GAP_AUTO 0
 
@@ -380,7 +390,8 @@
 #define GUSSET_JOINT_NO_STRIP 3
 
 /**
- * No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
+ * No other loop that it may be joined to (one of another component, not excluded) is near enough,
+ * or not along enough of both.
  */
 #define GUSSET_LEFT_FACES_NOTHING 0
 
@@ -400,26 +411,31 @@
 #define GUSSET_LEFT_NOT_JOINED 3
 
 /**
- * At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
+ * At an edge with three or more faces each face has a border of its own; loops run along it and
+ * are always closed.
  */
 #define GUSSET_NON_MANIFOLD_CUT 0
 
 /**
- * Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
+ * Only edges with exactly one face belong to loops; one that meets an edge with more ends there,
+ * as an open chain.
  */
 #define GUSSET_NON_MANIFOLD_STOP 1
 
 /**
- * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+ * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on
+ * the loops.
  */
 #define GUSSET_SURVEY_WHOLE_MESH 0
 
 /**
- * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
- * touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
- * the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
- * there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
- * to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+ * As little is looked at as will give the loops, which is many times faster. Where the boundary
+ * itself is odd (open, touching itself, badly oriented, with three faces on an edge) the whole
+ * mesh is looked at after all. But what is away from the boundary is not reported, nor an edge
+ * with as many faces one way as the other, two or more each; loops are not cut there. The answer
+ * rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that
+ * was made to deceive may hide a boundary. For meshes from hostile hands take
+ * GUSSET_SURVEY_WHOLE_MESH.
  */
 #define GUSSET_SURVEY_BOUNDARY_ONLY 1
 
@@ -479,7 +495,8 @@
 #define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
 
 /**
- * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
+ * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
+ * half-edge is index.
  */
 #define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
 
@@ -509,13 +526,14 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
- * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
- * faces. By area alone if the rim is planar.
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
+ * of the angle between its faces. By area alone if the rim is planar.
  */
 #define GUSSET_WEIGHT_AREA_AND_BEND 0
 
 /**
- * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
+ * The least largest angle between neighbouring faces, those beyond the rim included, and then the
+ * least area, as Liepa has it.
  */
 #define GUSSET_WEIGHT_BEND_THEN_AREA 1
 
@@ -585,8 +603,8 @@
 #define GUSSET_OUTWARD_KEEP 0
 
 /**
- * Closed components face outwards, each by its own volume: of shells inside one another each one encloses what is within it.
- * One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
+ * Closed components face outwards, each by its own volume: of shells inside one another each one
+ * encloses what is within it. One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
  */
 #define GUSSET_OUTWARD_CLOSED 1
 
@@ -616,20 +634,22 @@
 #define GUSSET_MERIDIANS_MIN_DIAGONAL 4
 
 /**
- * The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle
- * between the normals).
+ * The strip of triangles with the least bends: the sum over its edges, rims included, of length
+ * times (1 - cos of the angle between the normals).
  */
 #define GUSSET_MERIDIANS_SMOOTH 5
 
 /**
- * The least sum of the meridians' squared lengths where steps on both rims at once are allowed (dynamic time warping): quads
- * where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+ * The least sum of the meridians' squared lengths where steps on both rims at once are allowed
+ * (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for strips
+ * with interior rows.
  */
 #define GUSSET_MERIDIANS_QUAD 6
 
 /**
- * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time,
- * linear memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+ * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
+ * fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
+ * the best on all rims that were measured.
  */
 #define GUSSET_SEARCH_AUTO 0
 
@@ -639,8 +659,9 @@
 #define GUSSET_SEARCH_EXACT 1
 
 /**
- * The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned
- * along rim A to where it fits best; the better strip of the two is kept.
+ * The first meridian of a closed band joins the closest pair of vertices, or the closest pair
+ * after rim B has been turned along rim A to where it fits best; the better strip of the two is
+ * kept.
  */
 #define GUSSET_START_AUTO 0
 
@@ -655,20 +676,21 @@
 #define GUSSET_START_GIVEN 2
 
 /**
- * New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it, those of a
- * patch lie on the triangles of its first triangulation.
+ * New vertices stay where they were first put: those of a strip divide their meridians evenly, as
+ * the paper has it, those of a patch lie on the triangles of its first triangulation.
  */
 #define GUSSET_FAIRING_NONE 0
 
 /**
- * New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the
- * squared Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
+ * New vertices are moved so that the new surface bends as a thin plate does and meets the old one
+ * smoothly: the sum of the squared Laplacians over them and the rims is least. The rims, and the
+ * ends of an open strip, stay where they are.
  */
 #define GUSSET_FAIRING_THIN_PLATE 1
 
 /**
- * Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until
- * nothing cuts, or nothing is left to take back.
+ * Faces of the strip that cut others are looked for where rows are faired; there the fairing is
+ * taken back in places until nothing cuts, or nothing is left to take back.
  */
 #define GUSSET_INTERSECTIONS_AUTO 0
 
@@ -683,9 +705,10 @@
 #define GUSSET_INTERSECTIONS_REPORT 2
 
 /**
- * A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
- * piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off them to the
- * same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
+ * A second piece that is oriented against the first is turned over: the component that rim B is
+ * on. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
+ * and by where their surfaces lie if both lead off them to the same side, as at the ends of a
+ * U-bend; where nothing is clear, nothing is turned.
  */
 #define GUSSET_ORIENTATION_FIX 0
 
@@ -705,13 +728,14 @@
 #define GUSSET_EXTENT_WHOLE_LOOPS 0
 
 /**
- * The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
+ * The runs of vertices that face the other loop, as the paper has it:
+ * GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
  */
 #define GUSSET_EXTENT_OPEN_ARCS 1
 
 /**
- * Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or if the
- * planes cannot tell; else open arcs.
+ * Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of
+ * their centres, or if the planes cannot tell; else open arcs.
  */
 #define GUSSET_EXTENT_AUTO 2
 
@@ -766,8 +790,8 @@
 #define GUSSET_CELLS_QUADS 1
 
 /**
- * No tolerance is given: facing vertices are found with what round-off of the coordinates can do; vertices are welded if their
- * positions are equal.
+ * No tolerance is given: facing vertices are found with what round-off of the coordinates can do;
+ * vertices are welded if their positions are equal.
  */
 #define GUSSET_TOLERANCE_AUTO 0
 
@@ -792,7 +816,8 @@
 #define GUSSET_COLLAPSE_NEVER 0
 
 /**
- * Corners of one face may become one; a face that keeps fewer than three different vertices is dropped.
+ * Corners of one face may become one; a face that keeps fewer than three different vertices is
+ * dropped.
  */
 #define GUSSET_COLLAPSE_ALLOW 1
 
@@ -807,7 +832,8 @@
 #define GUSSET_UNUSED_REMOVE 1
 
 /**
- * Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
+ * Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables
+ * take them backwards.
  */
 #define GUSSET_FACES_COUNTER_CLOCKWISE 0
 
@@ -882,18 +908,21 @@
 #define GUSSET_NORMAL_LIMIT 2
 
 /**
- * gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+ * gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers
+ * are 0 and the distance is infinite.
  */
 #define GUSSET_NEAREST_FOUND 1
 
 /**
- * gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
- * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+ * gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or
+ * within the rounding of coordinates. Not set: that would take too long, as it may next to a
+ * centre of curvature; bound is right nevertheless.
  */
 #define GUSSET_NEAREST_PROVEN 2
 
 /**
- * gusset_surface_nearest_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+ * gusset_surface_nearest_point: another point, farther from this one than a hundredth of the
+ * distance, is as near within the tolerance.
  */
 #define GUSSET_NEAREST_AMBIGUOUS 4
 
@@ -924,7 +953,8 @@ enum gusset_status
      */
     GUSSET_ERROR_NULL_ARGUMENT = 1,
     /**
-     * A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have any alignment.)
+     * A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have
+     * any alignment.)
      */
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /**
@@ -976,7 +1006,8 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_MESH = 1002,
     /**
-     * Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than their elements.
+     * Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than
+     * their elements.
      */
     GUSSET_ERROR_BAD_OFFSETS = 1003,
     /**
@@ -1028,7 +1059,8 @@ enum gusset_status
      */
     GUSSET_ERROR_NO_STRIP = 1107,
     /**
-     * The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
+     * The planes through the loops' centres cannot tell which vertices face each other: such loops
+     * are joined whole.
      */
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /**
@@ -1141,13 +1173,14 @@ typedef struct gusset_cell_pairs gusset_cell_pairs;
 typedef struct gusset_check gusset_check;
 
 /**
- * Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at a time, but
- * gusset_context_cancel and gusset_context_get_progress may be called from any.
+ * Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at
+ * a time, but gusset_context_cancel and gusset_context_get_progress may be called from any.
  */
 typedef struct gusset_context gusset_context;
 
 /**
- * A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used from many threads.
+ * A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
+ * from many threads.
  */
 typedef struct gusset_curve gusset_curve;
 
@@ -1157,7 +1190,8 @@ typedef struct gusset_curve gusset_curve;
 typedef struct gusset_curve_form gusset_curve_form;
 
 /**
- * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
+ * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
+ * points.
  */
 typedef struct gusset_facing gusset_facing;
 
@@ -1167,13 +1201,15 @@ typedef struct gusset_facing gusset_facing;
 typedef struct gusset_fill gusset_fill;
 
 /**
- * Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing of the points.
+ * Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing
+ * of the points.
  */
 typedef struct gusset_frame gusset_frame;
 
 /**
- * A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take it as const may run at the same
- * time in many threads; those that change it need it for themselves.
+ * A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take
+ * it as const may run at the same time in many threads; those that change it need it for
+ * themselves.
  */
 typedef struct gusset_net gusset_net;
 
@@ -1183,7 +1219,8 @@ typedef struct gusset_net gusset_net;
 typedef struct gusset_net_analysis gusset_net_analysis;
 
 /**
- * The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the net.
+ * The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the
+ * net.
  */
 typedef struct gusset_net_complex gusset_net_complex;
 
@@ -1223,8 +1260,9 @@ typedef struct gusset_outline gusset_outline;
 typedef struct gusset_places gusset_places;
 
 /**
- * Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are never given
- * twice. Functions that take it as const may run at the same time in many threads; those that change it need it for themselves.
+ * Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by
+ * indices, which are never given twice. Functions that take it as const may run at the same time
+ * in many threads; those that change it need it for themselves.
  */
 typedef struct gusset_scene gusset_scene;
 
@@ -1234,8 +1272,9 @@ typedef struct gusset_scene gusset_scene;
 typedef struct gusset_sections gusset_sections;
 
 /**
- * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all functions may use it from any thread, and many at
- * the same time, each with a context of its own; it is destroyed when none uses it any more.
+ * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
+ * functions may use it from any thread, and many at the same time, each with a context of its own;
+ * it is destroyed when none uses it any more.
  */
 typedef struct gusset_sheet gusset_sheet;
 
@@ -1265,8 +1304,9 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
 typedef struct gusset_strip gusset_strip;
 
 /**
- * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
- * many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
+ * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
+ * functions may use it from any thread, and many at the same time, each with a context of its own;
+ * it is destroyed when none uses it any more. It keeps what it needs of its sheets.
  */
 typedef struct gusset_surface gusset_surface;
 
@@ -1276,7 +1316,8 @@ typedef struct gusset_surface gusset_surface;
 typedef struct gusset_surface_hits gusset_surface_hits;
 
 /**
- * Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the surface.
+ * Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it
+ * keeps nothing of the surface.
  */
 typedef struct gusset_surface_paths gusset_surface_paths;
 
@@ -1301,15 +1342,16 @@ typedef struct gusset_weld gusset_weld;
 typedef struct gusset_winged gusset_winged;
 
 /**
- * Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
- * being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
- * gusset_context_cancel and gusset_context_get_progress, and must not throw or longjmp.
+ * Called now and then during long work, on the thread that made the call. fraction: part done, 0
+ * to 1. stage: what is being done, valid during the callback only. Return nonzero to cancel the
+ * call. It must not use the context, except for gusset_context_cancel and
+ * gusset_context_get_progress, and must not throw or longjmp.
  */
 typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
 
 /**
- * Called with remarks that are no failures, on the thread that made the call; message is valid during the callback only.
- * The same rules as for progress.
+ * Called with remarks that are no failures, on the thread that made the call; message is valid
+ * during the callback only. The same rules as for progress.
  */
 typedef void (*gusset_log_fn)(void *user, const char *message);
 
@@ -1383,8 +1425,8 @@ typedef struct gusset_curve_view {
      */
     size_t point_count;
     /**
-     * 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
-     * ends[k + 1].
+     * 0, then the place of the last control point of each segment among the points: segment k has
+     * the points ends[k] to ends[k + 1].
      */
     struct gusset_indices ends;
     /**
@@ -1462,13 +1504,15 @@ typedef struct gusset_offset_report {
      */
     uint32_t reached;
     /**
-     * 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs backwards there.
+     * 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs
+     * backwards there.
      */
     uint32_t tight;
 } gusset_offset_report;
 
 /**
- * The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
+ * The parts of a form; those that it does not have are empty. Pointers are valid until it is
+ * destroyed.
  */
 typedef struct gusset_curve_form_view {
     /**
@@ -1528,8 +1572,9 @@ typedef struct gusset_constraint {
 } gusset_constraint;
 
 /**
- * Outlines in the caller's memory: all points one after another. Nothing is copied on the way in. The arrays may have any
- * alignment, must be as long as the counts say, and must not change during a call.
+ * Outlines in the caller's memory: all points one after another. Nothing is copied on the way in.
+ * The arrays may have any alignment, must be as long as the counts say, and must not change during
+ * a call.
  */
 typedef struct gusset_outlines {
     /**
@@ -1549,8 +1594,8 @@ typedef struct gusset_outlines {
      */
     size_t point_count;
     /**
-     * Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first, never decreasing. NULL with
-     * outline_count 0 for a single outline of all points.
+     * Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first,
+     * never decreasing. NULL with outline_count 0 for a single outline of all points.
      */
     const uint32_t *offsets;
     /**
@@ -1558,7 +1603,8 @@ typedef struct gusset_outlines {
      */
     size_t outline_count;
     /**
-     * In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
+     * In ascending order of their points, at most one for each; or NULL. Of points that are merged
+     * the first one's holds.
      */
     const struct gusset_constraint *constraints;
     /**
@@ -1570,14 +1616,15 @@ typedef struct gusset_outlines {
      */
     uint32_t dimension;
     /**
-     * 1: from the last point of each outline back to its first one; a last point that repeats the first does no harm. 0: open.
+     * 1: from the last point of each outline back to its first one; a last point that repeats the
+     * first does no harm. 0: open.
      */
     uint32_t closed;
 } gusset_outlines;
 
 /**
- * How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
- * its box.
+ * How outlines are identified; all zero is the default. Lengths are relative to the size of the
+ * outline, the longest side of its box.
  */
 typedef struct gusset_outline_options {
     /**
@@ -1605,7 +1652,8 @@ typedef struct gusset_outline_options {
      */
     uint32_t solver;
     /**
-     * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent demanded there comes first.
+     * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent
+     * demanded there comes first.
      */
     uint32_t ends;
     /**
@@ -1613,15 +1661,18 @@ typedef struct gusset_outline_options {
      */
     double alpha;
     /**
-     * Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
+     * Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for
+     * 1/6.
      */
     double parameter_limit;
     /**
-     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
+     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0,
+     * below 1.
      */
     double repeat_tolerance;
     /**
-     * Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for none.
+     * Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for
+     * none.
      */
     double corner_angle;
     /**
@@ -1667,8 +1718,8 @@ typedef struct gusset_frame_options {
      */
     uint32_t correspondence;
     /**
-     * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each landmark to the
-     * next.
+     * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of
+     * parts from each landmark to the next.
      */
     uint32_t columns;
     /**
@@ -1692,7 +1743,8 @@ typedef struct gusset_frame_options {
      */
     double reference[3];
     /**
-     * For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
+     * For LANDMARKS: for each section its landmarks in order, places among its own points; as many
+     * for each.
      */
     struct gusset_indices landmarks;
     /**
@@ -1726,7 +1778,8 @@ typedef struct gusset_frame_view {
      */
     const double *nodes;
     /**
-     * The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is none.
+     * The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is
+     * none.
      */
     const double *across;
     /**
@@ -1742,7 +1795,8 @@ typedef struct gusset_frame_view {
      */
     struct gusset_indices ambiguous;
     /**
-     * The largest distance between the two curves at a node, relative to the size of the nodes' box.
+     * The largest distance between the two curves at a node, relative to the size of the nodes'
+     * box.
      */
     double max_gap;
     /**
@@ -1794,8 +1848,8 @@ typedef struct gusset_places_view {
      */
     const struct gusset_place *others;
     /**
-     * Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
-     * each.
+     * Parts that two segments have in common: start and end on the first, the same start and end
+     * on the second; four places each.
      */
     const struct gusset_place *overlaps;
     /**
@@ -1807,7 +1861,8 @@ typedef struct gusset_places_view {
      */
     struct gusset_indices inside;
     /**
-     * 1 if some pair of segments was given up: they run beside each other within rounding for a long way.
+     * 1 if some pair of segments was given up: they run beside each other within rounding for a
+     * long way.
      */
     uint32_t undecided;
     /**
@@ -1835,8 +1890,8 @@ typedef struct gusset_curve_nearest_point {
 } gusset_curve_nearest_point;
 
 /**
- * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
- * clockwise count negative.
+ * The moments of the region that a plane curve encloses; an open curve is closed by its chord.
+ * Regions that it runs round clockwise count negative.
  */
 typedef struct gusset_curve_moment_report {
     /**
@@ -1860,9 +1915,10 @@ typedef struct gusset_curve_moment_report {
 /**
  * All curves in one. Pointers are valid until the outline is destroyed.
  *
- * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
- * starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
- * both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
+ * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane
+ * outlines), and the ends starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier
+ * curve of its control points ends[s] to ends[s + 1], both included, counted from the curve's
+ * first one. A closed curve repeats its first control point at its end.
  */
 typedef struct gusset_outline_view {
     /**
@@ -1932,7 +1988,8 @@ typedef struct gusset_outline_report {
      */
     double size;
     /**
-     * The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
+     * The largest distance of a point from its place on the curve; merged points count as the one
+     * that they repeat.
      */
     double max_residual;
     /**
@@ -1954,8 +2011,8 @@ typedef struct gusset_outline_report {
 } gusset_outline_report;
 
 /**
- * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
- * valid until the sections are destroyed.
+ * One section for each point: the quadratic from the point before over the control point to the
+ * point after. Pointers are valid until the sections are destroyed.
  */
 typedef struct gusset_sections_view {
     /**
@@ -1967,7 +2024,8 @@ typedef struct gusset_sections_view {
      */
     size_t count;
     /**
-     * x, y, z of the control points; the ends of open outlines, which have no section, have themselves.
+     * x, y, z of the control points; the ends of open outlines, which have no section, have
+     * themselves.
      */
     const double *controls;
     /**
@@ -1981,14 +2039,16 @@ typedef struct gusset_sections_view {
 } gusset_sections_view;
 
 /**
- * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way in.
+ * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing
+ * is copied on the way in.
  *
- * As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
- * least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates at all
- * vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment. They must
- * be as long as the counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS and SIZE_OVERFLOW; counts are
- * held against the limits before any element is read.
+ * As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many
+ * corners (TOO_LARGE); at least three corners a face (FACE_TOO_SMALL); indices below vertex_count
+ * (INDEX_OUT_OF_RANGE); finite coordinates at all vertices that faces use (NOT_FINITE), while
+ * unused ones may hold anything. The arrays may have any alignment. They must be as long as the
+ * counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
+ * and SIZE_OVERFLOW; counts are held against the limits before any element is read.
  *
  * As output: packed positions, face_offsets given, face_size 0.
  */
@@ -2010,11 +2070,13 @@ typedef struct gusset_mesh_view {
      */
     size_t vertex_count;
     /**
-     * face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if face_size is given.
+     * face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1.
+     * NULL if face_size is given.
      */
     const void *face_offsets;
     /**
-     * The vertex at each corner, face after face. Corner h is also the name of the half-edge that starts there.
+     * The vertex at each corner, face after face. Corner h is also the name of the half-edge that
+     * starts there.
      */
     const void *face_corners;
     /**
@@ -2048,7 +2110,8 @@ typedef struct gusset_loop_pair {
      */
     uint32_t piece[2];
     /**
-     * A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in exclusions only.
+     * A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in
+     * exclusions only.
      */
     uint32_t vertex[2];
 } gusset_loop_pair;
@@ -2066,8 +2129,8 @@ typedef struct gusset_weld_options {
      */
     uint32_t vertices;
     /**
-     * GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0 equals 0. GUSSET_TOLERANCE_GIVEN: if
-     * they are not farther apart than the tolerance.
+     * GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0
+     * equals 0. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
      */
     uint32_t tolerance_mode;
     /**
@@ -2101,9 +2164,10 @@ typedef struct gusset_stitch_options {
      */
     uint32_t orientation;
     /**
-     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so
-     * many places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any
-     * value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+     * The first meridian joins the closest pair that is not joined by an edge already; with a
+     * twist, the vertex of rim B so many places later, counted in the direction in which rim A
+     * runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
+     * rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
      */
     int64_t twist;
     /**
@@ -2131,13 +2195,14 @@ typedef struct gusset_stitch_options {
      */
     uint32_t tolerance_mode;
     /**
-     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
-     * for GUSSET_TOLERANCE_GIVEN.
+     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the
+     * positions, at least 0; read for GUSSET_TOLERANCE_GIVEN.
      */
     double tolerance;
     /**
-     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length.
-     * The arc runs along the loop as it was given, and may pass its end.
+     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of
+     * vertices, 1 to its length. The arc runs along the loop as it was given, and may pass its
+     * end.
      */
     uint32_t arc_a[2];
     /**
@@ -2191,11 +2256,13 @@ typedef struct gusset_fill_options {
      */
     uint32_t fairing;
     /**
-     * 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
+     * 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all
+     * loops are asked for. 0 or 1.
      */
     uint32_t keep_longest;
     /**
-     * About how many new vertices a hole gets at the most; where more would be needed the triangles are larger. 0 is 50,000.
+     * About how many new vertices a hole gets at the most; where more would be needed the
+     * triangles are larger. 0 is 50,000.
      */
     uint32_t max_new_vertices;
     /**
@@ -2225,8 +2292,9 @@ typedef struct gusset_assembly_options {
      */
     uint32_t weld;
     /**
-     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each
-     * other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
+     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
+     * components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
+     * turned.
      */
     uint32_t orientation;
     /**
@@ -2246,13 +2314,13 @@ typedef struct gusset_assembly_options {
      */
     uint32_t fill;
     /**
-     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0
-     * leaves all open.
+     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions,
+     * finite and at least 0; 0 leaves all open.
      */
     double max_gap;
     /**
-     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is
-     * named twice. Errors name a pair by its number from 0.
+     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
+     * different loops, and none is named twice. Errors name a pair by its number from 0.
      */
     const struct gusset_loop_pair *pairs;
     /**
@@ -2260,8 +2328,8 @@ typedef struct gusset_assembly_options {
      */
     size_t pair_count;
     /**
-     * Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that no loop
-     * passes, as it was welded, excludes nothing.
+     * Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same,
+     * and a vertex that no loop passes, as it was welded, excludes nothing.
      */
     const struct gusset_loop_pair *excluded;
     /**
@@ -2273,8 +2341,8 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_weld_options *weld_options;
     /**
-     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are
-     * read; the other fields must be valid too.
+     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing
+     * and intersections are read; the other fields must be valid too.
      */
     const struct gusset_stitch_options *strip_options;
     /**
@@ -2288,7 +2356,8 @@ typedef struct gusset_assembly_options {
  */
 typedef struct gusset_piece_map {
     /**
-     * Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if it was left out.
+     * Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if
+     * it was left out.
      */
     struct gusset_indices vertices;
     /**
@@ -2302,7 +2371,8 @@ typedef struct gusset_piece_map {
  */
 typedef struct gusset_joint {
     /**
-     * The vertices of each side in the result, in order; if joined, side by side from the first meridian on.
+     * The vertices of each side in the result, in order; if joined, side by side from the first
+     * meridian on.
      */
     struct gusset_indices side[2];
     /**
@@ -2370,8 +2440,8 @@ typedef struct gusset_left_loop {
  */
 typedef struct gusset_hole {
     /**
-     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple,
-     * free or oriented, as given.
+     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given
+     * loop that is not simple, free or oriented, as given.
      */
     size_t rim_first;
     /**
@@ -2405,7 +2475,7 @@ typedef struct gusset_hole {
 } gusset_hole;
 
 /**
- * The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the count is 0.
+ * The account of an assembly. Pointers are valid until it is destroyed.
  */
 typedef struct gusset_assembly_view {
     /**
@@ -2421,7 +2491,8 @@ typedef struct gusset_assembly_view {
      */
     size_t piece_count;
     /**
-     * The pairs that face each other: those that were given, in their order, then the others, nearest first.
+     * The pairs that face each other: those that were given, in their order, then the others,
+     * nearest first.
      */
     const struct gusset_joint *joints;
     /**
@@ -2493,8 +2564,8 @@ typedef struct gusset_boundary_options {
 } gusset_boundary_options;
 
 /**
- * One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
- * vertices[0]. Pointers are valid until the boundary is destroyed.
+ * One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a
+ * closed loop back to vertices[0]. Pointers are valid until the boundary is destroyed.
  */
 typedef struct gusset_loop_view {
     /**
@@ -2554,8 +2625,8 @@ typedef struct gusset_defect {
 } gusset_defect;
 
 /**
- * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
- * destroyed.
+ * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are
+ * valid until the check is destroyed.
  */
 typedef struct gusset_check_view {
     /**
@@ -2591,8 +2662,8 @@ typedef struct gusset_check_view {
      */
     int64_t euler;
     /**
-     * The number of handles of all components together; -1 if the mesh is not manifold or not orientable, or has a
-     * degenerate face.
+     * The number of handles of all components together; -1 if the mesh is not manifold or not
+     * orientable, or has a degenerate face.
      */
     int64_t genus;
     /**
@@ -2616,7 +2687,8 @@ typedef struct gusset_check_view {
      */
     struct gusset_indices orientation_conflicts;
     /**
-     * Faces with the same cycle of vertices, in either direction, as a face before them; degenerate ones apart.
+     * Faces with the same cycle of vertices, in either direction, as a face before them;
+     * degenerate ones apart.
      */
     struct gusset_indices duplicate_faces;
     /**
@@ -2650,8 +2722,8 @@ typedef struct gusset_facing_options {
      */
     uint32_t tolerance_mode;
     /**
-     * How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read for
-     * GUSSET_TOLERANCE_GIVEN.
+     * How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read
+     * for GUSSET_TOLERANCE_GIVEN.
      */
     double tolerance;
     /**
@@ -2665,7 +2737,8 @@ typedef struct gusset_facing_options {
 } gusset_facing_options;
 
 /**
- * What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is destroyed.
+ * What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is
+ * destroyed.
  */
 typedef struct gusset_facing_view {
     /**
@@ -2681,15 +2754,18 @@ typedef struct gusset_facing_view {
      */
     double normal[2][3];
     /**
-     * The distance of each vertex from its loop's plane, positive on the side of the other loop; as many as the loop has.
+     * The distance of each vertex from its loop's plane, positive on the side of the other loop;
+     * as many as the loop has.
      */
     const double *distances[2];
     /**
-     * All runs of facing vertices: first place and number of vertices, by turns; a run may pass the loop's end.
+     * All runs of facing vertices: first place and number of vertices, by turns; a run may pass
+     * the loop's end.
      */
     struct gusset_indices runs[2];
     /**
-     * The run taken: first place and number of vertices, as gusset_stitch_options takes them in arc_a and arc_b.
+     * The run taken: first place and number of vertices, as gusset_stitch_options takes them in
+     * arc_a and arc_b.
      */
     uint32_t taken[2][2];
 } gusset_facing_view;
@@ -2703,8 +2779,8 @@ typedef struct gusset_fill_view {
      */
     size_t struct_size;
     /**
-     * One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_get_loop numbers them. NULL if
-     * there are none.
+     * One for each loop: those given, in their order, or all that the mesh has, as
+     * gusset_boundary_get_loop numbers them. NULL if there are none.
      */
     const struct gusset_hole *holes;
     /**
@@ -2730,8 +2806,8 @@ typedef struct gusset_quality_report {
      */
     double min_angle;
     /**
-     * The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
-     * triangle, infinite for a degenerate one.
+     * The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius),
+     * 1 for an equilateral triangle, infinite for a degenerate one.
      */
     double max_aspect;
     /**
@@ -2779,7 +2855,8 @@ typedef struct gusset_orient_options {
 } gusset_orient_options;
 
 /**
- * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
+ * What was turned, and what could not be oriented. Pointers are valid until the handle is
+ * destroyed.
  */
 typedef struct gusset_orient_view {
     /**
@@ -2795,7 +2872,8 @@ typedef struct gusset_orient_view {
      */
     size_t face_count;
     /**
-     * The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
+     * The smallest face of each component that cannot be oriented, ascending. Such components stay
+     * as they are.
      */
     struct gusset_indices one_sided_faces;
     /**
@@ -2807,7 +2885,8 @@ typedef struct gusset_orient_view {
      */
     uint32_t turned_faces;
     /**
-     * Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
+     * Components: faces that hang together across edges of two faces. A degenerate face is one of
+     * its own.
      */
     uint32_t component_count;
     /**
@@ -2821,7 +2900,8 @@ typedef struct gusset_orient_view {
 } gusset_orient_view;
 
 /**
- * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
+ * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1
+ * the second.
  */
 typedef struct gusset_stitch_view {
     /**
@@ -2829,7 +2909,8 @@ typedef struct gusset_stitch_view {
      */
     size_t struct_size;
     /**
-     * Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
+     * Per old vertex of each mesh, its index in the result; empty for the second if there was only
+     * one mesh.
      */
     struct gusset_indices vertex_map[2];
     /**
@@ -2837,28 +2918,32 @@ typedef struct gusset_stitch_view {
      */
     struct gusset_indices face_map[2];
     /**
-     * The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
-     * surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
+     * The vertices of each rim, by their indices in the result, from the first meridian on, side
+     * by side: rim 0 has its surface on the left, rim 1 on the right. They are also the strip's
+     * own first vertices in order: rim 0, then rim 1.
      */
     struct gusset_indices rim[2];
     /**
-     * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
-     * (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
-     * the rule by index, both.
+     * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is
+     * (data[2 k], data[2 k + 1]). They go from (0, 0) to (N, M) for whole rims of N and M
+     * vertices, where place N is place 0 again, and to (N - 1, M - 1) for arcs; count is twice the
+     * number of meridians. From one to the next i advances by 1, or j, or, by the rule by index,
+     * both.
      */
     struct gusset_indices meridians;
     /**
-     * The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+     * The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices
+     * of the result.
      */
     struct gusset_indices matrix;
     /**
-     * Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
-     * rim 1, by turns.
+     * Of each new vertex (they are the last ones of the result), the two vertices that it lies
+     * between, on rim 0 and on rim 1, by turns.
      */
     struct gusset_indices parents;
     /**
-     * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
+     * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
+     * this.
      */
     const double *weights;
     /**
@@ -2878,8 +2963,8 @@ typedef struct gusset_stitch_view {
      */
     uint32_t closed;
     /**
-     * 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
-     * corner. Other components stay as they are.
+     * 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way,
+     * each from its own first corner. Other components stay as they are.
      */
     uint32_t turned;
     /**
@@ -2887,9 +2972,10 @@ typedef struct gusset_stitch_view {
      */
     uint32_t intersections_known;
     /**
-     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
-     * they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
-     * by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
+     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the
+     * larger one if both are. What they share by number, a vertex or an edge, is no cut; touching
+     * is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
+     * as fans from their first corners; a polygon that cuts itself is paired with itself.
      */
     struct gusset_indices intersections;
     /**
@@ -2941,20 +3027,22 @@ typedef struct gusset_strip_view {
      */
     uint32_t start[2];
     /**
-     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M
-     * points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
+     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for
+     * closed polylines of N and M points, where place N is place 0 again, and to (N - 1, M - 1)
+     * for open ones; count is twice the number of meridians.
      */
     struct gusset_indices meridians;
     /**
-     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j:
-     * against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
+     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow.
+     * They run A_i+1, A_i, B_j: against polyline A, and along B. Where both sides advance at once
+     * a quad is split by its shorter diagonal.
      */
     struct gusset_indices triangles;
 } gusset_strip_view;
 
 /**
- * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
- * destroyed.
+ * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid
+ * until the weld is destroyed.
  */
 typedef struct gusset_weld_view {
     /**
@@ -2970,8 +3058,9 @@ typedef struct gusset_weld_view {
      */
     struct gusset_indices face_map;
     /**
-     * Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
-     * together there, or sewing would have collapsed a face or made an edge of three or more faces.
+     * Half-edges of free edges that lie on another edge and did not become one edge of two faces
+     * with it: three or more lie together there, or sewing would have collapsed a face or made an
+     * edge of three or more faces.
      */
     struct gusset_indices left_edges;
     /**
@@ -3015,7 +3104,8 @@ typedef struct gusset_winged_options {
 } gusset_winged_options;
 
 /**
- * One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen from outside.
+ * One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen
+ * from outside.
  */
 typedef struct gusset_winged_edge {
     /**
@@ -3065,7 +3155,8 @@ typedef struct gusset_winged_view {
      */
     size_t struct_size;
     /**
-     * The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+     * The edges in the order of their first half-edges; M is the vertex where that half-edge
+     * starts.
      */
     const struct gusset_winged_edge *edges;
     /**
@@ -3085,7 +3176,8 @@ typedef struct gusset_winged_view {
      */
     struct gusset_indices edge_of_vertex;
     /**
-     * The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop, surface on the left.
+     * The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop,
+     * surface on the left.
      */
     struct gusset_indices loop_vertices;
     /**
@@ -3099,9 +3191,10 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
- * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
- * x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
- * number and a column_stride of a column.
+ * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
+ * so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
+ * is three numbers; matrices kept by columns have a row_stride of one number and a column_stride
+ * of a column.
  */
 typedef struct gusset_net_view {
     /**
@@ -3147,8 +3240,9 @@ typedef struct gusset_net_view {
 } gusset_net_view;
 
 /**
- * Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k * column_step_a) and
- * node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to count - 1.
+ * Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k *
+ * column_step_a) and node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to
+ * count - 1.
  */
 typedef struct gusset_seam {
     /**
@@ -3207,9 +3301,10 @@ typedef struct gusset_net_gluing {
      */
     size_t struct_size;
     /**
-     * The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for others. Row 2i has the horizontal
-     * links of the nodes of row i, each to the next node and the last one to the first; row 2i + 1 the vertical ones, those of the
-     * last row to the first row. NULL: sides says it all.
+     * The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for
+     * others. Row 2i has the horizontal links of the nodes of row i, each to the next node and the
+     * last one to the first; row 2i + 1 the vertical ones, those of the last row to the first row.
+     * NULL: sides says it all.
      */
     const uint8_t *matrix;
     /**
@@ -3231,8 +3326,8 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
- * What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x
- * and y after z.
+ * What a field does, and what its values are. An axis and those that follow it: y and z after x, z
+ * and x after y, x and y after z.
  */
 typedef uint32_t gusset_field_kind;
 
@@ -3271,7 +3366,8 @@ typedef struct gusset_field {
      */
     gusset_easing easing;
     /**
-     * How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what they say.
+     * How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what
+     * they say.
      */
     double strength;
     /**
@@ -3279,8 +3375,8 @@ typedef struct gusset_field {
      */
     double values[16];
     /**
-     * Pairs of time and strength, times increasing; before the first and after the last time the strength is that
-     * there. NULL: the strength does not depend on the time.
+     * Pairs of time and strength, times increasing; before the first and after the last time the
+     * strength is that there. NULL: the strength does not depend on the time.
      */
     const double *keys;
     /**
@@ -3310,8 +3406,9 @@ typedef struct gusset_net_analysis_view {
      */
     size_t struct_size;
     /**
-     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
-     * new length divided by its old one; NaN if it had none, or an end is missing.
+     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column
+     * and row included), its new length divided by its old one; NaN if it had none, or an end is
+     * missing.
      */
     const double *links;
     /**
@@ -3319,12 +3416,14 @@ typedef struct gusset_net_analysis_view {
      */
     size_t link_count;
     /**
-     * Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
-     * gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is not there.
+     * Of each cell, its new area divided by its old one; negative where the surface is folded over
+     * or, after gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is
+     * not there.
      */
     const double *cells;
     /**
-     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analysis_create.
+     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after
+     * gusset_net_analysis_create.
      */
     const double *determinants;
     /**
@@ -3336,8 +3435,8 @@ typedef struct gusset_net_analysis_view {
      */
     const uint32_t *contracted;
     /**
-     * Of each of them, what the star of its first node has become with all of them contracted: the number of the local
-     * gluing, 0 to 17.
+     * Of each of them, what the star of its first node has become with all of them contracted: the
+     * number of the local gluing, 0 to 17.
      */
     const uint32_t *stars;
     /**
@@ -3420,8 +3519,9 @@ typedef struct gusset_reformat_options {
 typedef uint32_t gusset_net_cells;
 
 /**
- * Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are given by their smallest nodes, edges as pairs of
- * them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
+ * Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are
+ * given by their smallest nodes, edges as pairs of them, one pair after the other, in order.
+ * Pointers are valid until the complex is destroyed.
  */
 typedef struct gusset_net_complex_view {
     /**
@@ -3481,15 +3581,18 @@ typedef struct gusset_net_complex_view {
      */
     uint32_t reserved;
     /**
-     * 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are chains.
+     * 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are
+     * chains.
      */
     struct gusset_indices boundary_offsets;
     /**
-     * The vertices of all chains, with the faces on the left; the last of a chain is followed by its first.
+     * The vertices of all chains, with the faces on the left; the last of a chain is followed by
+     * its first.
      */
     struct gusset_indices boundary_nodes;
     /**
-     * For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its last vertex is followed by none.
+     * For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its
+     * last vertex is followed by none.
      */
     struct gusset_indices boundary_open;
     /**
@@ -3511,9 +3614,9 @@ typedef struct gusset_net_complex_view {
 } gusset_net_complex_view;
 
 /**
- * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates,
- * float or double as the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the
- * context nor throw nor longjmp.
+ * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z:
+ * their coordinates, float or double as the net's are, to be changed in place. Return nonzero to
+ * stop. It must neither use the net or the context nor throw nor longjmp.
  */
 typedef int (*gusset_rows_fn)(void *user, size_t first, size_t count, void *x, void *y, void *z);
 
@@ -3581,7 +3684,8 @@ typedef struct gusset_bridge_properties {
 typedef uint32_t gusset_bridge_mode;
 
 /**
- * How nets are joined. All zeros: each right of the one before, the smaller ones enlarged uniformly, bridges kept.
+ * How nets are joined. All zeros: each right of the one before, the smaller ones enlarged
+ * uniformly, bridges kept.
  */
 typedef struct gusset_join_options {
     /**
@@ -3617,7 +3721,8 @@ typedef struct gusset_join_options {
      */
     uint32_t twist;
     /**
-     * 1: nets whose faces are taken the other way round than those of the first are flipped along the side; 0: refused.
+     * 1: nets whose faces are taken the other way round than those of the first are flipped along
+     * the side; 0: refused.
      */
     uint32_t turn;
 } gusset_join_options;
@@ -3678,8 +3783,8 @@ typedef struct gusset_net_measure_report {
      */
     double area;
     /**
-     * What the net encloses, if it is closed and has two sides; positive if the normals look outwards. For open ones: of the cone to the
-     * first node.
+     * What the net encloses, if it is closed and has two sides; positive if the normals look
+     * outwards. For open ones: of the cone to the first node.
      */
     double volume;
     /**
@@ -3713,8 +3818,8 @@ typedef struct gusset_net_moment_report {
      */
     double centroid[3];
     /**
-     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it
-     * those of -x y and so on.
+     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2
+     * and so on, beside it those of -x y and so on.
      */
     double inertia[9];
 } gusset_net_moment_report;
@@ -3728,8 +3833,8 @@ typedef struct gusset_net_planarity_report {
      */
     size_t struct_size;
     /**
-     * The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
-     * cells.
+     * The largest distance of corners from the plane between them, as a part of the longer
+     * diagonal; 0 if there are no cells.
      */
     double worst;
     /**
@@ -3752,7 +3857,8 @@ typedef struct gusset_net_planarity_report {
 typedef uint32_t gusset_net_faces;
 
 /**
- * How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only vertices that something uses.
+ * How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only
+ * vertices that something uses.
  */
 typedef struct gusset_net_mesh_options {
     /**
@@ -3786,7 +3892,7 @@ typedef struct gusset_net_mesh_options {
 } gusset_net_mesh_options;
 
 /**
- * What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
+ * What became what when a net became a mesh. Pointers are valid until the mesh is destroyed.
  */
 typedef struct gusset_net_mesh_view {
     /**
@@ -3806,11 +3912,13 @@ typedef struct gusset_net_mesh_view {
      */
     struct gusset_indices cell_of_face;
     /**
-     * Edges without faces, two vertices each: threads, and whatever else is left of cells whose opposite sides are glued.
+     * Edges without faces, two vertices each: threads, and whatever else is left of cells whose
+     * opposite sides are glued.
      */
     struct gusset_indices wires;
     /**
-     * For each corner of the mesh its pair of texture coordinates; empty unless they were asked for.
+     * For each corner of the mesh its pair of texture coordinates; empty unless they were asked
+     * for.
      */
     struct gusset_indices texture_corners;
     /**
@@ -3840,7 +3948,8 @@ typedef struct gusset_heights {
      */
     size_t columns;
     /**
-     * Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN and infinities are missing.
+     * Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN
+     * and infinities are missing.
      */
     const void *values;
     /**
@@ -3848,7 +3957,8 @@ typedef struct gusset_heights {
      */
     size_t row_stride;
     /**
-     * x from column to column and y from row to row; finite and not 0, negative where rows run against y.
+     * x from column to column and y from row to row; finite and not 0, negative where rows run
+     * against y.
      */
     double spacing[2];
     /**
@@ -3938,8 +4048,8 @@ typedef struct gusset_net_primitive {
      */
     double size[3];
     /**
-     * Distance from the axis, at least 0, and height of each point, from below to above, at any alignment. A row on the axis is a pole; a
-     * profile that ends where it begins makes a ring.
+     * Distance from the axis, at least 0, and height of each point, from below to above, at any
+     * alignment. A row on the axis is a pole; a profile that ends where it begins makes a ring.
      */
     const double *profile;
     /**
@@ -4057,7 +4167,8 @@ typedef struct gusset_scene_instance {
      */
     uint32_t entry;
     /**
-     * The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in none.
+     * The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in
+     * none.
      */
     uint32_t parent;
     /**
@@ -4084,8 +4195,8 @@ typedef struct gusset_stream_options {
      */
     size_t struct_size;
     /**
-     * Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in each, and for one block of all
-     * rows if the mode is RAW.
+     * Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in
+     * each, and for one block of all rows if the mode is RAW.
      */
     size_t rows_per_block;
     /**
@@ -4097,7 +4208,8 @@ typedef struct gusset_stream_options {
      */
     uint32_t bits;
     /**
-     * For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all follows from the longest. Else 0.
+     * For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all
+     * follows from the longest. Else 0.
      */
     uint32_t per_axis;
     /**
@@ -4135,8 +4247,8 @@ typedef struct gusset_stream_report {
      */
     double origin[3];
     /**
-     * QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it is rounded to its type, half a unit
-     * in its last place. Else 0.
+     * QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it
+     * is rounded to its type, half a unit in its last place. Else 0.
      */
     double step[3];
     /**
@@ -4242,8 +4354,9 @@ typedef struct gusset_surface_options {
      */
     double tolerance;
     /**
-     * 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first
-     * such question builds them.
+     * 1: with the cones of normals that gusset_surface_isophotes_create and
+     * gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first such question
+     * builds them.
      */
     uint32_t cones;
     /**
@@ -4299,11 +4412,13 @@ typedef struct gusset_surface_paths_view {
      */
     size_t point_count;
     /**
-     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
+     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k +
+     * 1] - 1.
      */
     struct gusset_indices ends;
     /**
-     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through_create have it again at the end.)
+     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and
+     * gusset_curve_through_create have it again at the end.)
      */
     const uint32_t *closed;
     /**
@@ -4327,7 +4442,8 @@ typedef struct gusset_surface_paths_view {
      */
     const struct gusset_surface_place *others;
     /**
-     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces
+     * smaller than the tolerance.
      */
     const struct gusset_surface_place *unresolved;
     /**
@@ -4350,8 +4466,10 @@ typedef struct gusset_contour_options {
      */
     size_t struct_size;
     /**
-     * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
-     * gusset_intersection_options, which has no `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+     * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the
+     * tolerance of the surface. Otherwise not read. (In gusset_intersection_options, which has no
+     * `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for
+     * GUSSET_POINT_SPACING_CELL_EDGES.)
      */
     double chord;
     /**
@@ -4397,11 +4515,13 @@ typedef struct gusset_nearest_angle_report {
      */
     double angle;
     /**
-     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere,
+     * and all else is 0 then.
      */
     double deviation;
     /**
-     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that
+     * could not be proved.
      */
     double bound;
 } gusset_nearest_angle_report;
@@ -4434,7 +4554,8 @@ typedef struct gusset_line {
 } gusset_line;
 
 /**
- * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the
+ * cell.
  */
 typedef struct gusset_surface_point {
     /**
@@ -4466,12 +4587,13 @@ typedef struct gusset_surface_point {
      */
     double normal[3];
     /**
-     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
-     * tip of a cone, which has no normal.
+     * Of limits: the largest angle, in radians, to limits along other lines to the same point.
+     * Small at the pole of a smooth surface, large at the tip of a cone, which has no normal.
      */
     double spread;
     /**
-     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
+     * The principal curvatures, the greater first: positive where the surface bends towards the
+     * normal.
      */
     double principal[2];
     /**
@@ -4515,7 +4637,8 @@ typedef struct gusset_surface_hit {
      */
     double t;
     /**
-     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at
+     * crossings.
      */
     double span[2];
     /**
@@ -4557,7 +4680,8 @@ typedef struct gusset_surface_hits_view {
      */
     size_t hit_count;
     /**
-     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     * 0, then the end of each line's hits among all: line k has the hits from ends[k] until
+     * ends[k + 1]. line_count + 1 numbers.
      */
     const uint64_t *ends;
     /**
@@ -4565,7 +4689,8 @@ typedef struct gusset_surface_hits_view {
      */
     const struct gusset_surface_hit *hits;
     /**
-     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends.
+     * Else NULL.
      */
     const struct gusset_place *on_curve;
 } gusset_surface_hits_view;
@@ -4579,7 +4704,8 @@ typedef struct gusset_nearest_options {
      */
     size_t struct_size;
     /**
-     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
+     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY:
+     * no limit.
      */
     double limit;
     /**
@@ -4609,7 +4735,8 @@ typedef struct gusset_surface_nearest_point {
      */
     double point[3];
     /**
-     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its
+     * side if (query - point) . normal > 0.
      */
     double normal[3];
     /**
@@ -4617,7 +4744,8 @@ typedef struct gusset_surface_nearest_point {
      */
     double distance;
     /**
-     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+     * No point of the surface is nearer than this; of minima: none of the piece of surface round
+     * the point.
      */
     double bound;
     /**
@@ -4651,7 +4779,8 @@ typedef struct gusset_surface_points_view {
      */
     double bound;
     /**
-     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all
+     * over the surface.
      */
     uint32_t complete;
     /**
@@ -4699,8 +4828,8 @@ typedef struct gusset_surface_region_view {
      */
     size_t cell_count;
     /**
-     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
-     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet
+     * k, which has c columns, is b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
      */
     const uint64_t *mask;
     /**
@@ -4730,8 +4859,8 @@ typedef struct gusset_mask_report {
      */
     uint64_t cells;
     /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
-     * is in several parts.
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no
+     * cells, 2^64 - 1 if the region is in several parts.
      */
     uint64_t integer_diameter;
     /**
@@ -4739,8 +4868,8 @@ typedef struct gusset_mask_report {
      */
     int64_t euler;
     /**
-     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
-     * infinite if the region is in several parts.
+     * No two points of the region are farther apart: the integer diameter times the greatest
+     * Euclidean diameter of its cells; infinite if the region is in several parts.
      */
     double diameter;
 } gusset_mask_report;
@@ -4775,7 +4904,8 @@ typedef struct gusset_reference_task {
      */
     double direction[3];
     /**
-     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells;
+     * not read for the nearest.
      */
     double within;
     /**
@@ -4783,8 +4913,9 @@ typedef struct gusset_reference_task {
      */
     double angle;
     /**
-     * Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
-     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+     * Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the
+     * paper's K d, see gusset_sheet_curvature_bound; 0: cones of normals instead, which are
+     * tighter.
      */
     double curvature;
     /**
@@ -4872,7 +5003,8 @@ typedef struct gusset_surface_report {
      */
     double tolerance;
     /**
-     * A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
+     * A corner of a box round the surface and the control nets of its cells, which may be larger
+     * than the surface: the least x, y, z.
      */
     double low[3];
     /**
@@ -4902,13 +5034,14 @@ typedef struct gusset_surface_sheet_report {
      */
     size_t columns;
     /**
-     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
-     * first_cell + i * columns + j, the bit of masks of gusset_surface_region_view.
+     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each
+     * row after row: of cell (i, j) it is first_cell + i * columns + j, the bit of masks of
+     * gusset_surface_region_view.
      */
     uint64_t first_cell;
     /**
-     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
-     * gusset_surface_contours_create.
+     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each:
+     * where its values begin for gusset_surface_contours_create.
      */
     uint64_t first_node;
     /**
@@ -4922,7 +5055,8 @@ typedef struct gusset_surface_sheet_report {
 } gusset_surface_sheet_report;
 
 /**
- * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
+ * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
+ * bytes, one after the other.
  */
 typedef struct gusset_nodes {
     /**
@@ -4934,7 +5068,8 @@ typedef struct gusset_nodes {
      */
     const void *nodes;
     /**
-     * The number of rows, at least 2; of a surface closed in u at least 4, of which the last repeats the first.
+     * The number of rows, at least 2; of a surface closed in u at least 4, of which the last
+     * repeats the first.
      */
     size_t rows;
     /**
@@ -4973,7 +5108,8 @@ typedef struct gusset_nodes {
 typedef uint32_t gusset_twists;
 
 /**
- * Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes: S_u is as long as the step from row to row.
+ * Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes:
+ * S_u is as long as the step from row to row.
  */
 typedef struct gusset_tangents {
     /**
@@ -5005,9 +5141,11 @@ typedef struct gusset_tangents {
 /**
  * A tensor-product B-spline, not rational.
  *
- * Knots of an open direction: as many as control points and the degree and 1, not decreasing, finite, clamped or not; the surface is defined
- * between knot degree and knot count. Of a closed one: one more than control points, one period; the control points are not repeated, and span k,
- * from knot k to the next, is made by the control points k - degree to k, counted round. Inner knots may be repeated degree times.
+ * Knots of an open direction: as many as control points and the degree and 1, not decreasing,
+ * finite, clamped or not; the surface is defined between knot degree and knot count. Of a closed
+ * one: one more than control points, one period; the control points are not repeated, and span k,
+ * from knot k to the next, is made by the control points k - degree to k, counted round. Inner
+ * knots may be repeated degree times.
  */
 typedef struct gusset_spline {
     /**
@@ -5061,7 +5199,8 @@ typedef struct gusset_spline {
 } gusset_spline;
 
 /**
- * A net of curves: each row meets each column, in the order in which they are given; curves may run either way.
+ * A net of curves: each row meets each column, in the order in which they are given; curves may
+ * run either way.
  */
 typedef struct gusset_curve_net {
     /**
@@ -5069,7 +5208,8 @@ typedef struct gusset_curve_net {
      */
     size_t struct_size;
     /**
-     * Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one point is a pole.
+     * Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one
+     * point is a pole.
      */
     const struct gusset_curve *const *rows;
     /**
@@ -5081,11 +5221,13 @@ typedef struct gusset_curve_net {
      */
     const struct gusset_curve *const *columns;
     /**
-     * How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface is the skin of the others.
+     * How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface
+     * is the skin of the others.
      */
     size_t column_count;
     /**
-     * How far apart curves may be where they meet, a length, finite; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+     * How far apart curves may be where they meet, a length, finite; both are moved to the middle.
+     * 0: 1e-6 of the diagonal of their box.
      */
     double tolerance;
     /**
@@ -5149,7 +5291,8 @@ typedef struct gusset_sheet_mesh_view {
      */
     const double *normals;
     /**
-     * A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
+     * A bound of the distance between the surface and the triangles, or either pair of triangles
+     * of quads.
      */
     double deviation;
 } gusset_sheet_mesh_view;
@@ -5213,14 +5356,16 @@ typedef struct gusset_intersection_options {
      */
     size_t struct_size;
     /**
-     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
-     * INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_contour_options `between` says which of these is
-     * meant, GUSSET_POINT_SPACING_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
+     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of
+     * the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
+     * of cells of either surface. (In gusset_contour_options `spacing` says which of these is
+     * meant.)
      */
     double chord;
     /**
-     * A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
-     * the smaller one of the tolerances of the two surfaces.
+     * A length, finite: branches that are shorter may be lost, and surfaces that are nearer to
+     * each other all over are reported as touching; 0: the smaller one of the tolerances of the
+     * two surfaces.
      */
     double tolerance;
 } gusset_intersection_options;
@@ -5304,7 +5449,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_REPLICATE_AT 3
 
 /**
- * The first and the last one, if they are a point each, in equal shares; if one of them is, that one; else as UNIFORM.
+ * The first and the last one, if they are a point each, in equal shares; if one of them is, that
+ * one; else as UNIFORM.
  */
 #define GUSSET_REPLICATE_AT_POLES 4
 
@@ -5324,76 +5470,80 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_CELLS_PRESENT 1
 
 /**
- * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way. Unlike gusset_net_transform it leaves
- * the net's flag `reversed` alone where it mirrors.
+ * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight
+ * way. Unlike gusset_net_transform it leaves the net's flag `reversed` alone where it mirrors.
  */
 #define GUSSET_FIELD_AFFINE 1
 
 /**
- * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on.
- * In part: by that part of the angle.
+ * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the
+ * coordinate values[1] on. In part: by that part of the angle.
  */
 #define GUSSET_FIELD_TWIST 2
 
 /**
- * Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In
- * part: at that part of the rate.
+ * Distances from `axis` grow by values[0] times themselves for each unit along it from the
+ * coordinate values[1] on. In part: at that part of the rate.
  */
 #define GUSSET_FIELD_TAPER 3
 
 /**
- * Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an arc of the curvature
- * values[0], towards the axis that follows; what lies beyond goes on straight. In part: with that part of the
- * curvature.
+ * Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an
+ * arc of the curvature values[0], towards the axis that follows; what lies beyond goes on
+ * straight. In part: with that part of the curvature.
  */
 #define GUSSET_FIELD_BEND 4
 
 /**
- * The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of the rate.
+ * The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of
+ * the rate.
  */
 #define GUSSET_FIELD_SHEAR 5
 
 /**
- * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its
- * centre, where it is not defined. In part: that part of the way.
+ * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] >
+ * 0, straight from its centre, where it is not defined. In part: that part of the way.
  */
 #define GUSSET_FIELD_SPHERIFY 6
 
 /**
- * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above
- * a cylinder of the radius values[0] > 0: with the first u and the second v they become (r + v) sin(u / r) and
- * (r + v) cos(u / r). In part: that part of the straight way.
+ * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the
+ * second the height above a cylinder of the radius values[0] > 0: with the first u and the second
+ * v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part: that part of the straight way.
  */
 #define GUSSET_FIELD_CYLINDER_WRAP 7
 
 /**
- * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0
- * (of the tube): of the two axes that follow, the first goes round the axis and the second round the tube; the axis
- * itself becomes the height above the torus. In part: that part of the straight way.
+ * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube)
+ * and values[1] > 0 (of the tube): of the two axes that follow, the first goes round the axis and
+ * the second round the tube; the axis itself becomes the height above the torus. In part: that
+ * part of the straight way.
  */
 #define GUSSET_FIELD_TORUS_WRAP 8
 
 /**
- * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control
- * points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first,
- * then y. Outside the box nothing moves. In part: that part of the way.
+ * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x
+ * counts[2] control points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its
+ * place in the even grid, x running first, then y. Outside the box nothing moves. In part: that
+ * part of the way.
  */
 #define GUSSET_FIELD_LATTICE 9
 
 /**
- * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part:
- * that part of the straight way, as for the other projections.
+ * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate
+ * becomes 0. In part: that part of the straight way, as for the other projections.
  */
 #define GUSSET_FIELD_PROJECTION 10
 
 /**
- * Onto the plane through values[0..2] with the normal values[3..5], along the direction values[6..8].
+ * Onto the plane through values[0..2] with the normal values[3..5], along the direction
+ * values[6..8].
  */
 #define GUSSET_FIELD_PARALLEL 11
 
 /**
- * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not
- * defined level with the eye.
+ * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the
+ * eye values[0..2]. Not defined level with the eye.
  */
 #define GUSSET_FIELD_PERSPECTIVE 12
 
@@ -5413,23 +5563,27 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_EASING_HOLD 2
 
 /**
- * The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node of the row (of the last one to the first),
- * 2 * node + 1 that to the next of the column; node (i, j) is i * columns + j.
+ * The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node
+ * of the row (of the last one to the first), 2 * node + 1 that to the next of the column; node (i,
+ * j) is i * columns + j.
  */
 #define GUSSET_GLUING_LINK 0
 
 /**
- * Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8, round the sides of the net.
+ * Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north
+ * 8, round the sides of the net.
  */
 #define GUSSET_GLUING_STAR 1
 
 /**
- * The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8. Cell (i, j) is i * (columns - 1) + j.
+ * The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8.
+ * Cell (i, j) is i * (columns - 1) + j.
  */
 #define GUSSET_GLUING_CELL 2
 
 /**
- * Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the fourth.
+ * Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the
+ * fourth.
  */
 #define GUSSET_GLUING_DIAGONAL 3
 
@@ -5439,7 +5593,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_GLUING_SEAM 4
 
 /**
- * The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element` from GUSSET_TYPE_TOP_BOTTOM on.
+ * The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element`
+ * from GUSSET_TYPE_TOP_BOTTOM on.
  */
 #define GUSSET_GLUING_TYPE 5
 
@@ -5579,7 +5734,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_SIDES_TUBE 1
 
 /**
- * Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and pyramids with their caps.
+ * Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and
+ * pyramids with their caps.
  */
 #define GUSSET_SIDES_TWO_POLES 13
 
@@ -5604,8 +5760,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_BRIDGE_HIDE 1
 
 /**
- * The two sides coincide, to a tolerance, and are one: the links between them are contracted. Nodes stay where they are; where they
- * coincide not quite, gusset_net_snap makes them equal.
+ * The two sides coincide, to a tolerance, and are one: the links between them are contracted.
+ * Nodes stay where they are; where they coincide not quite, gusset_net_snap makes them equal.
  */
 #define GUSSET_BRIDGE_WELD 2
 
@@ -5630,7 +5786,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_QUADS 0
 
 /**
- * Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there is already, the other one.
+ * Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there
+ * is already, the other one.
  */
 #define GUSSET_NET_TRIANGLES_SHORTER 1
 
@@ -5665,7 +5822,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_CYLINDER 4
 
 /**
- * A prism over a regular polygon: sides, radius (of the circle through its corners), height. At least 4 rows, and a column more than sides.
+ * A prism over a regular polygon: sides, radius (of the circle through its corners), height. At
+ * least 4 rows, and a column more than sides.
  */
 #define GUSSET_NET_PRISM 5
 
@@ -5675,12 +5833,14 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_CONE 6
 
 /**
- * A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than sides.
+ * A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than
+ * sides.
  */
 #define GUSSET_NET_PYRAMID 7
 
 /**
- * A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a row.
+ * A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a
+ * row.
  */
 #define GUSSET_NET_LATHE 8
 
@@ -5700,7 +5860,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_MOEBIUS 11
 
 /**
- * A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius. At least 4 rows and columns.
+ * A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius.
+ * At least 4 rows and columns.
  */
 #define GUSSET_NET_KLEIN 12
 
@@ -5710,12 +5871,14 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_PROJECTIVE_PLANE 13
 
 /**
- * Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At least 3 rows, and 5, 7, ... columns.
+ * Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At
+ * least 3 rows, and 5, 7, ... columns.
  */
 #define GUSSET_NET_PILLOW 14
 
 /**
- * Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and no seams are needed.
+ * Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and
+ * no seams are needed.
  */
 #define GUSSET_NET_BOX_SLIT 0
 
@@ -5730,7 +5893,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_BOX_CONCENTRIC 2
 
 /**
- * On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across seams too.
+ * On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across
+ * seams too.
  */
 #define GUSSET_INTERPOLATION_BICUBIC 0
 
@@ -5760,7 +5924,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_STREAM_LOSSLESS 1
 
 /**
- * As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are mapped into memory.
+ * As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are
+ * mapped into memory.
  */
 #define GUSSET_STREAM_RAW 2
 
@@ -5785,8 +5950,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_OPERATION_TRANSLATE 1
 
 /**
- * Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the
- * right hand; the axis passes through the point values[4] to values[6].
+ * Turns about the axis with the direction values[0] to values[2], of any length but 0, by
+ * values[3] radians, by the right hand; the axis passes through the point values[4] to values[6].
  */
 #define GUSSET_OPERATION_ROTATE 2
 
@@ -5801,7 +5966,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_OPERATION_SCALE 4
 
 /**
- * Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance to old.
+ * Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance
+ * to old.
  */
 #define GUSSET_OPERATION_COMPRESS 5
 
@@ -5826,8 +5992,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_FINDING_SEAM_APART 1
 
 /**
- * A warning: the ends of link `element`, between neighbours, are one point by way of others, and it is not contracted itself: see
- * gusset_net_saturate.
+ * A warning: the ends of link `element`, between neighbours, are one point by way of others, and
+ * it is not contracted itself: see gusset_net_saturate.
  */
 #define GUSSET_NET_FINDING_LOOP 2
 
@@ -5837,7 +6003,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_NET_FINDING_ZERO_LENGTH 3
 
 /**
- * A warning: link `element` closes a row or column of fewer than four nodes, which has no inside then.
+ * A warning: link `element` closes a row or column of fewer than four nodes, which has no inside
+ * then.
  */
 #define GUSSET_NET_FINDING_FEW_NODES 4
 
@@ -5892,7 +6059,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_PLACE 9
 
 /**
- * A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
+ * A section of a frame, or a plane, counted from 0; the value is the column or the number of
+ * points.
  */
 #define GUSSET_ELEMENT_SECTION 12
 
@@ -5952,7 +6120,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_ROW 31
 
 /**
- * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+ * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
+ * box.
  */
 #define GUSSET_POINT_SPACING_AUTO 0
 
@@ -5967,8 +6136,9 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_POINT_SPACING_CELL_EDGES 2
 
 /**
- * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
- * place of the crossing before them. Order four where crossings are evenly spaced.
+ * `points` points of the paper's approximation: on the cubic through four crossings. They are near
+ * the surface, not on it, and have the place of the crossing before them. Order four where
+ * crossings are evenly spaced.
  */
 #define GUSSET_POINT_SPACING_LEUS 3
 
@@ -6033,12 +6203,14 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_REFERENCE_ANGLE 4
 
 /**
- * Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the constant 1/384.
+ * Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the
+ * constant 1/384.
  */
 #define GUSSET_SCHEME_SIX_TAP 0
 
 /**
- * The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant 3/128, tangents jump at nodes.
+ * The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant
+ * 3/128, tangents jump at nodes.
  */
 #define GUSSET_SCHEME_FOUR_POINT 1
 
@@ -6069,9 +6241,7 @@ extern "C" {
 /**
  * Creates a context with automatic threads and no callbacks.
  *
- * Destroy it with gusset_context_destroy.
- *
- * @param[out] context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[out] context receives it, for gusset_context_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
  * @complexity O(1).
  * @since 0.1
@@ -6504,8 +6674,8 @@ gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
  * Not to be destroyed: valid until the frame is. Either may be NULL.
  *
  * @param frame the frame.
- * @param[out] across receives the result, for gusset_outline_destroy; NULL on failure.
- * @param[out] along receives the result, for gusset_outline_destroy; NULL on failure.
+ * @param[out] across receives the curves across; NULL on failure.
+ * @param[out] along receives the curves along; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
  * @complexity O(1).
  * @since 0.1
@@ -6522,8 +6692,8 @@ gusset_status gusset_frame_get_curves(const struct gusset_frame *frame,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param frame the frame.
- * @param point x, y, z; the normal of any length but 0.
- * @param normal x, y, z; the normal of any length but 0.
+ * @param point x, y, z.
+ * @param normal x, y, z, of any length but 0.
  * @param[out] section receives one outline, for gusset_outline_destroy; NULL on failure; point i
  *     of it is on the curve along column i, at its first crossing.
  * @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (the normal),
@@ -6604,7 +6774,7 @@ gusset_status gusset_curve_intersect_line_create(const struct gusset_context *co
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param other the other.
+ * @param other the other curve.
  * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE,
  *     OUT_OF_MEMORY, CANCELLED.
@@ -7206,8 +7376,7 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
  * @param points_a x, y, z of the vertices of each loop in order, packed, count_a and count_b of
  *     them, at least 1 each.
  * @param count_a see points_a.
- * @param points_b x, y, z of the vertices of each loop in order, packed, count_a and count_b of
- *     them, at least 1 each.
+ * @param points_b see points_a.
  * @param count_b see points_a.
  * @param options NULL for the defaults.
  * @param[out] facing receives the result, for gusset_facing_destroy; NULL on failure.
@@ -7239,7 +7408,7 @@ GUSSET_API void gusset_facing_destroy(struct gusset_facing *facing);
 /**
  * Lends what was found.
  *
- * @param facing the facing.
+ * @param facing what was found.
  * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -7256,8 +7425,7 @@ gusset_status gusset_facing_get_view(const struct gusset_facing *facing,
  *
  * @param n segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
  *     N vertices has N - 1, a closed one N.
- * @param m segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of
- *     N vertices has N - 1, a closed one N.
+ * @param m see n.
  * @param[out] j receives n + 1 numbers; NULL with capacity 0 asks for how many.
  * @param capacity of j.
  * @param[out] written receives their number; may not be NULL.
@@ -7323,7 +7491,7 @@ GUSSET_API void gusset_fill_destroy(struct gusset_fill *fill);
 /**
  * Lends the result, valid until the fill is destroyed.
  *
- * @param fill the fill.
+ * @param fill the filled mesh.
  * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -7337,7 +7505,7 @@ gusset_status gusset_fill_get_mesh(const struct gusset_fill *fill,
 /**
  * Lends the accounts of the loops.
  *
- * @param fill the fill.
+ * @param fill the filled mesh.
  * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: those of gusset_fill_get_mesh.
  * @since 0.1
@@ -7350,8 +7518,8 @@ gusset_status gusset_fill_get_view(const struct gusset_fill *fill,
 /**
  * Measures of the new faces and of the result.
  *
- * @param fill the fill.
- * @param[out] quality receives the quality; struct_size is set by the caller.
+ * @param fill the filled mesh.
+ * @param[out] quality receives the measures; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -7397,7 +7565,7 @@ GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
 /**
  * Lends the oriented mesh, valid until the handle is destroyed.
  *
- * @param orient the orient.
+ * @param orient the oriented mesh.
  * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -7411,7 +7579,7 @@ gusset_status gusset_orient_get_mesh(const struct gusset_orient *orient,
 /**
  * Lends the flags, lists and counts.
  *
- * @param orient the orient.
+ * @param orient the oriented mesh.
  * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: those of gusset_orient_get_mesh.
  * @since 0.1
@@ -7431,14 +7599,12 @@ gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
  * only; two arcs of one vertex each get one meridian and no face.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param mesh_a the mesh a.
+ * @param mesh_a the first mesh.
  * @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
  *     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
  *     and the loops that lie nearest to each other are taken.
  * @param mesh_b NULL if both loops are of mesh_a.
- * @param loop_b the vertices of each loop in order, in either direction, each consecutive pair
- *     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
- *     and the loops that lie nearest to each other are taken.
+ * @param loop_b see loop_a.
  * @param options NULL for the defaults.
  * @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
@@ -7520,7 +7686,7 @@ gusset_status gusset_stitch_get_view(const struct gusset_stitch *stitch,
  * Measures of the strip and of the result.
  *
  * @param stitch the stitch.
- * @param[out] quality receives the quality; struct_size is set by the caller.
+ * @param[out] quality receives the measures; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
  * @since 0.1
@@ -7538,8 +7704,7 @@ gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
  * @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
  *     each, closed ones at least 3, and the last point is not the first again.
  * @param count_a see points_a.
- * @param points_b x, y, z of the points in order, packed, count_a and count_b of them: at least 1
- *     each, closed ones at least 3, and the last point is not the first again.
+ * @param points_b see points_a.
  * @param count_b see points_a.
  * @param options NULL for the defaults (open polylines).
  * @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
@@ -7626,7 +7791,7 @@ GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
 /**
  * Lends the welded mesh, valid until the weld is destroyed.
  *
- * @param weld the weld.
+ * @param weld the welded mesh.
  * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -7640,7 +7805,7 @@ gusset_status gusset_weld_get_mesh(const struct gusset_weld *weld,
 /**
  * Lends the maps, lists and counts.
  *
- * @param weld the weld.
+ * @param weld the welded mesh.
  * @param[out] parts receives the parts; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: those of gusset_weld_get_mesh.
  * @since 0.1
@@ -7687,7 +7852,7 @@ GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
 /**
  * Lends the tables.
  *
- * @param winged the winged.
+ * @param winged the tables.
  * @param[out] view receives the view; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -7729,8 +7894,8 @@ gusset_status gusset_net_create(const struct gusset_context *context,
  *     and unmoved until the net is destroyed.
  * @param gluing the gluing.
  * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT, NULL_ARGUMENT,
- *     OVERLAP.
+ * @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
+ *     NULL_ARGUMENT, OVERLAP.
  * @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
  * @since 0.1
  */
@@ -7846,8 +8011,8 @@ gusset_status gusset_net_read(const struct gusset_context *context,
  * over, stretched.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param before of one size; the gluing is that of `before`.
- * @param after of one size; the gluing is that of `before`.
+ * @param before what it was; its gluing counts.
+ * @param after what it is, of the same size.
  * @param tolerance lengths up to it, at least 0 and finite, are none.
  * @param[out] analysis receives the result, for gusset_net_analysis_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other sizes),
@@ -8395,8 +8560,7 @@ gusset_status gusset_net_classify_cell(const struct gusset_context *context,
  * @param net the net.
  * @param[out] nodes receive 18 numbers each, how many nodes (without links that lead back) and how
  *     many cells have each type; NULL for what is not wanted.
- * @param[out] cells receive 18 numbers each, how many nodes (without links that lead back) and how
- *     many cells have each type; NULL for what is not wanted.
+ * @param[out] cells see nodes.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
  * @complexity O(nodes); 4 bytes a node.
  * @since 0.1
@@ -8525,8 +8689,8 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
  * @param bridge its number, counted from 0.
- * @param[out] first receive the nets, for gusset_net_destroy; NULL on failure.
- * @param[out] second receive the nets, for gusset_net_destroy; NULL on failure.
+ * @param[out] first receives the one, for gusset_net_destroy; NULL on failure.
+ * @param[out] second receives the other, likewise.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
  *     bridge, or it is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes).
@@ -8807,15 +8971,11 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
- * @param[out] x receive the coordinates of the normals, float or double as the net's are, rows x
- *     columns numbers each, row after row without gaps, aligned, and apart from each other and
- *     from the net's own.
- * @param[out] y receive the coordinates of the normals, float or double as the net's are, rows x
- *     columns numbers each, row after row without gaps, aligned, and apart from each other and
- *     from the net's own.
- * @param[out] z receive the coordinates of the normals, float or double as the net's are, rows x
- *     columns numbers each, row after row without gaps, aligned, and apart from each other and
- *     from the net's own.
+ * @param[out] x receives the first coordinates of the normals, float or double as the net's are,
+ *     rows x columns numbers, row after row without gaps, aligned; the three buffers are apart
+ *     from each other and from the net's own.
+ * @param[out] y receives the second ones.
+ * @param[out] z receives the third ones.
  * @param capacity the numbers that each has room for.
  * @param[out] missing_count receives the number of nodes that have no normal and get zeros:
  *     missing ones, and those whose cells have no area or cancel out; may be NULL.
@@ -8893,8 +9053,7 @@ gusset_status gusset_net_resample_create(const struct gusset_context *context,
  *     segments that replace their columns, and as much from those that replace their rows.
  * @param[out] rows receive the indices of what was kept, as many as the new net has; each has room
  *     for as many as the old net has; NULL if not wanted.
- * @param[out] columns receive the indices of what was kept, as many as the new net has; each has
- *     room for as many as the old net has; NULL if not wanted.
+ * @param[out] columns see rows.
  * @param[out] deviation receives what was reached; may be NULL.
  * @param[out] decimated receives the net; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE,
@@ -9279,8 +9438,8 @@ gusset_status gusset_net_encode_create(const struct gusset_context *context,
  * Lends the bytes of a stream, valid until it is destroyed.
  *
  * @param stream the stream.
- * @param[out] data receive where they are and how many.
- * @param[out] size receive where they are and how many.
+ * @param[out] data receives where they are.
+ * @param[out] size receives how many they are.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
  * @complexity O(1).
  * @since 0.1
@@ -9644,7 +9803,7 @@ gusset_status gusset_surface_section_create(const struct gusset_context *context
  * @param level_count see levels.
  * @param options NULL for the defaults.
  * @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there;
+ * @return GUSSET_OK, or an error: those of gusset_surface_section_create;
  *     SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number
  *     of the value.
  * @complexity O(values + cells that are crossed); threads.
@@ -9680,7 +9839,7 @@ gusset_status gusset_surface_contours_create(const struct gusset_context *contex
  * @param count see angles.
  * @param options NULL for the defaults.
  * @param[out] paths receives the result, for gusset_surface_paths_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_surface_section_create. Errors: as there.
+ * @return GUSSET_OK, or an error: those of gusset_surface_section_create.
  * @complexity About O(cells that are crossed), and O(cells) once, for the cones of normals;
  *     threads.
  * @source Leus, task b.
@@ -9777,7 +9936,7 @@ gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param other the other.
+ * @param other the other curve.
  * @param within a length, 0 or more and finite; below 1e-12 of the curves' size that is taken.
  * @param[out] places receives the places on the first curve, those on the other, and the points of
  *     the first; overlaps are parts where the curves stay as near, or cannot be told apart;
@@ -9977,7 +10136,7 @@ GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
  * @param queries x, y, z of each, at any alignment, `stride` bytes apart (0: packed).
- * @param count see points.
+ * @param count see queries.
  * @param stride see queries.
  * @param options NULL for the defaults: no limit.
  * @param[out] points room for count answers, in the order of the queries; none is found on
@@ -10152,8 +10311,8 @@ gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
  * @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
  *     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
  * @param count the words, at least as many as the cells need.
- * @param from row and column of a cell of the region, two numbers each, at any alignment.
- * @param to row and column of a cell of the region, two numbers each, at any alignment.
+ * @param from row and column of a cell of the region, two numbers, at any alignment.
+ * @param to the same of the other cell.
  * @param[out] cells receives row and column of each cell of the chain, from and to included, two
  *     numbers each; NULL with capacity 0 to ask for the size.
  * @param capacity how many cells it has room for.
@@ -10219,7 +10378,7 @@ gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
  *     distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
  *     at for the search.
- * @source Leus; its errata are listed with the Rust module surface::leus.
+ * @source Leus; docs/errata.md lists its errata.
  * @since 0.1
  */
 GUSSET_API
@@ -10595,8 +10754,8 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * may end there. Intersections of one surface with itself are not looked for.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param a the surfaces, which may be the same handle: then all is reported as coincident.
- * @param b the surfaces, which may be the same handle: then all is reported as coincident.
+ * @param a the one surface.
+ * @param b the other; of the same handle all is reported as coincident.
  * @param options NULL for the defaults.
  * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
@@ -10620,8 +10779,8 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  * few others.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param a the a.
- * @param b the b.
+ * @param a the one surface.
+ * @param b the other surface.
  * @param within a length, finite; 0: cells that may meet.
  * @param[out] pairs receives them, for gusset_cell_pairs_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within),

@@ -127,7 +127,8 @@
 #define GUSSET_PARAM_PLANE 9
 
 /**
- * The first output is the first input, mended: an editor puts it in its place. Else outputs are new.
+ * The first output is the first input, mended: an editor puts it in its place. Else outputs are
+ * new.
  */
 #define GUSSET_FILTER_REPLACES 1
 
@@ -137,7 +138,8 @@
 #define GUSSET_PLUGIN_NONE UINT32_MAX
 
 /**
- * What a run left: its outputs, or why there are none. Opaque; may be read from many threads at once.
+ * What a run left: its outputs, or why there are none. Opaque; may be read from many threads at
+ * once.
  */
 typedef struct gusset_outputs gusset_outputs;
 
@@ -236,8 +238,8 @@ typedef struct gusset_input {
 } gusset_input;
 
 /**
- * How a host follows and steers a run. Callbacks come from the thread that called run, must not call into the plugin for the
- * same outputs, and must not throw.
+ * How a host follows and steers a run. Callbacks come from the thread that called run, must not
+ * call into the plugin for the same outputs, and must not throw.
  */
 typedef struct gusset_host {
     /**
@@ -249,17 +251,20 @@ typedef struct gusset_host {
      */
     void *user;
     /**
-     * Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never decreasing. stage: what is being
-     * done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after: within a
-     * tenth of a second for a million faces or points that go in and come out; giving back the memory of many more takes longer.
+     * Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never
+     * decreasing. stage: what is being done, valid during the callback only. Nonzero cancels: run
+     * returns GUSSET_PLUGIN_CANCELLED soon after: within a tenth of a second for a million faces
+     * or points that go in and come out; giving back the memory of many more takes longer.
      */
     int32_t (*progress)(void *user, double fraction, const char *stage);
     /**
-     * Called with remarks that are no failures, or NULL; message is valid during the callback only.
+     * Called with remarks that are no failures, or NULL; message is valid during the callback
+     * only.
      */
     void (*log)(void *user, const char *message);
     /**
-     * 0 as many threads as the machine has, 1 the calling thread only. Results do not depend on it.
+     * 0 as many threads as the machine has, 1 the calling thread only. Results do not depend on
+     * it.
      */
     uint32_t threads;
     /**
@@ -269,8 +274,8 @@ typedef struct gusset_host {
 } gusset_host;
 
 /**
- * One capability of the plugin. Texts are UTF-8, static; so is the struct. Its functions may be called from many threads at
- * once; filter is the struct that they are in.
+ * One capability of the plugin. Texts are UTF-8, static; so is the struct. Its functions may be
+ * called from many threads at once; filter is the struct that they are in.
  */
 typedef struct gusset_filter {
     /**
@@ -346,20 +351,22 @@ typedef struct gusset_filter {
      */
     const struct gusset_param_info *(*param)(const struct gusset_filter *filter, uint32_t index);
     /**
-     * Writes the values that suit these inputs, one parameter after the other; values has room for value_count of them, and
-     * holds the plain defaults after a failure, of which suggest gives no account: run with the same inputs does. Inputs
-     * as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+     * Writes the values that suit these inputs, one parameter after the other; values has room for
+     * value_count of them, and holds the plain defaults after a failure, of which suggest gives no
+     * account: run with the same inputs does. Inputs as for run. O(size of the inputs). Returns
+     * GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
      */
     int32_t (*suggest)(const struct gusset_filter *filter,
                        const struct gusset_input *inputs,
                        uint32_t input_count,
                        double *values);
     /**
-     * Runs the filter. host: NULL for no callbacks and automatic threads. inputs: input_count structs. values: the first
-     * value_count values of the parameters, one parameter after the other; the rest is as suggest has it. outputs: receives
-     * what came out, and after a failure an account of it (output_failure); give it to output_free in any case. NULL only
-     * if outputs itself is NULL or memory ran out. Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or another
-     * gusset_status of gusset.h.
+     * Runs the filter. host: NULL for no callbacks and automatic threads. inputs: input_count
+     * structs. values: the first value_count values of the parameters, one parameter after the
+     * other; the rest is as suggest has it. outputs: receives what came out, and after a failure
+     * an account of it (output_failure); give it to output_free in any case. NULL only if outputs
+     * itself is NULL or memory ran out. Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or
+     * another gusset_status of gusset.h.
      */
     int32_t (*run)(const struct gusset_filter *filter,
                    const struct gusset_host *host,
@@ -371,8 +378,8 @@ typedef struct gusset_filter {
 } gusset_filter;
 
 /**
- * The polygon mesh of an input or of an output; laid out like gusset_mesh_view of gusset.h, and under the same rules.
- * Arrays may have any alignment and are not copied on the way in.
+ * The polygon mesh of an input or of an output; laid out like gusset_mesh_view of gusset.h, and
+ * under the same rules. Arrays may have any alignment and are not copied on the way in.
  */
 typedef struct gusset_plugin_mesh {
     /**
@@ -380,7 +387,8 @@ typedef struct gusset_plugin_mesh {
      */
     size_t struct_size;
     /**
-     * x, y, z at the start of every stride, of the type that scalar names. Finite where faces use them.
+     * x, y, z at the start of every stride, of the type that scalar names. Finite where faces use
+     * them.
      */
     const void *positions;
     /**
@@ -392,8 +400,8 @@ typedef struct gusset_plugin_mesh {
      */
     size_t vertex_count;
     /**
-     * face_count + 1 32-bit entries from 0: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if
-     * face_size is given. Outputs have it.
+     * face_count + 1 32-bit entries from 0: face f has the corners face_offsets[f] to
+     * face_offsets[f + 1] - 1. NULL if face_size is given. Outputs have it.
      */
     const void *face_offsets;
     /**
@@ -423,8 +431,8 @@ typedef struct gusset_plugin_mesh {
 } gusset_plugin_mesh;
 
 /**
- * The polylines of an input or of an output. Curve c has the points offsets[c] to offsets[c + 1] - 1 and, if it is closed,
- * an edge from the last to the first.
+ * The polylines of an input or of an output. Curve c has the points offsets[c] to offsets[c + 1] -
+ * 1 and, if it is closed, an edge from the last to the first.
  */
 typedef struct gusset_plugin_curves {
     /**
@@ -432,7 +440,8 @@ typedef struct gusset_plugin_curves {
      */
     size_t struct_size;
     /**
-     * x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are packed 64-bit floats.
+     * x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are
+     * packed 64-bit floats.
      */
     const void *points;
     /**
@@ -444,7 +453,8 @@ typedef struct gusset_plugin_curves {
      */
     size_t point_count;
     /**
-     * curve_count + 1 32-bit entries from 0 to point_count, none less than the one before. May be NULL if curve_count is 0.
+     * curve_count + 1 32-bit entries from 0 to point_count, none less than the one before. May be
+     * NULL if curve_count is 0.
      */
     const void *offsets;
     /**
@@ -490,12 +500,13 @@ typedef struct gusset_failure {
      */
     uint32_t input;
     /**
-     * What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3 corners, 4 entries of
-     * face_offsets, 5 places in a loop, 6 nothing either: index is itself a count of elements or bytes; 7 points of all
-     * curves, 8 constraints on an outline, 9 places on a curve or a surface, 12 sections or planes, 13 nodes of a net, row
-     * after row, 14 its links (twice the first node, and 1 if vertical), 15 its cells, row after row, 16 seams,
-     * 17 bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21 other items given,
-     * 30 knots, 31 rows of a net of curves. Later versions may have more.
+     * What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3
+     * corners, 4 entries of face_offsets, 5 places in a loop, 6 nothing either: index is itself a
+     * count of elements or bytes; 7 points of all curves, 8 constraints on an outline, 9 places on
+     * a curve or a surface, 12 sections or planes, 13 nodes of a net, row after row, 14 its links
+     * (twice the first node, and 1 if vertical), 15 its cells, row after row, 16 seams, 17
+     * bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21
+     * other items given, 30 knots, 31 rows of a net of curves. Later versions may have more.
      */
     uint32_t element;
     /**
@@ -509,8 +520,8 @@ typedef struct gusset_failure {
 } gusset_failure;
 
 /**
- * What the plugin is and can do. Texts are UTF-8, static; so is the struct. Its functions may be called from many threads at
- * once.
+ * What the plugin is and can do. Texts are UTF-8, static; so is the struct. Its functions may be
+ * called from many threads at once.
  */
 typedef struct gusset_plugin {
     /**
@@ -566,8 +577,8 @@ typedef struct gusset_plugin {
      */
     uint32_t (*output_kind)(const struct gusset_outputs *outputs, uint32_t index);
     /**
-     * Fills mesh, whose struct_size is set, with the arrays of output index, which live as long as the outputs. Returns
-     * GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+     * Fills mesh, whose struct_size is set, with the arrays of output index, which live as long as
+     * the outputs. Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
      */
     int32_t (*output_mesh)(const struct gusset_outputs *outputs, uint32_t index, struct gusset_plugin_mesh *mesh);
     /**
@@ -579,7 +590,8 @@ typedef struct gusset_plugin {
      */
     const char *(*output_text)(const struct gusset_outputs *outputs, uint32_t index);
     /**
-     * Why the run failed. failure: its struct_size is set. Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+     * Why the run failed. failure: its struct_size is set. Returns GUSSET_PLUGIN_DONE or a
+     * gusset_status of gusset.h.
      */
     int32_t (*output_failure)(const struct gusset_outputs *outputs, struct gusset_failure *failure);
     /**
@@ -587,7 +599,8 @@ typedef struct gusset_plugin {
      */
     void (*output_free)(struct gusset_outputs *outputs);
     /**
-     * Something beyond this header, by name and version ("name/1"), or NULL. There is none in this version.
+     * Something beyond this header, by name and version ("name/1"), or NULL. There is none in this
+     * version.
      */
     const void *(*extension)(const char *name);
 } gusset_plugin;
@@ -602,13 +615,12 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's GUSSET_PLUGIN_ABI. The tables are
- * static: made at the first call, never freed; there is nothing to initialise or to shut down, and the library stays
- * loaded after dlclose. May be called from any thread, as often as one likes.
+ * The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's
+ * GUSSET_PLUGIN_ABI. The tables are static: made at the first call, never freed; there is nothing
+ * to initialise or to shut down, and the library stays loaded after dlclose. May be called from
+ * any thread, as often as one likes.
  */
-GUSSET_PLUGIN_API
-GUSSET_PLUGIN_MUST_USE
-const struct gusset_plugin *gusset_plugin_entry(uint32_t host_abi);
+GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plugin_entry(uint32_t host_abi);
 
 #ifdef __cplusplus
 }  // extern "C"
