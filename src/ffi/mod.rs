@@ -7,7 +7,7 @@
 //! | `guard` | panics made failures |
 //! | `input` | raw pointers to slices, buffers, flags and structs |
 //! | `host` | callbacks, as the core calls them |
-//! | [`context`] | threads, progress, cancel, log, message, report; what a call does first and last |
+//! | [`context`] | threads, progress, cancel, log, message, report; how calls begin and end |
 //! | [`version`] | versions of the library and of its binary interface |
 //!
 //! | folder | what it owns |

@@ -188,8 +188,8 @@ impl Parameters<'_> {
         Ok(self.suites.properties(handle))
     }
 
-    /// The value of a double, or a `c_int` of an integer, of a choice, or of a boolean. What the host
-    /// leaves alone stays as it is.
+    /// The value of a double, or a `c_int` of an integer, of a choice, or of a boolean. What the
+    /// host leaves alone stays as it is.
     pub(super) fn value<T>(&self, name: &CStr, time: f64, value: &mut T) -> Result<(), Status> {
         let value: *mut T = value;
         let (suite, handle) = (self.suites.parameters, self.handle(name)?);
