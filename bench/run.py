@@ -13,6 +13,7 @@ from cases import BOUNDARIES, OUTLINES, Cases
 from gusset import Library
 from net_cases import CPP as NETS
 from page import write_page
+from readme import write_readme
 from report import Report
 
 
@@ -50,7 +51,7 @@ def main():
     options.add_argument("--prefix", type=Path, required=True, help="where gusset is installed")
     options.add_argument("--tools", type=Path, required=True, help="where the programs in C++ are")
     options.add_argument("--out", type=Path, required=True, help="the report")
-    options.add_argument("--docs", type=Path, help="also write the page and the plot into this folder")
+    options.add_argument("--docs", type=Path, help="also write the page and the plot into this folder, and the table into README.md")
     options.add_argument("--only", default="", help="cases that contain this")
     options.add_argument("--slow", action="store_true", help="also what takes half a minute a run")
     options.add_argument("--apart", help="internal: one contender of one case, in this process")
@@ -69,7 +70,8 @@ def main():
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
     if options.docs:
         write_page(report.entries, options.docs, library.version)
-        print(f"the page is {options.docs / 'benchmarks.md'}")
+        write_readme(report.entries)
+        print(f"the page is {options.docs / 'benchmarks.md'}; its main figures are in README.md")
 
 
 if __name__ == "__main__":

@@ -121,7 +121,7 @@ fn the_library_has_its_soname_and_stays_loaded() {
 #[test]
 fn all_that_name_the_static_link_line_agree() {
     for (path, separator) in
-        [("README.md", " "), ("packaging/gusset.pc.in", " "), ("include/cmake/gussetConfig.cmake", ";")]
+        [("docs/guides/linking.md", " "), ("packaging/gusset.pc.in", " "), ("include/cmake/gussetConfig.cmake", ";")]
     {
         let text = fs::read_to_string(Path::new(ROOT).join(path)).unwrap();
         assert!(text.contains(&STATIC_LINK_LINE.replace(' ', separator)), "{path}");
@@ -132,7 +132,7 @@ fn all_that_name_the_static_link_line_agree() {
 #[test]
 fn the_librarys_name_is_that_of_this_version() {
     let name = concat!("libgusset.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
-    let pages = ["README.md", "docs/guides/plugin.md"];
+    let pages = ["docs/guides/linking.md", "docs/guides/plugin.md"];
     for file in ["include/gusset_plugin.h", "examples/host/main.cpp", "examples/guides/plugin.c"].iter().chain(&pages) {
         let text = fs::read_to_string(Path::new(ROOT).join(file)).unwrap();
         let mut versions = text.match_indices("libgusset.so.").map(|(at, _)| &text[at..]).peekable();

@@ -1,5 +1,5 @@
 #!/bin/sh
-# No build system: the compiler is told where the static library lies, and the system libraries that README.md names.
+# No build system: the compiler is told where the static library lies, and the system libraries that docs/guides/linking.md names.
 #   build.sh PREFIX
 set -eux
 sources=$(dirname "$0")/..

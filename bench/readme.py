@@ -1,0 +1,64 @@
+"""The table of speed in README.md, between two marks, from the entries of one full run: the figures are those of the page."""
+
+import re
+import time
+from pathlib import Path
+
+from report import number
+
+MARKS = "<!-- speed: written by `make bench` -->\n", "<!-- /speed -->"
+# Subject, case, and the peers of the columns, where they have the case.
+ROWS = [
+    ("boundary loops of 10^6 triangles", "boundary/coherent-1M"),
+    ("the same, and everything unusual", "boundary-full/coherent-1M"),
+    ("winged-edge table", "winged/coherent-1M"),
+    ("strip between rims of 486 and 426 vertices", "join-strip/jagged-486x426"),
+    ("strip between rims of 10,000 and 8,000", "join-strip/10000x8000"),
+    ("rows of new vertices, faired", "rows/jagged"),
+    ("curves through 34,820 points, a point", "outline/composite"),
+    ("normals of a net of 10^6 nodes", "net/normals-1e6"),
+    ("smooth surface through 10^6 nodes", "carcass/build-1e6"),
+    ("a nearest point on it, from near", "carcass/near-1e6"),
+    ("a nearest point on it, from far", "carcass/far-1e6"),
+    ("an ordered plane section of it", "carcass/plane-1e6"),
+    ("intersection of two tori", "carcass/ssi"),
+]
+PEERS = {"openmesh": "OpenMesh", "cgal": "CGAL", "meshlib": "MeshLib", "embree": "Embree", "sisl": "SISL", "occt": "Open CASCADE"}
+
+
+def duration(value, unit):
+    """With the unit that leaves one to three digits before the point."""
+    nanoseconds = value * {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}[unit]
+    for size, name in (1e9, "s"), (1e6, "ms"), (1e3, "µs"), (1, "ns"):
+        if nanoseconds >= size or name == "ns":
+            return f"{number(nanoseconds / size)} {name}"
+
+
+def cell(entry):
+    """How many times as long the peer takes."""
+    if entry["ratio"] is None:
+        return "failed" if entry.get("failed") else ""
+    return f"{number(entry['ratio'])} x"
+
+
+def table(entries):
+    found = {entry["id"]: entry for entry in entries}
+    lines = ["| | gusset | " + " | ".join(PEERS.values()) + " |", "|---" * (2 + len(PEERS)) + "|"]
+    for subject, case in ROWS:
+        mine = [found.get(f"{case}/{peer}") for peer in PEERS]
+        ours = next((entry for entry in mine if entry and entry["ours"]), None)
+        if ours:
+            cells = [duration(ours["ours"], ours["unit"]), *("" if entry is None else cell(entry) for entry in mine)]
+            lines.append(f"| {subject} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def write_readme(entries, path=Path("README.md")):
+    text = path.read_text()
+    head = (f"Times of {time.strftime('%Y-%m-%d')} on two cores, medians; a peer's figure says how many times as long it takes,\n"
+            "on the same arrays in one run.\n")
+    begin, end = map(re.escape, MARKS)
+    new, count = re.subn(f"(?<={begin}).*?(?={end})", lambda _: f"{head}\n{table(entries)}\n", text, flags=re.DOTALL)
+    if count != 1:
+        raise SystemExit(f"{path}: the marks around the table of speed are missing")
+    path.write_text(new)

@@ -1,0 +1,28 @@
+#!/usr/bin/env python3
+"""Doxygen's filter for the pages: names of the interface in `code` become links to the reference, outside blocks of code."""
+
+import re
+import sys
+from pathlib import Path
+
+INCLUDE = Path(__file__).resolve().parent.parent / "include"
+C = (INCLUDE / "gusset.h").read_text()
+CPP = "".join(path.read_text() for path in sorted(INCLUDE.rglob("*.hpp")))
+FUNCTIONS = set(re.findall(r"\b(gusset_\w+)\(", C))
+CLASSES = set(re.findall(r"^(?:class|struct) (\w+)", CPP, re.M))
+
+
+def link(match):
+    name = match[1]
+    bare = name.removeprefix("gusset::")
+    target = name if name in FUNCTIONS else f"gusset::{bare}" if bare in CLASSES else None
+    return f"[{name}](@ref {target})" if target else match[0]
+
+
+def linked(text):
+    parts = re.split(r"(^```.*?^```$)", text, flags=re.M | re.S)
+    return "".join(part if part.startswith("```") else re.sub(r"(?<!\[)`([\w:]+)`", link, part) for part in parts)
+
+
+if __name__ == "__main__":
+    print(linked(Path(sys.argv[1]).read_text()), end="")
