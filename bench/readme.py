@@ -23,7 +23,16 @@ ROWS = [
     ("an ordered plane section of it", "carcass/plane-1e6"),
     ("intersection of two tori", "carcass/ssi"),
 ]
-PEERS = {"openmesh": "OpenMesh", "cgal": "CGAL", "meshlib": "MeshLib", "embree": "Embree", "sisl": "SISL", "occt": "Open CASCADE"}
+# The columns, and what the cases call their contender.
+PEERS = {
+    "OpenMesh": ["openmesh"],
+    "CGAL": ["cgal"],
+    "MeshLib": ["meshlib", "meshlib-complex", "meshlib-nicely"],
+    "VTK": ["vtk", "vtk-ruled-oriented"],
+    "Embree": ["embree"],
+    "SISL": ["sisl"],
+    "Open CASCADE": ["occt"],
+}
 
 
 def duration(value, unit):
@@ -43,9 +52,9 @@ def cell(entry):
 
 def table(entries):
     found = {entry["id"]: entry for entry in entries}
-    lines = ["| | gusset | " + " | ".join(PEERS.values()) + " |", "|---" * (2 + len(PEERS)) + "|"]
+    lines = ["| | gusset | " + " | ".join(PEERS) + " |", "|---" * (2 + len(PEERS)) + "|"]
     for subject, case in ROWS:
-        mine = [found.get(f"{case}/{peer}") for peer in PEERS]
+        mine = [next((found[i] for i in (f"{case}/{name}" for name in names) if i in found), None) for names in PEERS.values()]
         ours = next((entry for entry in mine if entry and entry["ours"]), None)
         if ours:
             cells = [duration(ours["ours"], ours["unit"]), *("" if entry is None else cell(entry) for entry in mine)]

@@ -5,7 +5,8 @@ guides=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 cp "$guides/start.c" .
 
 #! [shared]
-cc -std=c99 start.c $(pkg-config --cflags --libs gusset) -o start
+cc -std=c99 start.c $(pkg-config --cflags --libs gusset) "-Wl,-rpath,$(pkg-config --variable=libdir gusset)" -o start
+./start
 #! [shared]
 
 #! [static]
@@ -13,9 +14,4 @@ cc -std=c99 start.c $(pkg-config --cflags gusset) "$(pkg-config --variable=libdi
   -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o start-static
 #! [static]
 
-#! [rpath]
-cc -std=c99 start.c $(pkg-config --cflags --libs gusset) "-Wl,-rpath,$(pkg-config --variable=libdir gusset)" -o start-here
-#! [rpath]
-
 ./start-static
-./start-here

@@ -6,7 +6,7 @@ cp "$guides/start.c" "$guides/start.cpp" .
 sed -n '/! \[project\]/,/! \[project\]/p' "$guides/CMakeLists.txt" > CMakeLists.txt
 
 #! [configure]
-cmake -S . -B build -DCMAKE_PREFIX_PATH=$HOME/gusset
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=$HOME/gusset
 cmake --build build
 #! [configure]
 build/start_c
