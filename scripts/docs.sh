@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# The site of the C and C++ interface, into build/docs/html; any warning of doxygen's is an error.
+# The site of the C and C++ interface, into build/docs/html; any warning of doxygen's is an error, and any broken link.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mkdir -p build
+rm -rf build/docs/html
 doxygen docs/Doxyfile
+python3 -B scripts/links.py build/docs/html README.md CHANGELOG.md CONTRIBUTING.md docs/*.md docs/guides/*.md
 echo "build/docs/html/index.html"

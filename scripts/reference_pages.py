@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Doxygen's filter for the pages: names of the interface in `code` become links to the reference, outside blocks of code."""
+"""Doxygen's filter for the pages: names of the interface in `code` become links to the reference, outside blocks of code; and
+links to pictures and programs lead to where the site has them, beside its pages."""
 
 import re
 import sys
@@ -21,7 +22,11 @@ def link(match):
 
 def linked(text):
     parts = re.split(r"(^```.*?^```$)", text, flags=re.M | re.S)
-    return "".join(part if part.startswith("```") else re.sub(r"(?<!\[)`([\w:]+)`", link, part) for part in parts)
+    return "".join(part if part.startswith("```") else re.sub(r"(?<!\[)`([\w:]+)`", link, beside(part)) for part in parts)
+
+
+def beside(text):
+    return re.sub(r"\]\((?:\.\./)+(?:[\w/]+/)?([\w.]+\.(?!md)\w+)\)", r"](\1)", text)
 
 
 if __name__ == "__main__":
