@@ -5,9 +5,10 @@
 
 use super::axis::{Axis, TAPS};
 use super::cells::Cells;
+use super::checks::{finite_nodes, require};
 use super::{Scheme, Sheet, each_sheet};
 use crate::alloc;
-use crate::error::{Element, Error, Result};
+use crate::error::{Error, Result};
 use crate::geom::bernstein::evaluate;
 use crate::outline::{Curve, CurveView};
 use glam::DVec3;
@@ -28,11 +29,7 @@ pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Cu
     if nodes.len() as u64 > limit {
         return Err(Error::TooLarge { what: "nodes", count: nodes.len() as u64, limit });
     }
-    for (node, at) in nodes.iter().enumerate() {
-        if let Some(value) = at.to_array().into_iter().find(|x| !x.is_finite()) {
-            return Err(Error::NotFinite { element: Element::Node, index: node as u64, value });
-        }
-    }
+    finite_nodes(nodes)?;
     if closed && nodes.first() != nodes.last() {
         return Err(Error::CurveNotClosed);
     }
@@ -93,9 +90,7 @@ impl Sheet<'_> {
 
 /// The cell of a parameter that counts cells, and the parameter within it.
 fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
-    if !(0.0..=cells as f64).contains(&at) {
-        return Err(Error::OptionOutOfRange { option: "parameter", value: at });
-    }
+    require((0.0..=cells as f64).contains(&at), "parameter", at)?;
     let cell = (at as usize).min(cells - 1);
     Ok((cell, at - cell as f64))
 }

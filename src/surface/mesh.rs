@@ -6,6 +6,7 @@
 //! "Surface algorithms using bounds on derivatives"); bounds come from control nets.
 
 use super::cells::Cells;
+use super::checks::require;
 use super::{Patch, Place, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -89,12 +90,8 @@ impl Sheet<'_> {
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
-        if options.tolerance.is_nan() || options.tolerance <= 0.0 {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value: options.tolerance });
-        }
-        if let Some(&least) = options.least.iter().find(|&&least| least == 0) {
-            return Err(Error::OptionOutOfRange { option: "parts", value: f64::from(least) });
-        }
+        require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
+        require(!options.least.contains(&0), "parts", 0.0)?;
         let lattice = Lattice::new(self, options, &job.part(0.0, 0.3))?;
         lattice.mesh(options.triangles, &job.part(0.3, 1.0))
     }

@@ -14,6 +14,7 @@
 
 mod axis;
 mod cells;
+mod checks;
 pub mod construct;
 pub mod contour;
 mod curve;

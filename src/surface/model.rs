@@ -1,5 +1,6 @@
 //! Surfaces: sheets with their index.
 
+use super::checks::require;
 use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
 use crate::alloc;
@@ -62,9 +63,7 @@ impl<'a> Surface<'a> {
             return Err(Error::EmptyMesh { what: "sheets" });
         }
         let tolerance = tolerance.unwrap_or(1e-9 * bounds.low.distance(bounds.high));
-        if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-        }
+        require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
         Ok(Surface { sheets: indexed, bounds, tolerance })
     }
 

@@ -1,7 +1,8 @@
 //! The nodes of a grid: a strided view of the caller's numbers, or shared ones.
 
 use super::axis::TAPS;
-use crate::error::{Element, Error, Result};
+use super::checks::finite_nodes;
+use crate::error::{Error, Result};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -147,17 +148,6 @@ impl<'a> Nodes<'a> {
 
     /// [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
     pub(crate) fn check_finite(&self) -> Result<()> {
-        for i in 0..self.rows {
-            for j in 0..self.columns {
-                if let Some(&value) = self.get(i, j).to_array().iter().find(|value| !value.is_finite()) {
-                    return Err(Error::NotFinite {
-                        element: Element::Node,
-                        index: (i * self.columns + j) as u64,
-                        value,
-                    });
-                }
-            }
-        }
-        Ok(())
+        finite_nodes((0..self.rows).flat_map(|i| (0..self.columns).map(move |j| self.get(i, j))))
     }
 }

@@ -2,8 +2,9 @@
 
 use super::Patch;
 use super::cells::{BLOCK, Cells};
+use super::checks::{finite_points, require};
 use crate::alloc;
-use crate::error::{Element, Error, Result};
+use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::geom::bernstein::elevate;
 use glam::DVec3;
@@ -33,11 +34,7 @@ impl<const N: usize> Patches<N> {
     /// patches, [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the
     /// control point, [`Error::OutOfMemory`].
     pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
-        for degree in degrees {
-            if !(1..N).contains(&degree) {
-                return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 });
-            }
-        }
+        degrees.iter().try_for_each(|&degree| require((1..N).contains(&degree), "degree", degree as f64))?;
         let each = (degrees[0] + 1) * (degrees[1] + 1);
         let count = (rows as u64).saturating_mul(columns as u64);
         let total = count.saturating_mul(each as u64);
@@ -47,14 +44,7 @@ impl<const N: usize> Patches<N> {
         if total > super::MAX_NODES {
             return Err(Error::TooLarge { what: "control points", count: total, limit: super::MAX_NODES });
         }
-        let Some(points) = points.get(..total as usize) else {
-            let (needed, given) = (24 * total, 24 * points.len() as u64);
-            return Err(Error::ArrayTooShort { what: "control points", needed, given });
-        };
-        if let Some(at) = points.iter().position(|point| !point.is_finite()) {
-            let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::NotFinite { element: Element::Node, index: at as u64, value });
-        }
+        let points = finite_points(points, total, "control points")?;
         let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::raised(net, degrees)))?;
         Ok(Self::of(patches, rows, columns))
     }

@@ -1,9 +1,10 @@
 //! Nodes with given tangents.
 
 use crate::alloc;
-use crate::error::{Element, Error, Result};
+use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::surface::axis::Axis;
+use crate::surface::checks::finite_points;
 use crate::surface::grid::check_closed;
 use crate::surface::{Nodes, Patch, Patches, Scheme, Sheet};
 use glam::DVec3;
@@ -84,7 +85,7 @@ impl<'a> Hermite<'a> {
         let arrays = [("tangents", given.u), ("tangents", given.v)];
         let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
         for (what, vectors) in arrays.into_iter().chain(twists) {
-            check(what, vectors, rows * columns)?;
+            finite_points(vectors, (rows * columns) as u64, what)?;
         }
         let gap = |a: (usize, usize), b: (usize, usize)| nodes.get(a.0, a.1).distance(nodes.get(b.0, b.1));
         if closed_u {
@@ -161,19 +162,4 @@ impl<'a> Hermite<'a> {
         }
         Patch { points }
     }
-}
-
-fn check(what: &'static str, vectors: &[DVec3], count: usize) -> Result<()> {
-    if vectors.len() < count {
-        let (needed, given) = (24 * count as u64, 24 * vectors.len() as u64);
-        return Err(Error::ArrayTooShort { what, needed, given });
-    }
-    let bad = vectors[..count].iter().enumerate().find_map(|(node, vector)| {
-        vector.to_array().into_iter().find(|x| !x.is_finite()).map(|value| Error::NotFinite {
-            element: Element::Node,
-            index: node as u64,
-            value,
-        })
-    });
-    bad.map_or(Ok(()), Err)
 }

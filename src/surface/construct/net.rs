@@ -16,6 +16,7 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::outline::CurveView;
 use crate::surface::axis::TAPS;
+use crate::surface::checks::require;
 use crate::surface::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 
@@ -88,12 +89,8 @@ impl CurveNet<'_> {
         if rows + columns == 0 || !enough(rows, self.closed[0]) || !enough(columns, self.closed[1]) {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }
-        match self.tolerance {
-            Some(value) if !(value >= 0.0 && value.is_finite()) => {
-                Err(Error::OptionOutOfRange { option: "tolerance", value })
-            }
-            _ => Ok(()),
-        }
+        let tolerance = self.tolerance.unwrap_or(0.0);
+        require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
     }
 
     /// The diagonal of the box of all curves, and the largest of their coordinates.

@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::geom::bernstein::{elevate, evaluate, restrict};
 use crate::outline::CurveView;
 use crate::surface::MAX_DEGREE;
+use crate::surface::checks::require;
 use glam::DVec3;
 
 /// The least share of a whole that a segment is given of its parameter.
@@ -48,9 +49,7 @@ pub(super) fn degree(curve: &CurveView<'_>) -> Result<usize> {
         return Err(Error::EmptyCurve);
     }
     let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
-    if degree > MAX_DEGREE {
-        return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 });
-    }
+    require(degree <= MAX_DEGREE, "degree", degree as f64)?;
     Ok(degree)
 }
 

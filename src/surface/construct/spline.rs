@@ -5,8 +5,9 @@
 //! equal. Point k of the span [a, b] takes p - k arguments a and k arguments b.
 
 use crate::alloc;
-use crate::error::{Element, Error, Result};
+use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::surface::checks::{finite_points, require};
 use crate::surface::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 
@@ -59,9 +60,7 @@ impl Sheet<'static> {
     pub fn from_spline(spline: &Spline<'_>, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
-            if !(1..=MAX_DEGREE).contains(&axis.degree) {
-                return Err(Error::OptionOutOfRange { option: "degree", value: axis.degree as f64 });
-            }
+            require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
             if count <= axis.degree || (axis.closed && count < 3) {
                 return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
             }
@@ -70,14 +69,7 @@ impl Sheet<'static> {
         if count > MAX_NODES {
             return Err(Error::TooLarge { what: "control points", count, limit: MAX_NODES });
         }
-        let Some(points) = spline.points.get(..count as usize) else {
-            let (needed, given) = (24 * count, 24 * spline.points.len() as u64);
-            return Err(Error::ArrayTooShort { what: "control points", needed, given });
-        };
-        if let Some(at) = points.iter().position(|point| !point.is_finite()) {
-            let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::NotFinite { element: Element::Node, index: at as u64, value });
-        }
+        finite_points(spline.points, count, "control points")?;
         let [u, v] = [spline.axes[0].spans(rows, 0)?, spline.axes[1].spans(columns, 1)?];
         if spline.axes.iter().all(|axis| axis.degree <= 3) {
             Ok(Sheet::Cubic(spline.patches(&u, &v, job)?))

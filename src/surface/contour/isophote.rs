@@ -6,7 +6,6 @@
 //! degrees where H = 0; at 0 and 180 where both components across are 0, which is so at single
 //! points. None of it suffers from cancellation, whatever the angle.
 
-use super::checks::{direction, rising};
 use super::cone_culling;
 use super::creases::creases;
 use super::lattice::Lattice;
@@ -18,10 +17,13 @@ use super::search::FoundArcs;
 use super::search::Search;
 use super::source::{Continuity, Source, between};
 use crate::alloc;
-use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
+use crate::surface::checks::{direction, require, rising};
 use crate::surface::index::{Cones, Pyramid};
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
@@ -233,9 +235,7 @@ impl Surface<'_> {
         let axis = direction(axis, "direction")?;
         rising(angles, "angles")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        if let Some(&value) = angles.iter().find(|&&angle| !(0.0..=max + 1e-15).contains(&angle)) {
-            return Err(Error::OptionOutOfRange { option: "angles", value });
-        }
+        angles.iter().try_for_each(|&angle| require((0.0..=max + 1e-15).contains(&angle), "angles", angle))?;
         let classes = AngleClasses::new(angles, unsigned)?;
         let chord = self.chord(spacing)?;
         let frame = frame(axis);

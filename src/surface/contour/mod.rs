@@ -19,7 +19,6 @@
 
 mod cell;
 mod chain;
-mod checks;
 mod cone_culling;
 mod corner_crossing;
 mod creases;

@@ -10,18 +10,20 @@
 //! [`TOLERANCE`], or is in the bound that is returned. Cost: about O(cells whose bound is below the
 //! answer), [`MAX_PARTS`] parts for each at most.
 
-use super::checks::direction;
 use super::cone_culling;
 use super::lattice::Lattice;
 use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;
 use crate::alloc;
-use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
+use crate::surface::checks::{direction, require};
 use crate::surface::index::{Cones, Pyramid};
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
@@ -359,9 +361,7 @@ impl Surface<'_> {
     ) -> Result<Option<NearestAngle>> {
         let axis = direction(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        if !(0.0..=max + 1e-15).contains(&angle) {
-            return Err(Error::OptionOutOfRange { option: "angle", value: angle });
-        }
+        require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
         let (goal, frame, max_coordinate) = (TargetAngle { angle, unsigned }, frame(axis), self.max_coordinate());
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();

@@ -4,7 +4,6 @@
 //! Both are zero sets of a scalar that is interpolated as the surface is: of a plane, of its
 //! distance. See [`super::search`].
 
-use super::checks::{direction, finite, rising};
 use super::lattice::Lattice;
 use super::paths::{ContourSet, paths};
 use super::planes::{self, Planes};
@@ -15,6 +14,7 @@ use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::surface::axis::{Axis, Scheme};
 use crate::surface::cells::BLOCK;
+use crate::surface::checks::{direction, finite, rising};
 use crate::surface::{Paths, Sheet, Surface, each_sheet};
 
 impl Surface<'_> {

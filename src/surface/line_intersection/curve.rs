@@ -14,6 +14,7 @@ use crate::geom::bernstein::elevate;
 use crate::job::Job;
 use crate::outline::{CurveView, Place as CurvePlace};
 use crate::par;
+use crate::surface::checks::require;
 use crate::surface::{Place, Surface, each_sheet};
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -62,13 +63,10 @@ impl Surface<'_> {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        if let Some(segment) = curve.segments().find(|segment| segment.len() > MAX_SEGMENT_DEGREE + 1) {
-            return Err(Error::OptionOutOfRange { option: "degree", value: (segment.len() - 1) as f64 });
-        }
-        let numbers = curve.points().iter().flat_map(DVec3::to_array);
-        if let Some(value) = { numbers }.find(|x| x.abs() > MAX_COORDINATE) {
-            return Err(Error::OptionOutOfRange { option: "curve", value });
-        }
+        let mut degrees = curve.segments().map(|segment| segment.len() - 1);
+        degrees.try_for_each(|degree| require(degree <= MAX_SEGMENT_DEGREE, "degree", degree as f64))?;
+        let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
+        numbers.try_for_each(|x| require(x.abs() <= MAX_COORDINATE, "curve", x))?;
         let finds = self.finds(curve, selection, job)?;
         let mut hits = self.hits(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {

@@ -1,7 +1,8 @@
 //! Lines, rays and segments, and the points that they have in common with surfaces.
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::surface::Place;
+use crate::surface::checks::{finite, require};
 use glam::DVec3;
 
 /// Coordinates of lines and curves beyond this are refused: their squares would overflow.
@@ -38,22 +39,13 @@ impl Line {
 
     /// That it is finite and has a direction.
     pub(super) fn check(&self) -> Result<()> {
-        let bad = |value: f64, option| Err(Error::OptionOutOfRange { option, value });
-        if let Some(value) = self.origin.to_array().into_iter().find(|x| x.is_nan() || x.abs() > MAX_COORDINATE) {
-            return bad(value, "origin");
-        }
-        if let Some(value) = self.direction.to_array().into_iter().find(|x| !x.is_finite()) {
-            return bad(value, "direction");
-        }
+        self.origin.to_array().into_iter().try_for_each(|x| require(x.abs() <= MAX_COORDINATE, "origin", x))?;
+        finite(self.direction, "direction")?;
         // Parameters of points are quotients by the length: they would be infinite.
         let square = self.direction.length_squared();
-        if !(square >= f64::MIN_POSITIVE && square.is_finite()) {
-            return bad(self.direction.abs().max_element(), "direction");
-        }
-        if self.from.is_nan() || self.to.is_nan() || self.from > self.to {
-            return bad(self.from, "from");
-        }
-        Ok(())
+        let is_usable = square >= f64::MIN_POSITIVE && square.is_finite();
+        require(is_usable, "direction", self.direction.abs().max_element())?;
+        require(self.from <= self.to, "from", self.from)
     }
 
     /// The unit vector along it and the length of the direction, whatever its size.

@@ -25,6 +25,7 @@ pub use curve::CurveHit;
 pub(in crate::surface) use line::MAX_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
 
+use super::checks::require;
 use super::{Surface, each_sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -81,9 +82,7 @@ impl Line {
     /// curves.
     pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check()?;
-        if !(within >= 0.0 && within.is_finite()) {
-            return Err(Error::OptionOutOfRange { option: "within", value: within });
-        }
+        require(within >= 0.0 && within.is_finite(), "within", within)?;
         // No farther than the curve, and what is near it.
         let (along, length) = self.along();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));

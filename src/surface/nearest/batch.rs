@@ -13,6 +13,7 @@ use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::par;
 use crate::surface::Surface;
+use crate::surface::checks::require;
 use glam::DVec3;
 
 /// Queries that are sorted at once.
@@ -44,9 +45,7 @@ impl Surface<'_> {
         form: impl Fn(Option<Closest>) -> T + Sync,
         job: &Job<'_>,
     ) -> Result<()> {
-        if limit.is_nan() || limit < 0.0 {
-            return Err(Error::OptionOutOfRange { option: "limit", value: limit });
-        }
+        require(limit >= 0.0, "limit", limit)?;
         if let Some((at, value)) =
             queries.iter().enumerate().find_map(|(k, &query)| Some((k, unusable_coordinate(query)?)))
         {

@@ -1,6 +1,7 @@
 //! The conditions that a query point and a distance must meet.
 
 use crate::error::{Element, Error, Result};
+use crate::surface::checks::require;
 use crate::surface::line_intersection::MAX_COORDINATE;
 use glam::DVec3;
 
@@ -14,5 +15,5 @@ pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result
     if let Some(value) = unusable_coordinate(query) {
         return Err(Error::NotFinite { element: Element::Query, index: 0, value });
     }
-    if distance >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option, value: distance }) }
+    require(distance >= 0.0, option, distance)
 }

@@ -7,9 +7,12 @@ use super::cell_mask::CellMask;
 use super::diameter::Diameters;
 use super::object::{Object, Target, incidence};
 use super::search::{Goal, SearchOptions};
-use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::job::Job;
 use crate::surface::cells::Cells;
+use crate::surface::checks::require;
 use crate::surface::subdivision::Field;
 use crate::surface::{Patch, Place, Sheet, each_sheet};
 use glam::{DVec2, DVec3};
@@ -130,8 +133,7 @@ pub fn cells_within(
 }
 
 fn check(tolerance: f64) -> Result<()> {
-    let good = tolerance > 0.0 && tolerance.is_finite();
-    if good { Ok(()) } else { Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance }) }
+    require(tolerance > 0.0 && tolerance.is_finite(), "tolerance", tolerance)
 }
 
 /// False if no point of a patch is within a distance of the target.

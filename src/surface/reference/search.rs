@@ -7,8 +7,11 @@
 use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
 use super::sizes::{Sizes, Sum};
-use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::job::Job;
+use crate::surface::checks::require;
 
 /// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,10 +74,8 @@ pub fn search(
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    if let Goal::Within(within) = options.goal
-        && (within < 0.0 || within.is_nan())
-    {
-        return Err(Error::OptionOutOfRange { option: "within", value: within });
+    if let Goal::Within(within) = options.goal {
+        require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
     let mut window = Window::new(lattice);

@@ -25,6 +25,7 @@ mod solve;
 pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
+use super::checks::require;
 use super::{Paths, Place, Sheet, Surface, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -87,9 +88,7 @@ impl Surface<'_> {
         let size = |surface: &Surface<'_>| surface.bounds()[0].distance(surface.bounds()[1]);
         let chord = positive("chord", options.chord, 1e-4 * size(self).min(size(other)))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
-        if tolerance == f64::INFINITY {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-        }
+        require(tolerance.is_finite(), "tolerance", tolerance)?;
         let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;
         let intersection = Intersection {
             surfaces: [self, other],

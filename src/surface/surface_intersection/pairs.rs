@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::checks::require;
 use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::{Sheet, Surface, each_sheet};
 use glam::DVec3;
@@ -278,9 +279,7 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite;
     /// [`Error::TooLarge`] above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
-        if !(within >= 0.0 && within.is_finite()) {
-            return Err(Error::OptionOutOfRange { option: "within", value: within });
-        }
+        require(within >= 0.0 && within.is_finite(), "within", within)?;
         let mut found = Vec::new();
         for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
             let ((sheet_a, index_a), (sheet_b, index_b)) = (self.indexed(k), other.indexed(n));
