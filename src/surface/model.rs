@@ -62,7 +62,7 @@ impl<'a> Surface<'a> {
         if indexed.is_empty() {
             return Err(Error::EmptyMesh { what: "sheets" });
         }
-        let tolerance = tolerance.unwrap_or(1e-9 * bounds.low.distance(bounds.high));
+        let tolerance = tolerance.unwrap_or(1e-9 * bounds.diagonal());
         require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
         Ok(Surface { sheets: indexed, bounds, tolerance })
     }
@@ -124,7 +124,18 @@ impl<'a> Surface<'a> {
     /// No less than what derivatives of any patch may be off by for rounding of its control points.
     #[inline]
     fn slope_noise(&self) -> f64 {
-        1024.0 * f64::EPSILON * self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
+        1024.0 * f64::EPSILON * self.max_coordinate()
+    }
+
+    /// The greatest absolute coordinate of the box.
+    #[inline]
+    pub(crate) fn max_coordinate(&self) -> f64 {
+        self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
+    }
+
+    /// The diagonal of the box.
+    pub(crate) fn diagonal(&self) -> f64 {
+        self.bounds.diagonal()
     }
 
     /// The number of corners of cells of all sheets: of grids, their nodes.

@@ -1,7 +1,10 @@
 //! Curves on a surface: the form of sections, contours and intersections.
 
 use super::Place;
+use crate::alloc;
+use crate::error::{Error, Result};
 use glam::DVec3;
+use std::ops::Range;
 
 /// Polylines whose points lie on the surface, one after the other.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -39,6 +42,41 @@ impl Paths {
 
     /// The points of path k.
     pub fn points_of(&self, k: usize) -> &[DVec3] {
-        &self.points[self.ends[k] as usize..self.ends[k + 1] as usize]
+        &self.points[self.range(k)]
+    }
+
+    /// Where path k is among the points.
+    pub(crate) fn range(&self, k: usize) -> Range<usize> {
+        self.ends[k] as usize..self.ends[k + 1] as usize
+    }
+
+    /// Makes room for `count` more points.
+    pub(super) fn reserve(&mut self, count: usize) -> Result<()> {
+        alloc::reserve(&mut self.places, count)?;
+        alloc::reserve(&mut self.points, count)?;
+        alloc::reserve(&mut self.normals, count)
+    }
+
+    /// Adds a point to the path that has not ended.
+    pub(super) fn push(&mut self, place: Place, point: DVec3, normal: DVec3) -> Result<()> {
+        alloc::push(&mut self.places, place)?;
+        alloc::push(&mut self.points, point)?;
+        alloc::push(&mut self.normals, normal)
+    }
+
+    /// Leaves the first `count` points.
+    pub(super) fn truncate(&mut self, count: usize) {
+        self.places.truncate(count);
+        self.points.truncate(count);
+        self.normals.truncate(count);
+    }
+
+    /// Ends a path with the last point.
+    pub(super) fn end(&mut self, closed: bool, level: u32) -> Result<()> {
+        let (count, limit) = (self.points.len() as u64, u32::MAX.into());
+        let end = u32::try_from(count).map_err(|_| Error::TooLarge { what: "points of curves", count, limit })?;
+        alloc::push(&mut self.ends, end)?;
+        alloc::push(&mut self.closed, closed)?;
+        alloc::push(&mut self.levels, level)
     }
 }

@@ -12,31 +12,16 @@ use crate::surface::index::Cones;
 use glam::DVec2;
 use std::f64::consts::PI;
 
-/// A side of a cell that a neighbour is behind.
-struct Side {
-    /// The steps to the neighbour.
-    after: [bool; 2],
-    /// The corners, in the cell and in the neighbour.
-    own: [[f64; 2]; 2],
-    others: [[f64; 2]; 2],
-}
-
-const SIDES: [Side; 2] = [
-    Side { after: [true, false], own: [[1.0, 0.0], [1.0, 1.0]], others: [[0.0, 0.0], [0.0, 1.0]] },
-    Side { after: [false, true], own: [[0.0, 1.0], [1.0, 1.0]], others: [[0.0, 0.0], [1.0, 0.0]] },
-];
-
-/// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and
-/// greater in the other.
+/// Cells and the middles of their sides at whose ends the angle is less than one of `angles` in one
+/// cell and greater in the other.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
-    normals: &ProjectedNormals<'_, C>,
+    normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,
     lattice: &Lattice,
     angles: &[f64],
     unsigned: bool,
-    found: &mut Vec<([u32; 2], DVec2)>,
     job: &Job<'_>,
-) -> Result<()> {
+) -> Result<Vec<([u32; 2], DVec2)>> {
     let angle = |[i, j]: [usize; 2], [u, v]: [f64; 2]| {
         let normal = normals.cells.patch(i, j).jet(u, v).normal();
         let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
@@ -51,7 +36,7 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
         cone_culling::may_have(angles, unsigned, whole)
     };
     let [rows, columns] = lattice.counts;
-    let mut jumps_in = Vec::new();
+    let (mut found, mut jumps_in) = (Vec::new(), Vec::new());
     for i in 0..rows {
         job.step(i as f64 / rows as f64, "creases")?;
         if i % BLOCK == 0 {
@@ -59,21 +44,22 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
             jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / BLOCK, c)));
         }
         for j in (0..columns).filter(|j| jumps_in[j / BLOCK]) {
-            for Side { after, own, others } in SIDES {
-                let (behind, end) = lattice.owner([i, j], after);
+            for direction in 0..2 {
+                let (behind, end) = lattice.owner([i, j], [direction == 0, direction == 1]);
                 if end != [false; 2] {
                     continue;
                 }
-                let [a, b] = own.map(|corner| angle([i, j], corner));
-                let [c, d] = others.map(|corner| angle(behind, corner));
+                // A place of the side, which is line 1 of the cell and line 0 of the one behind.
+                let at = |t: f64, line: f64| if direction == 0 { [line, t] } else { [t, line] };
+                let [[a, b], [c, d]] =
+                    [([i, j], 1.0), (behind, 0.0)].map(|(cell, line)| [0.0, 1.0].map(|t| angle(cell, at(t, line))));
                 let jumps =
                     |goal: &f64| (a.max(b) < *goal && *goal < c.min(d)) || (c.max(d) < *goal && *goal < a.min(b));
                 if angles.iter().any(jumps) {
-                    let middle = 0.5 * (DVec2::from_array(own[0]) + DVec2::from_array(own[1]));
-                    alloc::push(found, ([i as u32, j as u32], middle))?;
+                    alloc::push(&mut found, ([i as u32, j as u32], DVec2::from_array(at(0.5, 1.0))))?;
                 }
             }
         }
     }
-    Ok(())
+    Ok(found)
 }

@@ -89,24 +89,20 @@ impl Kernel for Frames<'_> {
     #[inline(always)]
     fn run(self) {
         for ((&place, point), normal) in self.places.iter().zip(self.points).zip(self.normals) {
-            (*point, *normal) = self.surface.frame(place);
+            (*point, *normal) = self.surface.point_and_normal(place);
         }
     }
 }
 
 impl Surface<'_> {
-    /// The point at a place and the unit normal there, or its limit at a pole.
-    pub(super) fn point_and_normal(&self, place: Place) -> (DVec3, DVec3) {
-        self.frame(place)
-    }
-
-    /// The same of many places.
+    /// [`Surface::point_and_normal`] of many places.
     pub(super) fn points_and_normals(&self, places: &[Place], points: &mut [DVec3], normals: &mut [DVec3]) {
         simd::run(Frames { surface: self, places, points, normals });
     }
 
+    /// The point at a place and the unit normal there, or its limit at a pole.
     #[inline(always)]
-    fn frame(&self, place: Place) -> (DVec3, DVec3) {
+    pub(super) fn point_and_normal(&self, place: Place) -> (DVec3, DVec3) {
         let cell = place.cell.map(|k| k as usize);
         let jet = match self.sheet(place.sheet as usize) {
             Sheet::Grid(grid) => {

@@ -10,12 +10,11 @@ use super::cone_culling;
 use super::creases::creases;
 use super::lattice::Lattice;
 use super::normals::squares;
-use super::paths::{self, ContourSet};
+use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::search::FoundArcs;
-use super::search::Search;
-use super::source::{Continuity, Source, between};
+use super::search::{FoundArcs, Search};
+use super::source::{CellBase, Continuity, Source, between};
 use crate::alloc;
 #[cfg(doc)]
 use crate::error::Error;
@@ -24,10 +23,9 @@ use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
 use crate::surface::checks::{direction, require, rising};
-use crate::surface::index::{Cones, Pyramid};
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
-use crate::surface::{Grid, NormalKind, Paths, Place, Sheet, Surface};
+use crate::surface::{NormalKind, Paths, Place, Sheet, Surface};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -36,16 +34,15 @@ use std::ops::Range;
 const MIN_SINE: f64 = 1e-8;
 /// By how much the angles of points may be off for rounding, in radians.
 const ANGLE_TOLERANCE: f64 = 1e-6;
-/// Blocks that are one thread's work, and such works between two reports of progress.
+/// Blocks that are one thread's work.
 const CHUNK: usize = 64;
-const CHUNKS: usize = 16;
 
 /// H = 0.
-struct Silhouette<'a, C, const N: usize>(ProjectedNormals<'a, C>);
+struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
     type Block = Corners;
-    type Base = (Field<M>, f64);
+    type Base = Field<M>;
     type Cache = ();
 
     fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
@@ -57,63 +54,47 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
         if low > 0.0 || high < 0.0 {
             return false;
         }
-        let of = self.0.hodographs::<N>(cell);
+        let of = self.0.hodographs(cell);
         let rounding_error = self.0.rounding_error(&of);
         let [low, high] = of.ranges()[2];
         low <= rounding_error && high >= -rounding_error
     }
 
-    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> (Field<M>, f64) {
-        let of = self.0.hodographs::<N>(cell);
-        (of.normal(2), self.0.rounding_error(&of))
+    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Field<M>> {
+        let of = self.0.hodographs(cell);
+        CellBase { levels: 0..1, rounding_error: self.0.rounding_error(&of), data: of.normal(2) }
     }
 
-    fn level_count(&self) -> usize {
-        1
-    }
-
-    fn levels(&self, _: &(Field<M>, f64)) -> Range<usize> {
-        0..1
-    }
-
-    fn field(&self, base: &(Field<M>, f64), _: usize) -> Field<M> {
-        base.0
+    fn field(&self, base: &Field<M>, _: usize) -> Field<M> {
+        *base
     }
 
     fn continuity(&self) -> Continuity {
         self.0.continuity
     }
-
-    fn rounding_error(&self, base: &(Field<M>, f64)) -> f64 {
-        base.1
-    }
 }
 
 /// sin^2 alpha H^2 = cos^2 alpha P.
 struct Isophotes<'a, C, const N: usize, const H: usize> {
-    normals: ProjectedNormals<'a, C>,
-    /// Sines and cosines.
-    angles: &'a [[f64; 2]],
-    radians: &'a [f64],
-    unsigned: bool,
+    normals: &'a ProjectedNormals<'a, C, N>,
+    classes: &'a AngleClasses,
 }
 
 /// The squares that the angles of a cell share.
 struct Squares<const M: usize> {
     along: Field<M>,
     across: Field<M>,
-    rounding_error: f64,
-    levels: Range<usize>,
 }
 
 impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     /// The angles that are in a range, or whose supplements are, and what lies between them.
     fn within(&self, [low, high]: [f64; 2]) -> Range<usize> {
-        let own = between(self.radians, [low, high], 0.0);
-        if !self.unsigned {
+        let AngleClasses { radians, unsigned, .. } = self.classes;
+        let own = between(radians, [low, high], 0.0);
+        if !unsigned {
             return own;
         }
-        match between(self.radians, [PI - high, PI - low], 0.0) {
+        match between(radians, [PI - high, PI - low], 0.0) {
             others if others.is_empty() => own,
             others if own.is_empty() => others,
             others => own.start.min(others.start)..own.end.max(others.end),
@@ -134,31 +115,27 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         if self.within(angles(&block.ranges(cell), 0.0)).is_empty() {
             return false;
         }
-        let of = self.normals.hodographs::<N>(cell);
+        let of = self.normals.hodographs(cell);
         !self.within(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
     }
 
-    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> Squares<M> {
-        let of = self.normals.hodographs::<N>(cell);
+    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Squares<M>> {
+        let of = self.normals.hodographs(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
         let levels = self.within(angles(&of.ranges(), self.normals.rounding_error(&of)));
         let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
-        Squares { along: squares(&[along]), across: squares(&[first, second]), rounding_error, levels }
+        CellBase { levels, rounding_error, data: Squares { along: squares(&[along]), across: squares(&[first, second]) } }
     }
 
     fn level_count(&self) -> usize {
-        self.angles.len().max(1)
-    }
-
-    fn levels(&self, base: &Squares<M>) -> Range<usize> {
-        base.levels.clone()
+        self.classes.others.len().max(1)
     }
 
     /// Rising with the cosine of the angle, where this has the sign of cos alpha.
     fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
-        let [sin, cos] = self.angles[level];
-        let sign = if cos < 0.0 && !self.unsigned { -1.0 } else { 1.0 };
+        let [sin, cos] = self.classes.others[level];
+        let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
         base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
     }
 
@@ -167,12 +144,12 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     /// none, as at poles, where it says nothing. Next to such a place within a cell, what is linked
     /// without being resolved may have both.
     fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
-        if self.unsigned {
+        if self.classes.unsigned {
             return Some(true);
         }
-        let rounding_error = self.normals.rounding_error(&self.normals.hodographs::<N>(cell));
+        let rounding_error = self.normals.rounding_error(&self.normals.hodographs(cell));
         let patch = self.normals.cells.patch(cell[0], cell[1]);
-        let sign = self.angles[level][1].signum();
+        let sign = self.classes.others[level][1].signum();
         let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
         let (right, wrong) = (along.iter().any(|&x| x > rounding_error), along.iter().any(|&x| x < -rounding_error));
         if right && wrong { None } else { Some(!wrong) }
@@ -180,10 +157,6 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
 
     fn continuity(&self) -> Continuity {
         self.normals.continuity
-    }
-
-    fn rounding_error(&self, base: &Squares<M>) -> f64 {
-        base.rounding_error
     }
 }
 
@@ -193,11 +166,14 @@ struct AngleClasses {
     silhouettes: Vec<u32>,
     /// Of 0 and 180 degrees: the sign of the cosine.
     poles: Vec<(u32, f64)>,
+    /// Of the others the sines and cosines, and in radians.
     others: Vec<[f64; 2]>,
     radians: Vec<f64>,
     /// All but those of 0 and 180 degrees.
     crossed: Vec<f64>,
     numbers: Vec<u32>,
+    /// Whether a normal and its opposite are the same.
+    unsigned: bool,
 }
 
 impl Surface<'_> {
@@ -236,39 +212,24 @@ impl Surface<'_> {
         rising(angles, "angles")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         angles.iter().try_for_each(|&angle| require((0.0..=max + 1e-15).contains(&angle), "angles", angle))?;
-        let classes = AngleClasses::new(angles, unsigned)?;
-        let chord = self.chord(spacing)?;
-        let frame = frame(axis);
-        let max_coordinate = self.max_coordinate();
-        let (mut curves, mut points) = (ContourSet { threads: job.threads(), ..ContourSet::default() }, Vec::new());
+        let mut search = IsophoteSearch {
+            surface: self,
+            frame: frame(axis),
+            classes: AngleClasses::new(angles, unsigned)?,
+            chord: self.chord(spacing)?,
+            curves: ContourSet::default(),
+            points: Vec::new(),
+        };
         for k in 0..self.len() {
-            let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
-            let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
-            let is_smooth = |grid: &Grid<'_>| grid.axes().iter().all(|axis| axis.is_smooth());
-            let continuity = match sheet {
-                Sheet::Grid(grid) if is_smooth(grid) => Continuity::UpToRounding,
-                _ => Continuity::Discontinuous,
-            };
-            let search = IsophoteSearch {
-                sheet: k,
-                cells: &(),
-                index,
-                cones,
-                frame,
-                max_coordinate,
-                continuity,
-                chord,
-                unsigned,
-            };
-            let (lattice, found) = (Lattice::of(sheet), (&mut curves, &mut points));
-            match sheet {
-                Sheet::Grid(cells) => search.over(cells).find::<4, 6, 11>(&classes, lattice, found, &part)?,
-                Sheet::Cubic(cells) => search.over(cells).find::<4, 6, 11>(&classes, lattice, found, &part)?,
-                Sheet::High(cells) => search.over(cells).find::<8, 14, 27>(&classes, lattice, found, &part)?,
+            let part = self.sheet_job(k, job);
+            match self.sheet(k) {
+                Sheet::Grid(cells) => search.find::<_, 4, 6, 11>(k, cells, &part)?,
+                Sheet::Cubic(cells) => search.find::<_, 4, 6, 11>(k, cells, &part)?,
+                Sheet::High(cells) => search.find::<_, 8, 14, 27>(k, cells, &part)?,
             }
         }
-        let mut found = paths::paths(self, &curves.sheets, curves.unresolved, &job.part(0.9, 1.0))?;
-        paths::add_points(self, &points, &mut found)?;
+        let mut found = search.curves.paths(self, &job.part(0.9, 1.0))?;
+        add_points(self, &search.points, &mut found)?;
         self.report_angles(axis, angles, unsigned, &mut found)?;
         add_leus_points(found, spacing)
     }
@@ -295,17 +256,11 @@ impl Surface<'_> {
         }
         Ok(())
     }
-
-    /// The greatest coordinate.
-    pub(super) fn max_coordinate(&self) -> f64 {
-        let [low, high] = self.bounds();
-        low.abs().max(high.abs()).max_element()
-    }
 }
 
 impl AngleClasses {
     fn new(angles: &[f64], unsigned: bool) -> Result<Self> {
-        let mut classes = AngleClasses::default();
+        let mut classes = AngleClasses { unsigned, ..AngleClasses::default() };
         for (k, &angle) in angles.iter().enumerate() {
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
             if sin.abs() >= MIN_SINE {
@@ -328,55 +283,35 @@ impl AngleClasses {
     }
 }
 
-/// The search of one sheet.
-struct IsophoteSearch<'a, C> {
-    sheet: usize,
-    cells: &'a C,
-    index: &'a Pyramid,
-    cones: &'a Cones,
+/// The search of all sheets, and what it has found.
+struct IsophoteSearch<'a> {
+    surface: &'a Surface<'a>,
     frame: [DVec3; 3],
-    max_coordinate: f64,
-    continuity: Continuity,
+    classes: AngleClasses,
     chord: Option<f64>,
-    unsigned: bool,
+    curves: ContourSet,
+    points: Vec<(u32, Place)>,
 }
 
-impl<'a> IsophoteSearch<'a, ()> {
-    /// The same over the sheet's cells.
-    fn over<C>(self, cells: &'a C) -> IsophoteSearch<'a, C> {
-        let IsophoteSearch { sheet, index, cones, frame, max_coordinate, continuity, chord, unsigned, .. } = self;
-        IsophoteSearch { sheet, cells, index, cones, frame, max_coordinate, continuity, chord, unsigned }
-    }
-}
-
-impl<C> IsophoteSearch<'_, C> {
-    fn normals(&self) -> ProjectedNormals<'_, C> {
-        ProjectedNormals {
-            cells: self.cells,
-            index: self.index,
-            frame: self.frame,
-            max_coordinate: self.max_coordinate,
-            continuity: self.continuity,
-        }
-    }
-
-    /// The blocks that may have one of some angles, row after row.
-    fn blocks(&self, angles: &[f64]) -> Result<Vec<[u32; 2]>> {
-        cone_culling::blocks(self.cones, self.frame[2], |range| cone_culling::may_have(angles, self.unsigned, range))
-    }
-
-    fn find<const N: usize, const H: usize, const M: usize>(
-        &self,
-        classes: &AngleClasses,
-        lattice: Lattice,
-        (curves, points): (&mut ContourSet, &mut Vec<(u32, Place)>),
+impl IsophoteSearch<'_> {
+    /// Adds the curves and points of sheet k.
+    fn find<C: Cells<N>, const N: usize, const H: usize, const M: usize>(
+        &mut self,
+        k: usize,
+        cells: &C,
         job: &Job<'_>,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-    {
-        let jumps = self.continuity == Continuity::Discontinuous;
-        let IsophoteSearch { cells, chord, .. } = *self;
+    ) -> Result<()> {
+        let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
+        let (sheet, cones, job) = (surface.sheet(k), surface.cones(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
+        let lattice = Lattice::of(sheet);
+        let is_smooth = matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.is_smooth()));
+        let jumps = !is_smooth;
+        let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
+        let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
+        // The blocks that may have one of some angles, row after row.
+        let blocks = |angles: &[f64]| {
+            cone_culling::blocks(cones, frame[2], |range| cone_culling::may_have(angles, classes.unsigned, range))
+        };
         let passes = classes.silhouettes.len()
             + usize::from(!classes.others.is_empty())
             + classes.poles.len()
@@ -386,91 +321,64 @@ impl<C> IsophoteSearch<'_, C> {
             pass += 1;
             job.share(pass - 1, passes)
         };
-        let blocks = if classes.silhouettes.is_empty() { Vec::new() } else { self.blocks(&[0.5 * PI])? };
+        let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
-            let source = Silhouette::<C, N>(self.normals());
-            let search = Search { cells, source: &source, lattice, chord };
-            let mut found = search.run::<N, H>(blocks.len(), |k| blocks[k], &next())?;
+            let search = Search::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
+            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = number);
-            curves.add(self.sheet, found, &lattice, jumps)?;
+            curves.add(k, found, &lattice, jumps, job.threads())?;
         }
         if !classes.others.is_empty() {
-            let (normals, unsigned) = (self.normals(), self.unsigned);
-            let source = Isophotes::<C, N, H> { normals, angles: &classes.others, radians: &classes.radians, unsigned };
-            let search = Search { cells, source: &source, lattice, chord };
-            let blocks = self.blocks(&classes.radians)?;
-            let found = search.run::<N, M>(blocks.len(), |k| blocks[k], &next())?;
-            curves.add(self.sheet, found, &lattice, jumps)?;
+            let source = Isophotes::<C, N, H> { normals: &normals, classes };
+            let crossed = blocks(&classes.radians)?;
+            let search = Search::<_, _, N, M> { cells, source: &source, lattice, chord };
+            let found = search.run(crossed.len(), |k| crossed[k], &next())?;
+            curves.add(k, found, &lattice, jumps, job.threads())?;
             if let Some((_, paths)) = curves.sheets.last_mut() {
                 paths.paths.iter_mut().for_each(|path| path.level = classes.numbers[path.level as usize]);
             }
         }
         if jumps {
-            let mut found = FoundArcs::default();
-            creases(
-                &self.normals(),
-                self.cones,
-                &lattice,
-                &classes.crossed,
-                self.unsigned,
-                &mut found.unresolved,
-                &next(),
-            )?;
-            curves.add(self.sheet, found, &lattice, true)?;
+            let (angles, unsigned) = (&classes.crossed, classes.unsigned);
+            let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
+            let found = FoundArcs { unresolved, ..FoundArcs::default() };
+            curves.add(k, found, &lattice, true, job.threads())?;
         }
         for &(number, sign) in &classes.poles {
-            self.poles::<N, H>(sign, number, &lattice, curves, points, &next())?;
-        }
-        Ok(())
-    }
-
-    /// The points where the normal has the direction, or the opposite one.
-    fn poles<const N: usize, const H: usize>(
-        &self,
-        sign: f64,
-        number: u32,
-        lattice: &Lattice,
-        curves: &mut ContourSet,
-        points: &mut Vec<(u32, Place)>,
-        job: &Job<'_>,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-    {
-        let normals = self.normals();
-        let blocks = self.blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
-        let count = blocks.len();
-        for first in (0..count).step_by(CHUNK * CHUNKS) {
-            job.step(first as f64 / count as f64, "contours")?;
-            let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
-                let mut all = Vec::new();
-                for k in range {
-                    let (corners, cells) = normals.block(lattice, blocks[first + k]);
-                    for cell in cells {
-                        if let Some(roots) = normals.roots::<N, H>(&corners, cell, sign)? {
-                            alloc::push(&mut all, (cell.map(|k| k as u32), roots))?;
-                        }
-                    }
-                }
-                Ok(all)
-            });
-            for part in parts {
-                let part: Vec<_> = part?;
-                for (cell, (crossing_by_corners, unresolved)) in part {
-                    let place = |at: DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
-                    for at in crossing_by_corners {
-                        let [i, j] = cell.map(|k| k as usize);
-                        let along = self.cells.patch(i, j).jet(at.x, at.y).normal().dot(self.frame[2]);
-                        if along * sign > 0.0 {
-                            alloc::push(points, (number, place(at)))?;
-                        }
-                    }
-                    for at in unresolved {
-                        alloc::push(&mut curves.unresolved, place(at))?;
-                    }
-                }
+            let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
+            for part in poles::<C, N, H>(&normals, k as u32, &lattice, &blocks, sign, &next())? {
+                let [simple, unresolved] = part?;
+                alloc::reserve(points, simple.len())?;
+                points.extend(simple.into_iter().map(|place| (number, place)));
+                alloc::append(&mut curves.unresolved, &unresolved)?;
             }
         }
         Ok(())
     }
+}
+
+/// The places in some blocks where the normal has the direction (`sign` 1), or the opposite one,
+/// and those that are unresolved.
+fn poles<C: Cells<N>, const N: usize, const H: usize>(
+    normals: &ProjectedNormals<'_, C, N>,
+    sheet: u32,
+    lattice: &Lattice,
+    blocks: &[[u32; 2]],
+    sign: f64,
+    job: &Job<'_>,
+) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
+    par::chunks_cancellable(job, "contours", blocks.len(), CHUNK, |range| {
+        let mut found = [Vec::new(), Vec::new()];
+        for &block in &blocks[range] {
+            let (corners, cells) = normals.block(lattice, block);
+            for cell in cells {
+                let place = |at: DVec2| Place { sheet, cell: cell.map(|k| k as u32), u: at.x, v: at.y };
+                for (places, roots) in found.iter_mut().zip(normals.roots::<H>(&corners, cell, sign)?) {
+                    alloc::reserve(places, roots.len())?;
+                    places.extend(roots.into_iter().map(place));
+                }
+            }
+        }
+        Ok(found)
+    })
 }

@@ -24,7 +24,7 @@ use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
 use crate::surface::checks::{direction, require};
-use crate::surface::index::{Cones, Pyramid};
+use crate::surface::index::Cones;
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
 use crate::surface::{Place, Sheet, Surface, each_sheet};
@@ -156,39 +156,21 @@ impl<const H: usize> Part<H> {
 }
 
 /// A sheet's normals, of which the nearest is sought.
-struct NearestAngleSearch<'a, C> {
-    normals: ProjectedNormals<'a, C>,
+struct AngleSearch<'a, C, const N: usize> {
+    normals: ProjectedNormals<'a, C, N>,
     sheet: u32,
     goal: TargetAngle,
 }
 
-/// The query, for all sheets.
-struct AngleQuery {
-    goal: TargetAngle,
-    frame: [DVec3; 3],
-    max_coordinate: f64,
-}
-
-impl AngleQuery {
-    fn of<'a, C>(&self, sheet: u32, cells: &'a C, index: &'a Pyramid) -> NearestAngleSearch<'a, C> {
-        let normals = ProjectedNormals {
-            cells,
-            index,
-            frame: self.frame,
-            max_coordinate: self.max_coordinate,
-            continuity: Continuity::Discontinuous,
-        };
-        NearestAngleSearch { normals, sheet, goal: self.goal }
+impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
+    fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: TargetAngle) -> Self {
+        let normals = ProjectedNormals::new(surface, k, cells, frame, Continuity::Discontinuous);
+        AngleSearch { normals, sheet: k as u32, goal }
     }
-}
 
-impl<C> NearestAngleSearch<'_, C> {
     /// The blocks that may hold an angle no worse than the best, and than those found in the most
     /// promising of them.
-    fn blocks<const N: usize>(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>>
-    where
-        C: Cells<N>,
-    {
+    fn blocks(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>> {
         let direction = self.normals.frame[2];
         let mut front = vec![[0; 2]];
         for level in (0..cones.levels()).rev() {
@@ -201,24 +183,21 @@ impl<C> NearestAngleSearch<'_, C> {
         let mut shown = *best;
         for [r, c] in front {
             for cell in self.normals.block(lattice, [r as u32, c as u32]).1 {
-                self.cell::<N>(cell.map(|k| k as u32), &mut shown, &mut Vec::new())?;
+                self.cell(cell, &mut shown, &mut Vec::new())?;
             }
         }
         cone_culling::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
     }
 
     /// The best at the middles of cells, and the cells that may hold something better.
-    fn candidates<const N: usize>(
+    fn candidates(
         &self,
         cones: &Cones,
         lattice: &Lattice,
         best: &mut Best,
         candidates: &mut Vec<Candidate>,
         job: &Job<'_>,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-    {
+    ) -> Result<()> {
         let blocks = self.blocks(cones, lattice, best)?;
         let count = blocks.len();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
@@ -234,7 +213,7 @@ impl<C> NearestAngleSearch<'_, C> {
                     let (corners, cells) = self.normals.block(lattice, [r, c]);
                     for cell in cells {
                         if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
-                            self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
+                            self.cell(cell, &mut best, &mut candidates)?;
                         }
                     }
                 }
@@ -253,12 +232,8 @@ impl<C> NearestAngleSearch<'_, C> {
         Ok(())
     }
 
-    fn cell<const N: usize>(&self, cell: [u32; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()>
-    where
-        C: Cells<N>,
-    {
-        let [i, j] = cell.map(|k| k as usize);
-        let patch = self.normals.cells.patch(i, j);
+    fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()> {
+        let (cell, patch) = ([i as u32, j as u32], self.normals.cells.patch(i, j));
         let of = Hodographs::new(&patch, &self.normals.frame);
         let (ranges, rounding_error) = (of.ranges(), self.normals.rounding_error(&of));
         let bound = self.goal.bound(angles(&ranges, 0.0));
@@ -274,12 +249,8 @@ impl<C> NearestAngleSearch<'_, C> {
     }
 
     /// Improves the best within a cell; returns what no angle there is nearer than.
-    fn search<const N: usize, const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64
-    where
-        C: Cells<N>,
-    {
-        let [i, j] = cell.map(|k| k as usize);
-        let of = Hodographs::new(&self.normals.cells.patch(i, j), &self.normals.frame);
+    fn search<const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64 {
+        let of = self.normals.hodographs(cell.map(|k| k as usize));
         let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
         let whole = Part::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
         let mut search = CellSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
@@ -362,16 +333,15 @@ impl Surface<'_> {
         let axis = direction(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
         require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
-        let (goal, frame, max_coordinate) = (TargetAngle { angle, unsigned }, frame(axis), self.max_coordinate());
+        let (goal, frame) = (TargetAngle { angle, unsigned }, frame(axis));
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
-        let query = AngleQuery { goal, frame, max_coordinate };
         for k in 0..self.len() {
-            let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
-            let (cells_of, number) = (Lattice::of(sheet), k as u32);
+            let (part, sheet) = (self.sheet_job(k, job), self.sheet(k));
             let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             each_sheet!(sheet, cells => {
-                query.of(number, cells, index).candidates(cones, &cells_of, &mut best, &mut candidates, &part)
+                let search = AngleSearch::new(self, k, cells, frame, goal);
+                search.candidates(cones, &Lattice::of(sheet), &mut best, &mut candidates, &part)
             })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
@@ -385,12 +355,11 @@ impl Surface<'_> {
                 bound = bound.min(candidate.bound);
                 break;
             }
-            let (sheet, index) = self.indexed(candidate.sheet as usize);
-            let (number, cell) = (candidate.sheet, candidate.cell);
-            bound = bound.min(match sheet {
-                Sheet::Grid(cells) => query.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
-                Sheet::Cubic(cells) => query.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
-                Sheet::High(cells) => query.of(number, cells, index).search::<8, 14, 27>(cell, &mut best),
+            let (k, cell) = (candidate.sheet as usize, candidate.cell);
+            bound = bound.min(match self.sheet(k) {
+                Sheet::Grid(cells) => AngleSearch::new(self, k, cells, frame, goal).search::<6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => AngleSearch::new(self, k, cells, frame, goal).search::<6, 11>(cell, &mut best),
+                Sheet::High(cells) => AngleSearch::new(self, k, cells, frame, goal).search::<14, 27>(cell, &mut best),
             });
         }
         Ok(best.place.map(|place| {

@@ -4,6 +4,7 @@
 //! Products are sums of products of the coefficients times their binomials (Farouki and Rajan
 //! 1988).
 
+use crate::geom::aabb::range;
 use crate::geom::bernstein::binomial_row;
 use crate::surface::Patch;
 use crate::surface::ranges::cross;
@@ -13,11 +14,10 @@ use glam::DVec3;
 /// Coefficients times their binomials.
 type Scaled<const M: usize> = [[f64; M]; M];
 
-/// Adds factor * a * b.
-fn add_product<const A: usize, const M: usize>(a: &Scaled<A>, b: &Scaled<A>, factor: f64, sum: &mut Scaled<M>) {
+/// Adds a * b.
+fn add_product<const A: usize, const M: usize>(a: &Scaled<A>, b: &Scaled<A>, sum: &mut Scaled<M>) {
     for (i, row) in a.iter().enumerate() {
         for (j, &x) in row.iter().enumerate().filter(|&(_, &x)| x != 0.0) {
-            let x = x * factor;
             for (sums, others) in sum[i..].iter_mut().zip(b) {
                 for (sum, y) in sums[j..].iter_mut().zip(others) {
                     *sum += x * y;
@@ -35,6 +35,15 @@ fn unscaled<const M: usize>(scaled: &Scaled<M>) -> Field<M> {
         row.iter_mut().zip(by).for_each(|(x, b)| *x /= a * b);
     }
     Field { c }
+}
+
+/// Coefficients times factors by row and by column.
+fn scaled<const N: usize>(c: &Scaled<N>, by_u: &[f64; N], by_v: &[f64; N]) -> Scaled<N> {
+    let mut scaled = *c;
+    for (row, a) in scaled.iter_mut().zip(by_u) {
+        row.iter_mut().zip(by_v).for_each(|(x, b)| *x *= a * b);
+    }
+    scaled
 }
 
 /// S_u and S_v of a patch along three directions, by control point; row or column N - 1 of the
@@ -66,13 +75,10 @@ impl<const N: usize> Hodographs<N> {
 
     /// Ranges of the three components of N, from the ranges of those of S_u and S_v.
     pub(super) fn ranges(&self) -> [[f64; 2]; 3] {
-        let range = |of: &[[f64; N]; N], rows: usize, columns: usize| {
-            let all = of[..rows].iter().flat_map(|row| &row[..columns]);
-            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)])
+        let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
+            range(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
         };
-        let u = [0, 1, 2].map(|k| range(&self.u[k], N - 1, N));
-        let v = [0, 1, 2].map(|k| range(&self.v[k], N, N - 1));
-        cross(u, v)
+        cross(self.u.each_ref().map(|of| part(of, N - 1, N)), self.v.each_ref().map(|of| part(of, N, N - 1)))
     }
 
     /// The greatest lengths of S_u and S_v, as control points bound them.
@@ -87,13 +93,6 @@ impl<const N: usize> Hodographs<N> {
     pub(super) fn normal<const M: usize>(&self, k: usize) -> Field<M> {
         const { assert!(M == 2 * N - 2) };
         let (lower, full) = const { (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1)) };
-        let scaled = |of: &[[f64; N]; N], by_u: &[f64; N], by_v: &[f64; N]| {
-            let mut scaled = *of;
-            for (row, a) in scaled.iter_mut().zip(by_u) {
-                row.iter_mut().zip(by_v).for_each(|(x, b)| *x *= a * b);
-            }
-            scaled
-        };
         let (k, l) = ((k + 1) % 3, (k + 2) % 3);
         let [uk, ul] = [k, l].map(|k| scaled(&self.u[k], &lower, &full));
         let [vk, vl] = [k, l].map(|k| scaled(&self.v[k], &full, &lower));
@@ -124,11 +123,8 @@ pub(super) fn squares<const H: usize, const M: usize>(fields: &[Field<H>]) -> Fi
     let by = const { binomial_row::<H>(H - 1) };
     let mut sum = [[0.0; M]; M];
     for field in fields {
-        let mut scaled = field.c;
-        for (row, a) in scaled.iter_mut().zip(by) {
-            row.iter_mut().zip(by).for_each(|(x, b)| *x *= a * b);
-        }
-        add_product(&scaled, &scaled, 1.0, &mut sum);
+        let scaled = scaled(&field.c, &by, &by);
+        add_product(&scaled, &scaled, &mut sum);
     }
     unscaled(&sum)
 }

@@ -6,7 +6,7 @@ use super::chain::{ContourPath, ContourPaths, chain};
 use super::lattice::Lattice;
 use super::search::FoundArcs;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 use crate::surface::{Paths, Place, Surface};
@@ -14,24 +14,75 @@ use glam::{DVec2, DVec3};
 
 /// Places that are one thread's work.
 const CHUNK: usize = 1024;
-/// Such works between two reports of progress.
-const CHUNKS: usize = 64;
 
 /// The paths of sheets, and unresolved places.
 #[derive(Default)]
 pub(super) struct ContourSet {
-    pub(super) threads: usize,
     pub(super) sheets: Vec<(usize, ContourPaths)>,
     pub(super) unresolved: Vec<Place>,
 }
 
 impl ContourSet {
-    pub(super) fn add(&mut self, sheet: usize, mut found: FoundArcs, lattice: &Lattice, jumps: bool) -> Result<()> {
+    pub(super) fn add(
+        &mut self,
+        sheet: usize,
+        mut found: FoundArcs,
+        lattice: &Lattice,
+        jumps: bool,
+        threads: usize,
+    ) -> Result<()> {
         alloc::reserve(&mut self.unresolved, found.unresolved.len())?;
-        let place = |&([i, j], at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell: [i, j], u: at.x, v: at.y };
+        let place = |&(cell, at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell, u: at.x, v: at.y };
         self.unresolved.extend(found.unresolved.iter().map(place));
-        let paths = chain(&mut found, lattice, jumps, self.threads)?;
+        let paths = chain(&mut found, lattice, jumps, threads)?;
         alloc::push(&mut self.sheets, (sheet, paths))
+    }
+
+    /// The paths of all sheets joined, by level and then by first path; leaves the set without
+    /// unresolved places.
+    pub(super) fn paths(&mut self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
+        let all = SheetContours::new(surface, &self.sheets, job)?;
+        let tolerance = surface.tolerance();
+        let after = all.followers(tolerance)?;
+        let mut entered = alloc::filled(false, after.len())?;
+        after.iter().flatten().for_each(|&k| entered[k] = true);
+        let mut used = alloc::filled(false, after.len())?;
+        // Open sequences from their beginnings, then closed ones; by their lowest parts.
+        let mut sequences: Vec<(usize, usize)> = Vec::new();
+        for k in (0..after.len()).filter(|&k| !entered[k]).chain(0..after.len()) {
+            let (mut lowest, mut at) = (k, Some(k));
+            if used[k] {
+                continue;
+            }
+            while let Some(contour) = at.filter(|&contour| !used[contour]) {
+                used[contour] = true;
+                lowest = lowest.min(contour);
+                at = after[contour];
+            }
+            alloc::push(&mut sequences, (lowest, k))?;
+        }
+        sequences.sort_unstable();
+        let unresolved = std::mem::take(&mut self.unresolved);
+        let mut paths = Paths { ends: vec![0], unresolved, ..Paths::default() };
+        paths.reserve(all.places.len())?;
+        let mut sequence = Vec::new();
+        for (_, first) in sequences {
+            sequence.clear();
+            let mut at = Some(first);
+            while let Some(contour) = at {
+                alloc::push(&mut sequence, contour)?;
+                at = after[contour].filter(|&next| next != first);
+            }
+            let last = sequence[sequence.len() - 1];
+            let closed = all.contours[first].closed || after[last] == Some(first);
+            if !closed {
+                let ends = [all.contours[first].steps[0], all.contours[last].steps[1] - 1];
+                all.report_inner(surface, ends, &mut paths)?;
+            }
+            all.add(&sequence, closed, tolerance, &mut paths)?;
+        }
+        keep_first_of_each_cell(&mut paths.unresolved)?;
+        Ok(paths)
     }
 }
 
@@ -57,14 +108,10 @@ impl SheetContours {
         }
         contours.sort_by_key(|contour| contour.level);
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
-        let mut parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
-        for first in (0..count).step_by(CHUNK * CHUNKS) {
-            job.step(first as f64 / count as f64, "points")?;
-            let some: Vec<_> = parts.by_ref().take(CHUNKS).collect();
-            par::map(job.threads(), some.into_iter(), |((places, points), normals)| {
-                surface.points_and_normals(places, points, normals);
-            });
-        }
+        let parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
+        par::map_cancellable(job, "points", parts, |((places, points), normals)| {
+            surface.points_and_normals(places, points, normals);
+        })?;
         Ok(SheetContours { contours, places, points, normals })
     }
 
@@ -75,8 +122,7 @@ impl SheetContours {
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
         let head = |k: usize| self.points[self.contours[k].steps[0]];
         let tail = |k: usize| self.points[self.contours[k].steps[1] - 1];
-        let mut heads: Vec<usize> = Vec::new();
-        alloc::reserve(&mut heads, open().count())?;
+        let mut heads: Vec<usize> = alloc::with_capacity(open().count())?;
         heads.extend(open());
         heads.sort_unstable_by(|&a, &b| {
             let by = |k: usize| self.contours[k].level;
@@ -110,37 +156,33 @@ impl SheetContours {
     fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
         let steps = || contours.iter().flat_map(|&k| self.contours[k].steps[0]..self.contours[k].steps[1]);
+        let push = |step: usize, paths: &mut Paths| {
+            paths.push(self.places[step], self.points[step], self.normals[step])
+        };
         for step in steps() {
             let near = paths.points.len() > first
                 && paths.points.last().is_some_and(|last| last.distance(self.points[step]) <= tolerance);
             if !near {
-                self.push(step, paths)?;
+                push(step, paths)?;
             }
         }
         let last = steps().next_back();
         let ends = |paths: &Paths| paths.points.len() > first + 1;
         if closed {
             while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {
-                self.truncate(paths, paths.points.len() - 1);
+                paths.truncate(paths.points.len() - 1);
             }
         } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
             // The end itself is kept, and what is near it left out.
-            self.truncate(paths, paths.points.len() - 1);
-            self.push(last, paths)?;
+            paths.truncate(paths.points.len() - 1);
+            push(last, paths)?;
         }
         if paths.points.len() < first + if closed { 3 } else { 2 } {
             alloc::push(&mut paths.unresolved, paths.places[first])?;
-            self.truncate(paths, first);
+            paths.truncate(first);
             return Ok(());
         }
-        let end = u32::try_from(paths.points.len()).map_err(|_| Error::TooLarge {
-            what: "points of curves",
-            count: paths.points.len() as u64,
-            limit: u32::MAX.into(),
-        })?;
-        alloc::push(&mut paths.ends, end)?;
-        alloc::push(&mut paths.closed, closed)?;
-        alloc::push(&mut paths.levels, self.contours[contours[0]].level)
+        paths.end(closed, self.contours[contours[0]].level)
     }
 
     /// Ends that are on no open edge are unresolved: where fields jump, and nothing goes on.
@@ -153,70 +195,6 @@ impl SheetContours {
         }
         Ok(())
     }
-
-    fn push(&self, step: usize, paths: &mut Paths) -> Result<()> {
-        alloc::push(&mut paths.places, self.places[step])?;
-        alloc::push(&mut paths.points, self.points[step])?;
-        alloc::push(&mut paths.normals, self.normals[step])
-    }
-
-    fn truncate(&self, paths: &mut Paths, to: usize) {
-        paths.places.truncate(to);
-        paths.points.truncate(to);
-        paths.normals.truncate(to);
-    }
-}
-
-/// The paths of all sheets joined, by level and then by first path.
-pub(super) fn paths(
-    surface: &Surface<'_>,
-    sheets: &[(usize, ContourPaths)],
-    unresolved: Vec<Place>,
-    job: &Job<'_>,
-) -> Result<Paths> {
-    let all = SheetContours::new(surface, sheets, job)?;
-    let tolerance = surface.tolerance();
-    let after = all.followers(tolerance)?;
-    let mut entered = alloc::filled(false, after.len())?;
-    after.iter().flatten().for_each(|&k| entered[k] = true);
-    let mut used = alloc::filled(false, after.len())?;
-    // Open sequences from their beginnings, then closed ones; by their lowest parts.
-    let mut sequences: Vec<(usize, usize)> = Vec::new();
-    for k in (0..after.len()).filter(|&k| !entered[k]).chain(0..after.len()) {
-        let (mut lowest, mut at) = (k, Some(k));
-        if used[k] {
-            continue;
-        }
-        while let Some(contour) = at.filter(|&contour| !used[contour]) {
-            used[contour] = true;
-            lowest = lowest.min(contour);
-            at = after[contour];
-        }
-        alloc::push(&mut sequences, (lowest, k))?;
-    }
-    sequences.sort_unstable();
-    let mut paths = Paths { ends: vec![0], unresolved, ..Paths::default() };
-    alloc::reserve(&mut paths.places, all.places.len())?;
-    alloc::reserve(&mut paths.points, all.places.len())?;
-    alloc::reserve(&mut paths.normals, all.places.len())?;
-    let mut sequence = Vec::new();
-    for (_, first) in sequences {
-        sequence.clear();
-        let mut at = Some(first);
-        while let Some(contour) = at {
-            alloc::push(&mut sequence, contour)?;
-            at = after[contour].filter(|&next| next != first);
-        }
-        let last = sequence[sequence.len() - 1];
-        let closed = all.contours[first].closed || after[last] == Some(first);
-        if !closed {
-            let ends = [all.contours[first].steps[0], all.contours[last].steps[1] - 1];
-            all.report_inner(surface, ends, &mut paths)?;
-        }
-        all.add(&sequence, closed, tolerance, &mut paths)?;
-    }
-    keep_first_of_each_cell(&mut paths.unresolved)?;
-    Ok(paths)
 }
 
 /// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves,
@@ -255,30 +233,24 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
         }
     }
     for k in (0..points.len()).filter(|&k| !dropped[k]) {
-        alloc::push(&mut paths.places, points[k].1)?;
-        alloc::push(&mut paths.points, frames[k].0)?;
-        alloc::push(&mut paths.normals, frames[k].1)?;
-        alloc::push(&mut paths.ends, paths.points.len() as u32)?;
-        alloc::push(&mut paths.closed, false)?;
-        alloc::push(&mut paths.levels, points[k].0)?;
+        paths.push(points[k].1, frames[k].0, frames[k].1)?;
+        paths.end(false, points[k].0)?;
     }
     *paths = by_level(std::mem::take(paths))?;
     Ok(())
 }
 
 /// The same paths by rising level.
-fn by_level(given: Paths) -> Result<Paths> {
+fn by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
     order.sort_unstable_by_key(|&k| (given.levels[k], k));
-    let mut sorted = Paths { ends: vec![0], unresolved: given.unresolved, ..Paths::default() };
+    let unresolved = std::mem::take(&mut given.unresolved);
+    let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
     for k in order {
-        let range = given.ends[k] as usize..given.ends[k + 1] as usize;
-        alloc::append(&mut sorted.places, &given.places[range.clone()])?;
-        alloc::append(&mut sorted.points, &given.points[range.clone()])?;
-        alloc::append(&mut sorted.normals, &given.normals[range])?;
-        alloc::push(&mut sorted.ends, sorted.points.len() as u32)?;
-        alloc::push(&mut sorted.closed, given.closed[k])?;
-        alloc::push(&mut sorted.levels, given.levels[k])?;
+        for at in given.range(k) {
+            sorted.push(given.places[at], given.points[at], given.normals[at])?;
+        }
+        sorted.end(given.closed[k], given.levels[k])?;
     }
     Ok(sorted)
 }

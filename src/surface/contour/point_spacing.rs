@@ -3,7 +3,6 @@
 //!
 //! Cost: O(1) a point.
 
-use crate::alloc;
 use crate::error::{Error, Result};
 use crate::surface::{Paths, Surface};
 use glam::DVec3;
@@ -33,9 +32,8 @@ pub(super) const MAX_POINTS: u32 = 1000;
 impl Surface<'_> {
     /// The length that chords are held to.
     pub(super) fn chord(&self, spacing: PointSpacing) -> Result<Option<f64>> {
-        let [low, high] = self.bounds();
         match spacing {
-            PointSpacing::Auto => Ok(Some(1e-4 * low.distance(high))),
+            PointSpacing::Auto => Ok(Some(1e-4 * self.diagonal())),
             PointSpacing::CellEdges => Ok(None),
             PointSpacing::Leus(count) if count <= MAX_POINTS => Ok(None),
             PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
@@ -56,32 +54,25 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
     if total > u32::MAX.into() {
         return Err(Error::TooLarge { what: "points of curves", count: total, limit: u32::MAX.into() });
     }
-    let mut made = Paths { ends: vec![0], unresolved: given.unresolved, ..Paths::default() };
-    for k in 0..given.closed.len() {
-        let range = given.ends[k] as usize..given.ends[k + 1] as usize;
-        let (points, closed) = (&given.points[range.clone()], given.closed[k]);
-        alloc::reserve(&mut made.points, points.len() * (count + 1))?;
-        alloc::reserve(&mut made.places, points.len() * (count + 1))?;
-        alloc::reserve(&mut made.normals, points.len() * (count + 1))?;
-        for (i, at) in range.clone().enumerate() {
+    let mut made = Paths { ends: vec![0], ..Paths::default() };
+    for k in 0..given.len() {
+        let (points, closed) = (given.points_of(k), given.closed[k]);
+        made.reserve(points.len() * (count + 1))?;
+        for (i, at) in given.range(k).enumerate() {
             let (place, normal) = (given.places[at], given.normals[at]);
-            made.points.push(points[i]);
-            made.places.push(place);
-            made.normals.push(normal);
+            made.push(place, points[i], normal)?;
             if i + 1 == points.len() && !closed {
                 break;
             }
-            let next = given.normals[range.start + (i + 1) % points.len()];
+            let next = given.normals[given.range(k).start + (i + 1) % points.len()];
             for step in 1..=count {
                 let t = step as f64 / (count + 1) as f64;
-                made.points.push(cubic(points, closed, i, t));
-                made.places.push(place);
-                made.normals.push(normal.lerp(next, t).normalize_or_zero());
+                made.push(place, cubic(points, closed, i, t), normal.lerp(next, t).normalize_or_zero())?;
             }
         }
-        alloc::push(&mut made.ends, made.points.len() as u32)?;
+        made.end(closed, given.levels[k])?;
     }
-    (made.closed, made.levels) = (given.closed, given.levels);
+    made.unresolved = given.unresolved;
     Ok(made)
 }
 

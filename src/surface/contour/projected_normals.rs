@@ -7,6 +7,7 @@ use super::normals::Hodographs;
 use super::source::Continuity;
 use crate::alloc;
 use crate::error::Result;
+use crate::surface::Surface;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::Pyramid;
 use crate::surface::ranges::cross;
@@ -15,13 +16,13 @@ use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// Normals of a sheet, seen along a direction.
-pub(super) struct ProjectedNormals<'a, C> {
+pub(super) struct ProjectedNormals<'a, C, const N: usize> {
     pub(super) cells: &'a C,
-    pub(super) index: &'a Pyramid,
+    index: &'a Pyramid,
     /// Two directions across the given one, and that one.
     pub(super) frame: [DVec3; 3],
     /// Of the greatest coordinates.
-    pub(super) max_coordinate: f64,
+    max_coordinate: f64,
     pub(super) continuity: Continuity,
 }
 
@@ -48,7 +49,19 @@ impl Corners {
     }
 }
 
-impl<C> ProjectedNormals<'_, C> {
+impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
+    /// Those of sheet k of a surface, whose cells are given.
+    pub(super) fn new(
+        surface: &'a Surface<'_>,
+        k: usize,
+        cells: &'a C,
+        frame: [DVec3; 3],
+        continuity: Continuity,
+    ) -> Self {
+        let (index, max_coordinate) = (surface.indexed(k).1, surface.max_coordinate());
+        ProjectedNormals { cells, index, frame, max_coordinate, continuity }
+    }
+
     /// The corners of a block, which exclude most cells without making their patches.
     ///
     /// With c the control points of the difference of surface and bilinear patch, S_u differs from
@@ -56,10 +69,7 @@ impl<C> ProjectedNormals<'_, C> {
     /// n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4 (L
     /// A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its
     /// weights, which is nowhere more than 1.42 L: by 2 deviations at most.
-    pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
-    where
-        C: Cells<N>,
-    {
+    pub(super) fn corners(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners {
         let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
         let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
         let origin = self.index.origin();
@@ -74,58 +84,51 @@ impl<C> ProjectedNormals<'_, C> {
     }
 
     /// The corners of a block, and its cells, row after row.
-    pub(super) fn block<const N: usize>(
+    pub(super) fn block(
         &self,
         lattice: &Lattice,
         block: [u32; 2],
-    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>)
-    where
-        C: Cells<N>,
-    {
+    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>) {
         let [rows, columns] = lattice.block(block);
         let corners = self.corners(&[rows.clone(), columns.clone()]);
         (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
     }
 
     /// S_u and S_v over a cell.
-    pub(super) fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
-    where
-        C: Cells<N>,
-    {
+    pub(super) fn hodographs(&self, [i, j]: [usize; 2]) -> Hodographs<N> {
         Hodographs::new(&self.cells.patch(i, j), &self.frame)
     }
 
-    /// Where in a cell both components across are 0 and the one along may have the given sign:
-    /// simple roots, and what is unresolved.
-    pub(super) fn roots<const N: usize, const H: usize>(
+    /// Where in a cell both components across are 0 and the one along has the given sign: simple
+    /// roots, and what is unresolved, which may have it.
+    pub(super) fn roots<const H: usize>(
         &self,
         corners: &Corners,
         cell: [usize; 2],
         sign: f64,
-    ) -> Result<Option<(Vec<DVec2>, Vec<DVec2>)>>
-    where
-        C: Cells<N>,
-    {
+    ) -> Result<[Vec<DVec2>; 2]> {
         let zero = |[low, high]: [f64; 2], rounding_error: f64| low <= rounding_error && high >= -rounding_error;
         let [x, y, _] = corners.ranges(cell);
         if !(zero(x, 0.0) && zero(y, 0.0)) {
-            return Ok(None);
+            return Ok([Vec::new(), Vec::new()]);
         }
-        let of = self.hodographs::<N>(cell);
+        let of = self.hodographs(cell);
         let rounding_error = self.rounding_error(&of);
         let [x, y, along] = of.ranges();
         let right = if sign > 0.0 { along[1] >= -rounding_error } else { along[0] <= rounding_error };
         if !(zero(x, rounding_error) && zero(y, rounding_error) && right) {
-            return Ok(None);
+            return Ok([Vec::new(), Vec::new()]);
         }
         let mut found = Roots::default();
         roots([of.normal::<H>(0), of.normal::<H>(1)], rounding_error, rounding_error, &mut found)?;
+        let along = |at: &DVec2| self.cells.patch(cell[0], cell[1]).jet(at.x, at.y).normal().dot(self.frame[2]);
+        found.simple.retain(|at| along(at) * sign > 0.0);
         let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());
-        Ok(Some((found.simple, alloc::collect(unresolved)?)))
+        Ok([found.simple, alloc::collect(unresolved)?])
     }
 
     /// By what components of normals may be wrong for rounding.
-    pub(super) fn rounding_error<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
+    pub(super) fn rounding_error(&self, of: &Hodographs<N>) -> f64 {
         let [u, v] = of.speeds();
         32.0 * f64::EPSILON * (self.max_coordinate * (u + v) + u * v)
     }

@@ -9,7 +9,7 @@ use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, ro
 use super::lattice::Lattice;
 use super::refine::{is_straight, middle, refine, stays_near};
 use super::side::{crossings, positive};
-use super::source::{Continuity, CornerTest, Source};
+use super::source::{CellBase, Continuity, CornerTest, Source};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -17,7 +17,7 @@ use crate::par;
 use crate::surface::Patch;
 use crate::surface::cells::Cells;
 use crate::surface::subdivision::Field;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// Blocks that are one thread's work.
 const CHUNK: usize = 16;
@@ -62,7 +62,7 @@ impl FoundArcs {
 }
 
 /// The search of one sheet.
-pub(super) struct Search<'a, C, S> {
+pub(super) struct Search<'a, C, S, const N: usize, const M: usize> {
     pub(super) cells: &'a C,
     pub(super) source: &'a S,
     pub(super) lattice: Lattice,
@@ -120,18 +120,14 @@ struct CellLevel<'a, const M: usize> {
     corners: [bool; 4],
 }
 
-impl<C, S> Search<'_, C, S> {
+impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> Search<'_, C, S, N, M> {
     /// The arcs in the given blocks, `(row, column)` of `block(k)` for k < `count`.
-    pub(super) fn run<const N: usize, const M: usize>(
+    pub(super) fn run(
         &self,
         count: usize,
         block: impl Fn(usize) -> [u32; 2] + Sync,
         job: &Job<'_>,
-    ) -> Result<FoundArcs>
-    where
-        C: Cells<N>,
-        S: Source<M>,
-    {
+    ) -> Result<FoundArcs> {
         let mut found = FoundArcs::default();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             let blocks = (count - first).min(CHUNK * CHUNKS);
@@ -159,28 +155,23 @@ impl<C, S> Search<'_, C, S> {
         Ok(found)
     }
 
-    fn block<const N: usize, const M: usize>(
+    fn block(
         &self,
         block: [u32; 2],
         cache: &mut S::Cache,
         workspace: &mut Workspace,
         found: &mut FoundArcs,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-        S: Source<M>,
-    {
+    ) -> Result<()> {
         let [rows, columns] = self.lattice.block(block);
         let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
         for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
             if !self.source.may_cross(&block, cell) || self.crossing_by_corners(&block, cell, workspace, found)? {
                 continue;
             }
-            let base = self.source.base(&block, cell, cache);
+            let CellBase { levels, rounding_error, data } = self.source.base(&block, cell, cache);
             let mut patch = None;
-            for level in self.source.levels(&base) {
-                let rounding_error = self.source.rounding_error(&base);
-                let field = snapped(self.source.field(&base, level), rounding_error);
+            for level in levels {
+                let field = snapped(self.source.field(&data, level), rounding_error);
                 let [low, high] = field.range();
                 // With rounding: where sides are alike only, a neighbour's may have marks that this
                 // cell's own have not.
@@ -209,17 +200,13 @@ impl<C, S> Search<'_, C, S> {
     /// The arcs of a cell, if it is simple for all levels, and these need no points between; else
     /// false, and nothing is done.
     #[inline]
-    fn crossing_by_corners<const N: usize, const M: usize>(
+    fn crossing_by_corners(
         &self,
         block: &S::Block,
         cell: [usize; 2],
         workspace: &mut Workspace,
         found: &mut FoundArcs,
-    ) -> Result<bool>
-    where
-        C: Cells<N>,
-        S: Source<M>,
-    {
+    ) -> Result<bool> {
         if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
             return Ok(false);
         }
@@ -253,26 +240,19 @@ impl<C, S> Search<'_, C, S> {
     /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field
     /// being as steep as `slope` at least.
     #[inline]
-    fn is_straight<const N: usize, const M: usize>(
-        &self,
-        block: &S::Block,
-        [i, j]: [usize; 2],
-        over: usize,
-        slope: f64,
-    ) -> bool
-    where
-        C: Cells<N>,
-        S: Source<M>,
-    {
-        let Some(chord) = self.chord else { return true };
-        let corner = |i, j| self.cells.corner(i, j);
-        let corners = [corner(i, j), corner(i, j + 1), corner(i + 1, j), corner(i + 1, j + 1)];
-        stays_near(&corners, over, slope, self.source.deviation(block), chord)
+    fn is_straight(&self, block: &S::Block, cell: [usize; 2], over: usize, slope: f64) -> bool {
+        let stays = |chord| stays_near(&self.corners(cell), over, slope, self.source.deviation(block), chord);
+        self.chord.is_none_or(stays)
+    }
+
+    #[inline]
+    fn corners(&self, [i, j]: [usize; 2]) -> [DVec3; 4] {
+        [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j))
     }
 
     /// Adds the arc from one side of a simple cell to another.
     #[inline]
-    fn cross<const M: usize>(
+    fn cross(
         &self,
         cell: [usize; 2],
         level: usize,
@@ -280,10 +260,7 @@ impl<C, S> Search<'_, C, S> {
         (corners, rounding_error): ([f64; 4], f64),
         workspace: &mut Workspace,
         found: &mut FoundArcs,
-    ) -> Result<()>
-    where
-        S: Source<M>,
-    {
+    ) -> Result<()> {
         let arc = found.arcs.len() as u32;
         let inner = found.inner.len() as u32;
         let keys = sides.map(|side| (2 * self.lattice.side(cell, side)) << 6);
@@ -302,17 +279,14 @@ impl<C, S> Search<'_, C, S> {
 
     /// The polynomials along a cell's sides and the signs at its corners, as the cells have them
     /// that own them.
-    fn common_border<const M: usize>(
+    fn common_border(
         &self,
         block: &S::Block,
         cell: [usize; 2],
         own: &Field<M>,
         level: usize,
         cache: &mut S::Cache,
-    ) -> ([[f64; M]; SIDES], [bool; 4])
-    where
-        S: Source<M>,
-    {
+    ) -> ([[f64; M]; SIDES], [bool; 4]) {
         let ([low_v, mut high_u, mut high_v, low_u], mut corners) = own_border(own);
         for after in [[true, false], [false, true], [true, true]] {
             let (owner, ends) = self.lattice.owner(cell, after);
@@ -320,13 +294,13 @@ impl<C, S> Search<'_, C, S> {
                 *own
             } else {
                 let base = self.source.base(block, owner, cache);
-                snapped(self.source.field(&base, level), self.source.rounding_error(&base))
+                snapped(self.source.field(&base.data, level), base.rounding_error)
             };
-            let corner = field.c[if ends[0] { M - 1 } else { 0 }][if ends[1] { M - 1 } else { 0 }];
-            corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(corner);
+            let [a, b] = ends.map(|end| if end { M - 1 } else { 0 });
+            corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(field.c[a][b]);
             match after {
-                [true, false] => high_u = field.c[if ends[0] { M - 1 } else { 0 }],
-                [false, true] => high_v = field.c.map(|row| row[if ends[1] { M - 1 } else { 0 }]),
+                [true, false] => high_u = field.c[a],
+                [false, true] => high_v = field.c.map(|row| row[b]),
                 _ => {}
             }
         }
@@ -334,76 +308,52 @@ impl<C, S> Search<'_, C, S> {
     }
 
     /// The arcs of one level in one cell.
-    fn cell_level<const N: usize, const M: usize>(
+    fn cell_level(
         &self,
         cell_level: &CellLevel<'_, M>,
         patch: &mut Option<Patch<N>>,
         workspace: &mut Workspace,
         found: &mut FoundArcs,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-        S: Source<M>,
-    {
+    ) -> Result<()> {
+        let CellLevel { cell: at, level, field, rounding_error, deviation, corners, .. } = *cell_level;
         let Workspace { marks, links, .. } = workspace;
         links.clear();
         self.marks(cell_level, marks);
-        let [i, j] = cell_level.cell;
-        let cell = [i as u32, j as u32];
-        let number = (i * self.lattice.counts[1] + j) as u64;
+        let cell = at.map(|k| k as u32);
+        let number = (at[0] * self.lattice.counts[1] + at[1]) as u64;
         let mut keys = Keys(1 << 63 | number << 24);
-        let unresolved =
-            arcs(cell_level.field, marks, cell_level.corners, cell_level.rounding_error, &mut keys, |link| {
-                links.push(link);
-            });
-        if let Some(at) = unresolved {
-            alloc::push(&mut found.unresolved, (cell, at))?;
+        if let Some(place) = arcs(field, marks, corners, rounding_error, &mut keys, |link| links.push(link)) {
+            alloc::push(&mut found.unresolved, (cell, place))?;
         }
         for link in links.iter() {
+            let [from, to] = [link.from.at, link.to.at];
             // Places of the arc itself: what is amid its ends need not be near it.
-            let places = || {
-                let amid = middle(cell_level.field, link, cell_level.rounding_error).unwrap_or(link.from.at);
-                [link.from.at, amid, link.to.at]
-            };
-            let keeps = self.source.keeps(cell_level.cell, cell_level.level, places);
+            let places = || [from, middle(field, link, rounding_error).unwrap_or(from), to];
+            let keeps = self.source.keeps(at, level, places);
             if keeps.is_none() {
-                alloc::push(&mut found.unresolved, (cell, link.from.at))?;
+                alloc::push(&mut found.unresolved, (cell, from))?;
             }
             if keeps != Some(true) {
                 continue;
             }
             let first = found.inner.len() as u32;
-            let corners = || [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j));
-            let straight = |chord: f64| {
-                cell_level.deviation < chord
-                    && is_straight(&corners(), cell_level.field, link, cell_level.deviation, chord)
-            };
+            let straight =
+                |chord: f64| deviation < chord && is_straight(&self.corners(at), field, link, deviation, chord);
             if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
-                let patch = patch.get_or_insert_with(|| self.cells.patch(i, j));
-                if let Some(at) =
-                    refine(patch, cell_level.field, link, chord, cell_level.rounding_error, &mut found.inner)
-                {
-                    alloc::push(&mut found.unresolved, (cell, at))?;
+                let patch = patch.get_or_insert_with(|| self.cells.patch(at[0], at[1]));
+                if let Some(place) = refine(patch, field, link, chord, rounding_error, &mut found.inner) {
+                    alloc::push(&mut found.unresolved, (cell, place))?;
                 }
             }
-            let arc = Arc {
-                level: cell_level.level as u32,
-                cell,
-                keys: [link.from.key, link.to.key],
-                ends: [link.from.at, link.to.at],
-                inner: [first, found.inner.len() as u32],
-                jumps: false,
-            };
+            let (keys, inner) = ([link.from.key, link.to.key], [first, found.inner.len() as u32]);
+            let arc = Arc { level: level as u32, cell, keys, ends: [from, to], inner, jumps: false };
             alloc::push(&mut found.arcs, arc)?;
         }
         Ok(())
     }
 
     /// Where a level crosses the sides of a cell.
-    fn marks<const M: usize>(&self, cell_level: &CellLevel<'_, M>, marks: &mut Vec<Mark>)
-    where
-        S: Source<M>,
-    {
+    fn marks(&self, cell_level: &CellLevel<'_, M>, marks: &mut Vec<Mark>) {
         marks.clear();
         let jumps = self.source.continuity() == Continuity::Discontinuous;
         let [c00, c01, c10, c11] = cell_level.corners;

@@ -5,7 +5,7 @@
 //! distance. See [`super::search`].
 
 use super::lattice::Lattice;
-use super::paths::{ContourSet, paths};
+use super::paths::ContourSet;
 use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::search::Search;
@@ -39,7 +39,7 @@ impl Surface<'_> {
         let max_coordinate = self.max_coordinate().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
         let rounding_error = 16.0 * f64::EPSILON * max_coordinate;
-        let mut contours = ContourSet { threads: job.threads(), ..ContourSet::default() };
+        let mut contours = ContourSet::default();
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
             let lattice = Lattice::of(sheet);
@@ -59,16 +59,16 @@ impl Surface<'_> {
                 }
                 Sheet::Cubic(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, rounding_error };
-                    Search { cells, source: &source, lattice, chord }.run::<4, 4>(blocks.len(), block, &part)?
+                    Search { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::High(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, rounding_error };
-                    Search { cells, source: &source, lattice, chord }.run::<8, 8>(blocks.len(), block, &part)?
+                    Search { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
             };
-            contours.add(k, found, &lattice, jumps)?;
+            contours.add(k, found, &lattice, jumps, job.threads())?;
         }
-        add_leus_points(paths(self, &contours.sheets, contours.unresolved, &job.part(0.9, 1.0))?, spacing)
+        add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)
     }
 
     /// The contours of a scalar field that is given at the corners of the cells: where it takes the
@@ -88,7 +88,7 @@ impl Surface<'_> {
         rising(levels, "levels")?;
         let chord = self.chord(spacing)?;
         self.check_values(values)?;
-        let mut contours = ContourSet { threads: job.threads(), ..ContourSet::default() };
+        let mut contours = ContourSet::default();
         let mut first = 0;
         for k in 0..self.len() {
             let (part, (sheet, _)) = (self.sheet_job(k, job), self.indexed(k));
@@ -110,9 +110,9 @@ impl Surface<'_> {
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.blocks()[0] * across;
             let found = each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, &part))?;
-            contours.add(k, found, &lattice, false)?;
+            contours.add(k, found, &lattice, false, job.threads())?;
         }
-        add_leus_points(paths(self, &contours.sheets, contours.unresolved, &job.part(0.9, 1.0))?, spacing)
+        add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)
     }
 
     /// The share of sheet k in the search.

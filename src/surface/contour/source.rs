@@ -1,5 +1,6 @@
 //! Where fields over cells come from, one for each question.
 
+use crate::geom::aabb::range;
 use crate::surface::axis::{Axis, TAPS};
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::subdivision::Field;
@@ -54,13 +55,12 @@ pub(super) trait Source<const M: usize>: Sync {
     }
 
     /// A cell, whether or not a level crosses it.
-    fn base(&self, block: &Self::Block, cell: [usize; 2], cache: &mut Self::Cache) -> Self::Base;
+    fn base(&self, block: &Self::Block, cell: [usize; 2], cache: &mut Self::Cache) -> CellBase<Self::Base>;
 
     /// How many levels there are, at least 1.
-    fn level_count(&self) -> usize;
-
-    /// The levels that may cross it.
-    fn levels(&self, base: &Self::Base) -> Range<usize>;
+    fn level_count(&self) -> usize {
+        1
+    }
 
     /// The field whose zero set is one level's.
     fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
@@ -79,9 +79,24 @@ pub(super) trait Source<const M: usize>: Sync {
 
     /// How cells fit.
     fn continuity(&self) -> Continuity;
+}
 
+/// A cell as its levels see it.
+pub(super) struct CellBase<B> {
+    /// The levels that may cross the cell.
+    pub(super) levels: Range<usize>,
     /// Values up to that may be 0.
-    fn rounding_error(&self, base: &Self::Base) -> f64;
+    pub(super) rounding_error: f64,
+    /// The data that the levels share.
+    pub(super) data: B,
+}
+
+impl<const M: usize> CellBase<Field<M>> {
+    /// A field from which levels are taken.
+    #[inline]
+    fn of(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
+        CellBase { levels: between(levels, field.range(), rounding_error), rounding_error, data: field }
+    }
 }
 
 /// A field over a cell, as its corners show it.
@@ -164,8 +179,7 @@ impl Window {
 
     /// The least and the greatest scalar.
     fn range(&self) -> [f64; 2] {
-        let all = self.values.as_flattened();
-        all.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)])
+        range(self.values.as_flattened().iter().copied())
     }
 
     /// The field over a cell. Along the rows first, then across: the coefficients of a common side
@@ -205,17 +219,7 @@ pub(super) struct Nodes {
 
 /// A window, made when a cell of a block needs more than its corners, and the first cell of that
 /// block.
-#[derive(Default)]
-pub(super) struct CachedWindow(Option<([usize; 2], Window)>);
-
-impl CachedWindow {
-    fn get(&mut self, first: [usize; 2], make: impl FnOnce() -> Window) -> &Window {
-        if self.0.as_ref().is_some_and(|(of, _)| *of != first) {
-            self.0 = None;
-        }
-        &self.0.get_or_insert_with(|| (first, make())).1
-    }
-}
+type CachedWindow = Option<([usize; 2], Window)>;
 
 impl Nodes {
     /// The scalars at the corners 2 u + v of a cell.
@@ -317,17 +321,12 @@ where
     }
 
     #[inline]
-    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut CachedWindow) -> Field<4> {
-        self.window(block, cache).field(cell)
+    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
+        CellBase::of(self.window(block, cache).field(cell), self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
         self.levels.len().max(1)
-    }
-
-    #[inline]
-    fn levels(&self, base: &Field<4>) -> Range<usize> {
-        between(self.levels, base.range(), self.rounding_error)
     }
 
     #[inline]
@@ -343,16 +342,15 @@ where
     fn continuity(&self) -> Continuity {
         Continuity::Exact
     }
-
-    fn rounding_error(&self, _: &Self::Base) -> f64 {
-        self.rounding_error
-    }
 }
 
 impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
     fn window<'a>(&self, block: &Nodes, cache: &'a mut CachedWindow) -> &'a Window {
         let first = [block.cells[0].start, block.cells[1].start];
-        cache.get(first, || Window::new(self.axes, &block.cells, &self.value))
+        if cache.as_ref().is_some_and(|(of, _)| *of != first) {
+            *cache = None;
+        }
+        &cache.get_or_insert_with(|| (first, Window::new(self.axes, &block.cells, &self.value))).1
     }
 }
 
@@ -380,17 +378,14 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
         Some(())
     }
 
-    fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> Field<N> {
+    fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> CellBase<Field<N>> {
         let patch = self.cells.patch(i, j);
-        Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) }
+        let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
+        CellBase::of(heights, self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
         self.levels.len().max(1)
-    }
-
-    fn levels(&self, base: &Field<N>) -> Range<usize> {
-        between(self.levels, base.range(), self.rounding_error)
     }
 
     fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
@@ -399,9 +394,5 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
 
     fn continuity(&self) -> Continuity {
         Continuity::Discontinuous
-    }
-
-    fn rounding_error(&self, _: &Self::Base) -> f64 {
-        self.rounding_error
     }
 }
