@@ -21,6 +21,7 @@ mod curve;
 mod displacements;
 mod estimate;
 mod evaluate;
+mod frontier;
 mod grid;
 mod index;
 pub mod line_intersection;

@@ -10,9 +10,8 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::Aabb;
 use crate::geom::bernstein::evaluate_with_slope;
+use crate::surface::frontier::{BranchAndBound, Frontier};
 use glam::DVec3;
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 
 /// Pairs of parts that are split for two curves: curves that run together would take them without
 /// end.
@@ -73,34 +72,6 @@ enum Task<const N: usize> {
     SegmentPair(Box<SegmentPair<N>>),
 }
 
-/// It, with how far its boxes are apart, and when it came.
-struct QueueEntry<const N: usize> {
-    gap: f64,
-    number: usize,
-    kind: Task<N>,
-}
-
-impl<const N: usize> Ord for QueueEntry<N> {
-    /// The nearest is the greatest, and of several the first.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.gap.total_cmp(&self.gap).then(other.number.cmp(&self.number))
-    }
-}
-
-impl<const N: usize> PartialOrd for QueueEntry<N> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const N: usize> PartialEq for QueueEntry<N> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl<const N: usize> Eq for QueueEntry<N> {}
-
 /// Finds where two curves are nearest, or a place where they are farther apart than there by
 /// `slack` at most: whatever may be nearest is looked at first.
 pub(super) fn nearest<const N: usize>(
@@ -108,62 +79,85 @@ pub(super) fn nearest<const N: usize>(
     boxes: [&Boxes; 2],
     slack: f64,
 ) -> Result<NearestPoints> {
-    let start = CurvePlace { segment: 0, t: 0.0 };
-    let mut best = NearestPoints { places: [start; 2], distance: f64::INFINITY };
-    let mut heap = BinaryHeap::new();
-    let mut number = 0;
-    let mut push = |heap: &mut BinaryHeap<QueueEntry<N>>, gap: f64, kind: Task<N>| -> Result<()> {
-        heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes: size_of::<QueueEntry<N>>() as u64 })?;
-        number += 1;
-        heap.push(QueueEntry { gap, number, kind });
-        Ok(())
-    };
-    push(&mut heap, 0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
-    let mut left = MAX_SPLITS;
-    while let Some(QueueEntry { gap: apart, kind, .. }) = heap.pop() {
-        if apart >= best.distance - slack {
-            break;
-        }
-        match kind {
+    let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
+    let mut search = Search { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
+    search.wait(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    search.run()?;
+    Ok(search.best)
+}
+
+/// The search of two curves.
+struct Search<'a, const N: usize> {
+    net_curves: [&'a NetCurve<N>; 2],
+    boxes: [&'a Boxes; 2],
+    slack: f64,
+    best: NearestPoints,
+    /// Among equal gaps the first one that was added comes first.
+    frontier: Frontier<Task<N>, usize>,
+    added: usize,
+    splits: usize,
+}
+
+impl<const N: usize> BranchAndBound for Search<'_, N> {
+    type Task = Task<N>;
+    type Key = usize;
+    type Stop = Error;
+
+    fn frontier(&mut self) -> &mut Frontier<Task<N>, usize> {
+        &mut self.frontier
+    }
+
+    fn is_wanted(&mut self, gap: f64) -> bool {
+        let is_settled = gap >= self.best.distance - self.slack;
+        !is_settled
+    }
+
+    fn branch(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+        match task {
             Task::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
                 let of = [a.1, b.1];
-                let points = [0, 1].map(|k| net_curves[k].segments[of[k]]);
+                let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
                 let whole = SegmentPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
-                push(&mut heap, apart, Task::SegmentPair(Box::new(whole)))?;
+                self.wait(gap, Task::SegmentPair(Box::new(whole)))
             }
-            Task::Boxes([a, b]) if a.0 >= b.0 => {
-                for child in boxes[0].children(a) {
-                    push(&mut heap, boxes[0].get(child).distance(&boxes[1].get(b)), Task::Boxes([child, b]))?;
-                }
-            }
-            Task::Boxes([a, b]) => {
-                for child in boxes[1].children(b) {
-                    push(&mut heap, boxes[0].get(a).distance(&boxes[1].get(child)), Task::Boxes([a, child]))?;
-                }
+            Task::Boxes(pair) => {
+                let taller = usize::from(pair[0].0 < pair[1].0);
+                let boxes = self.boxes;
+                boxes[taller].children(pair[taller]).try_for_each(|child| {
+                    let mut pair = pair;
+                    pair[taller] = child;
+                    let [a, b] = [0, 1].map(|k| boxes[k].get(pair[k]));
+                    self.wait(a.distance(&b), Task::Boxes(pair))
+                })
             }
             Task::SegmentPair(parts) => {
-                best.improve(&parts, net_curves);
-                if parts.depth < MAX_SUBDIVISION_DEPTH && left > 0 {
-                    left -= 1;
-                    for half in parts.halves() {
-                        let [a, b] = [0, 1].map(|k| Aabb::of(half.points[k]));
-                        push(&mut heap, a.distance(&b), Task::SegmentPair(Box::new(half)))?;
-                    }
+                self.improve(&parts);
+                if parts.depth == MAX_SUBDIVISION_DEPTH || self.splits == MAX_SPLITS {
+                    return Ok(());
                 }
+                self.splits += 1;
+                parts.halves().into_iter().try_for_each(|half| {
+                    let [a, b] = half.points.map(Aabb::of);
+                    self.wait(a.distance(&b), Task::SegmentPair(Box::new(half)))
+                })
             }
         }
     }
-    Ok(best)
 }
 
-impl NearestPoints {
+impl<const N: usize> Search<'_, N> {
+    fn wait(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+        self.added += 1;
+        self.frontier.push(gap, self.added, task)
+    }
+
     /// Looks from the middle of parts.
-    fn improve<const N: usize>(&mut self, parts: &SegmentPair<N>, net_curves: [&NetCurve<N>; 2]) {
-        let whole = [0, 1].map(|k| net_curves[k].segments[parts.of[k]]);
+    fn improve(&mut self, parts: &SegmentPair<N>) {
+        let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
         let found = descend(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
-        if found.1 < self.distance {
-            self.distance = found.1;
-            self.places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: found.0[k] });
+        if found.1 < self.best.distance {
+            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: found.0[k] });
+            self.best = NearestPoints { places, distance: found.1 };
         }
     }
 }
@@ -171,7 +165,7 @@ impl NearestPoints {
 impl<const N: usize> SegmentPair<N> {
     /// The halves of the longer one, each with the other.
     fn halves(&self) -> [SegmentPair<N>; 2] {
-        let [a, b] = [0, 1].map(|k| Aabb::of(self.points[k])).map(|bounds| bounds.low.distance_squared(bounds.high));
+        let [a, b] = self.points.map(|points| Aabb::of(points).size().length_squared());
         let longer = usize::from(b > a);
         [0.0, 0.5].map(|from| {
             let mut half = SegmentPair { depth: self.depth + 1, ..*self };

@@ -6,10 +6,13 @@
 //! memory is limited to [`SORTED_QUERIES`] keys.
 
 use super::closest::Closest;
-use super::query::unusable_coordinate;
+use super::query::check_query;
 use super::search::NearestSearch;
 use crate::alloc;
-use crate::error::{Element, Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
+use crate::geom::Aabb;
 use crate::job::Job;
 use crate::par;
 use crate::surface::Surface;
@@ -46,11 +49,7 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         require(limit >= 0.0, "limit", limit)?;
-        if let Some((at, value)) =
-            queries.iter().enumerate().find_map(|(k, &query)| Some((k, unusable_coordinate(query)?)))
-        {
-            return Err(Error::NotFinite { element: Element::Query, index: at as u64, value });
-        }
+        queries.iter().zip(0..).try_for_each(|(&query, index)| check_query(query, index))?;
         let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(SORTED_QUERIES))?;
         let mut done = 0;
         for (part, out) in queries.chunks(SORTED_QUERIES).zip(out.chunks_mut(SORTED_QUERIES)) {
@@ -59,11 +58,9 @@ impl Surface<'_> {
                 job.step(done as f64 / queries.len() as f64, "nearest points")?;
                 done += round.len();
                 let found = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {
-                    let mut search = NearestSearch::new();
-                    let mut found = Vec::with_capacity(taken.len());
+                    let mut search = NearestSearch::default();
                     let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut search));
-                    found.extend(taken.iter().map(each));
-                    found
+                    taken.iter().map(each).collect::<Vec<_>>()
                 });
                 for (&(_, k), found) in round.iter().zip(found.into_iter().flatten()) {
                     out[k as usize] = found;
@@ -76,8 +73,7 @@ impl Surface<'_> {
 
 /// The queries' numbers in the order of Morton's curve through their box.
 fn sort_along_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
-    let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (low, high) = queries.iter().fold(none, |(low, high), &query| (low.min(query), high.max(query)));
+    let Aabb { low, high } = Aabb::of(queries);
     // 10 bits a coordinate: 2^30 places for 2^16 queries.
     let scale = 1023.0 / (0.5 * high - 0.5 * low).max_element().max(f64::MIN_POSITIVE);
     order.clear();

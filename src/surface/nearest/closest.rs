@@ -3,7 +3,7 @@
 //! Sheet by sheet depth first, then by rising lower bounds (`search`). Cost: O(log n) boxes and a
 //! few patches for most queries; near a centre of curvature up to the limits of `search`.
 
-use super::query::unusable_coordinate;
+use super::query::check;
 use super::search::{NearestSearch, SurfaceSearch};
 use crate::surface::{Place, Surface};
 use glam::DVec3;
@@ -38,13 +38,11 @@ impl Surface<'_> {
     ///
     /// Of several at the same distance: of the first sheet, there of the first cell, by rows.
     pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
-        self.closest_with(query, limit, &mut NearestSearch::new())
+        self.closest_with(query, limit, &mut NearestSearch::default())
     }
 
     pub(super) fn closest_with(&self, query: DVec3, limit: f64, search: &mut NearestSearch) -> Option<Closest> {
-        if unusable_coordinate(query).is_some() || limit.is_nan() || limit < 0.0 {
-            return None;
-        }
+        check("limit", query, limit).ok()?;
         let tolerance = self.query_tolerance(query);
         SurfaceSearch { surface: self, search }.find(query, limit, tolerance);
         let best = search.best().filter(|best| best.distance <= limit)?;
@@ -63,8 +61,7 @@ impl Surface<'_> {
     /// The length to which distances from a point are proved: the tolerance, or the rounding of
     /// distances, a few units in the last place of the greatest coordinate.
     pub(super) fn query_tolerance(&self, query: DVec3) -> f64 {
-        let [low, high] = self.bounds();
-        let rounding = 16.0 * f64::EPSILON * low.abs().max(high.abs()).max(query.abs()).max_element();
+        let rounding = 16.0 * f64::EPSILON * self.max_coordinate().max(query.abs().max_element());
         self.tolerance().max(rounding)
     }
 }

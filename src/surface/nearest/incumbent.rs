@@ -36,20 +36,15 @@ impl Answer {
 }
 
 /// An upper bound of the least distance: that of an answer, of a corner, or the limit of the query.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct UpperBound {
-    distance: f64,
+    pub(super) distance: f64,
     tolerance: f64,
 }
 
 impl UpperBound {
     pub(super) fn new(distance: f64, tolerance: f64) -> Self {
         UpperBound { distance, tolerance }
-    }
-
-    #[inline(always)]
-    pub(super) fn distance(&self) -> f64 {
-        self.distance
     }
 
     /// The distance beyond which nothing need be examined.
@@ -66,7 +61,7 @@ impl UpperBound {
 }
 
 /// The answers of a search.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Incumbent {
     pub(super) query: DVec3,
     /// The length to which distances are proved: at least what rounding allows.
@@ -79,17 +74,6 @@ pub(super) struct Incumbent {
 }
 
 impl Incumbent {
-    pub(super) fn new() -> Self {
-        Incumbent {
-            query: DVec3::ZERO,
-            tolerance: 0.0,
-            upper: UpperBound::new(f64::INFINITY, 0.0),
-            best: None,
-            ties: Vec::new(),
-            direction: DVec3::ZERO,
-        }
-    }
-
     pub(super) fn begin(&mut self, query: DVec3, limit: f64, tolerance: f64) {
         self.ties.clear();
         (self.best, self.direction) = (None, DVec3::ZERO);

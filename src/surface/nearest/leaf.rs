@@ -24,27 +24,24 @@ pub(super) struct CellCandidate {
 }
 
 /// A block of the lowest level.
-pub(super) struct Leaf<'a, C> {
+pub(super) struct Leaf<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     pub(super) row: usize,
     pub(super) column: usize,
 }
 
-impl<C> Leaf<'_, C> {
+impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     /// Lowers the upper bound, and adds the cells that may hold the nearest point to the
     /// candidates. `direction`: the unit vector from the nearest answer to the query, or 0. The
     /// block's extent.
-    pub(super) fn find_candidates<const N: usize>(
+    pub(super) fn find_candidates(
         &self,
         query: DVec3,
         direction: DVec3,
         upper: &mut UpperBound,
         candidates: &mut Vec<CellCandidate>,
-    ) -> f64
-    where
-        C: Cells<N>,
-    {
+    ) -> f64 {
         let [rows, columns] = self.cells.counts();
         let (top, left) = (self.row * BLOCK, self.column * BLOCK);
         let (rows, columns) = (BLOCK.min(rows - top), BLOCK.min(columns - left));
@@ -215,12 +212,12 @@ mod tests {
                 let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
                 leaf.find_candidates(query, direction, &mut upper, &mut candidates);
                 // Points of the lattice are not the nearest, but near.
-                assert!(upper.distance() >= least - 0.05, "{seed} {query}");
+                assert!(upper.distance >= least - 0.05, "{seed} {query}");
                 for (&[i, j], &truth) in all.iter().zip(&truth) {
                     let found = candidates.iter().find(|candidate| candidate.cell == [i as u32, j as u32]);
                     match found {
                         Some(candidate) => assert!(candidate.bound <= truth, "{seed} {query} {i} {j}"),
-                        None => assert!(truth >= upper.distance(), "{seed} {query} {i} {j}"),
+                        None => assert!(truth >= upper.distance, "{seed} {query} {i} {j}"),
                     }
                     excluded += usize::from(found.is_none());
                 }

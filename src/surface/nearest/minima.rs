@@ -8,7 +8,6 @@
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
 use super::foot::{MAX_STEPS, descend};
-use super::frontier::{BranchAndBound, Frontier};
 use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
@@ -18,6 +17,7 @@ use crate::error::{Error, Result};
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::surface::cells::Cells;
+use crate::surface::frontier::{BranchAndBound, Frontier};
 use crate::surface::{Place, Sheet, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 
@@ -70,7 +70,7 @@ impl Surface<'_> {
             most,
             found: Vec::new(),
             undecided: Vec::new(),
-            frontier: Frontier::new(),
+            frontier: Frontier::default(),
             blocks: 0,
             job,
         };
@@ -187,7 +187,7 @@ impl MinimaSearch<'_> {
     }
 
     fn is_minimum_in<const N: usize>(&self, cells: &impl Cells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
-        let mut workspace = PartFrontier::new();
+        let mut workspace = PartFrontier::default();
         block.cells(cells).all(|(i, j)| {
             let (patch, start) = (cells.patch(i, j), DVec2::splat(0.5));
             if patch.box_distance(minimum.point) > self.tolerance {

@@ -10,10 +10,9 @@
 //! * geometry, without state: `foot` (Newton's descent on a patch), `bounds` (lower bounds of the
 //!   distance of a patch), `part` (parts of a patch), `block` (blocks of the index), `corners` and
 //!   `leaf` (the cells of a block);
-//! * `frontier`: tasks by rising lower bounds, and the loop that opens them;
 //! * `incumbent`: the best answer so far and the upper bound;
-//! * searches: `search` (of a surface), `patch_search` (of one patch), `patch_minima` (all minima
-//!   of one patch);
+//! * searches, with the tasks of `super::frontier`: `search` (of a surface), `patch_search` (of one
+//!   patch), `patch_minima` (all minima of one patch);
 //! * questions: `closest`, `batch`, `minima`, `region`, with `query` for what may be asked.
 
 mod batch;
@@ -22,7 +21,6 @@ mod bounds;
 mod closest;
 mod corners;
 mod foot;
-mod frontier;
 mod incumbent;
 mod leaf;
 mod minima;

@@ -5,9 +5,9 @@
 
 use super::bounds::lower_bound;
 use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, descend};
-use super::frontier::{BranchAndBound, Frontier};
 use super::part::{MAX_PARTS, PatchPart};
 use crate::surface::Patch;
+use crate::surface::frontier::{BranchAndBound, Frontier};
 use glam::{DVec2, DVec3};
 use std::convert::Infallible;
 

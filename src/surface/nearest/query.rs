@@ -5,15 +5,18 @@ use crate::surface::checks::require;
 use crate::surface::line_intersection::MAX_COORDINATE;
 use glam::DVec3;
 
-/// A coordinate that is NaN, or so great that its square would overflow.
-pub(super) fn unusable_coordinate(query: DVec3) -> Option<f64> {
-    query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > MAX_COORDINATE)
+/// [`Error::NotFinite`] with the number of a query point that has a coordinate that is NaN, or so
+/// great that its square would overflow.
+pub(super) fn check_query(query: DVec3, index: u64) -> Result<()> {
+    match query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > MAX_COORDINATE) {
+        Some(value) => Err(Error::NotFinite { element: Element::Query, index, value }),
+        None => Ok(()),
+    }
 }
 
-/// [`Error::NotFinite`], or [`Error::OptionOutOfRange`] for a distance that is negative or NaN.
+/// The same of a single query, and [`Error::OptionOutOfRange`] for a distance that is negative or
+/// NaN.
 pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
-    if let Some(value) = unusable_coordinate(query) {
-        return Err(Error::NotFinite { element: Element::Query, index: 0, value });
-    }
+    check_query(query, 0)?;
     require(distance >= 0.0, option, distance)
 }

@@ -59,31 +59,22 @@ impl Surface<'_> {
         }
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
-        let tolerance = self.query_tolerance(query);
+        let ball = Ball { query, radius, tolerance: self.query_tolerance(query) };
+        let mut found = Vec::new();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            let ball = Ball { query, radius, tolerance };
-            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut region, job))?;
+            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut found, job))?;
         }
-        region.sort()?;
+        // Blocks came in another order.
+        found.sort_unstable();
+        region.cells = alloc::collect(found.iter().map(|&(cell, _)| cell))?;
+        region.whole = alloc::collect(found.iter().map(|&(_, whole)| whole))?;
         for &[k, i, j] in &region.cells {
             let [_, columns] = self.sheet(k as usize).cells();
             let bit = region.first[k as usize] + u64::from(i) * columns as u64 + u64::from(j);
             region.mask[(bit / 64) as usize] |= 1 << (bit % 64);
         }
         Ok(region)
-    }
-}
-
-impl Region {
-    /// Puts cells into rising order; blocks came in another.
-    fn sort(&mut self) -> Result<()> {
-        let mut order = alloc::collect(self.cells.iter().copied().zip(self.whole.iter().copied()))?;
-        order.sort_unstable();
-        for (k, (cell, whole)) in order.into_iter().enumerate() {
-            (self.cells[k], self.whole[k]) = (cell, whole);
-        }
-        Ok(())
     }
 }
 
@@ -97,54 +88,43 @@ struct Ball {
     tolerance: f64,
 }
 
-/// How a cell lies to a ball.
-#[derive(PartialEq)]
-enum Overlap {
-    Outside,
-    Partial,
-    Inside,
-}
-
 impl Ball {
+    /// Adds the cells of a sheet that have a point in the ball, and whether all of them is.
     fn collect<const N: usize>(
         &self,
         cells: &impl Cells<N>,
         index: &Pyramid,
         sheet: u32,
-        region: &mut Region,
+        found: &mut Vec<([u32; 3], bool)>,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut workspace = PartFrontier::new();
+        let mut workspace = PartFrontier::default();
         for (k, block) in blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
             if (k + 1).is_multiple_of(BLOCKS_PER_STEP) {
                 job.step(0.0, "region")?;
             }
             for (i, j) in block.cells(cells) {
-                let overlap = self.classify(&cells.patch(i, j), &mut workspace);
-                if overlap != Overlap::Outside {
-                    alloc::push(&mut region.cells, [sheet, i as u32, j as u32])?;
-                    alloc::push(&mut region.whole, overlap == Overlap::Inside)?;
+                let patch = cells.patch(i, j);
+                let whole = patch.max_distance(self.query) <= self.radius;
+                if whole || self.reaches(&patch, &mut workspace) {
+                    alloc::push(found, ([sheet, i as u32, j as u32], whole))?;
                 }
             }
         }
         Ok(())
     }
 
-    fn classify<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> Overlap {
-        if patch.max_distance(self.query) <= self.radius {
-            return Overlap::Inside;
-        }
+    /// True if a patch has a point in the ball, or nearly.
+    fn reaches<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> bool {
         let corners = patch.corners();
         if corners.as_flattened().iter().any(|corner| corner.distance(self.query) <= self.radius) {
-            return Overlap::Partial;
+            return true;
         }
         if patch.box_distance(self.query) > self.radius + self.tolerance {
-            return Overlap::Outside;
+            return false;
         }
         let start = DVec2::splat(0.5);
-        match nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace) {
-            Some(found) if found.bound <= self.radius => Overlap::Partial,
-            _ => Overlap::Outside,
-        }
+        let found = nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace);
+        found.is_some_and(|found| found.bound <= self.radius)
     }
 }

@@ -13,11 +13,11 @@
 use super::block::Block;
 use super::bounds::lower_bound;
 use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, descend};
-use super::frontier::{BranchAndBound, Frontier};
 use super::incumbent::{Answer, Incumbent};
 use super::leaf::{CellCandidate, Leaf};
 use super::part::PatchPart;
 use crate::surface::cells::Cells;
+use crate::surface::frontier::{BranchAndBound, Frontier};
 use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
@@ -83,11 +83,7 @@ impl SinglePrecisionQuery {
 /// Something of a sheet that waits.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Task {
-    Block {
-        level: usize,
-        row: usize,
-        column: usize,
-    },
+    Block(Block),
     /// A cell, and parameters near its nearest point.
     Cell {
         cell: [u32; 2],
@@ -109,7 +105,7 @@ struct CellPatch<'a, const N: usize> {
 }
 
 /// A search for the nearest point: answers, tasks, and the work done. It may be used again.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct NearestSearch {
     incumbent: Incumbent,
     /// The least lower bound of what was settled.
@@ -126,19 +122,6 @@ pub(super) struct NearestSearch {
 }
 
 impl NearestSearch {
-    pub(super) fn new() -> Self {
-        NearestSearch {
-            incumbent: Incumbent::new(),
-            settled: f64::INFINITY,
-            evaluations: 0,
-            evaluations_at_gain: 0,
-            blocks: 0,
-            stack: Vec::new(),
-            candidates: Vec::new(),
-            frontier: Frontier::new(),
-        }
-    }
-
     fn begin(&mut self, query: DVec3, limit: f64, tolerance: f64) {
         self.incumbent.begin(query, limit, tolerance);
         self.candidates.clear();
@@ -193,7 +176,8 @@ impl NearestSearch {
             }
             let (row, column) = (block.row as usize, block.column as usize);
             if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
-                self.wait(query.distance(block.bound), sheet, Task::Block { level: block.level as usize, row, column });
+                let (bound, level) = (query.distance(block.bound), block.level as usize);
+                self.wait(bound, sheet, Task::Block(Block { bound, level, row, column }));
                 continue;
             }
             if block.level == 0 {
@@ -238,7 +222,7 @@ impl NearestSearch {
 
     /// Adds a block's candidates; the block's extent.
     #[inline(always)]
-    fn search_leaf<const N: usize>(&mut self, leaf: &Leaf<'_, impl Cells<N>>) -> f64 {
+    fn search_leaf<const N: usize>(&mut self, leaf: &Leaf<'_, impl Cells<N>, N>) -> f64 {
         self.blocks += 1;
         let (query, direction) = (self.incumbent.query, self.incumbent.direction());
         leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
@@ -328,10 +312,10 @@ impl NearestSearch {
     fn open<const N: usize>(&mut self, cells: &impl Cells<N>, index: &Pyramid, sheet: u32, bound: f64, task: Task) {
         let query = self.incumbent.query;
         match task {
-            Task::Block { level: 0, row, column } => {
-                let before = self.incumbent.upper.distance();
+            Task::Block(Block { level: 0, row, column, .. }) => {
+                let before = self.incumbent.upper.distance;
                 self.search_leaf(&Leaf { cells, index, row, column });
-                let upper = self.incumbent.upper.distance();
+                let upper = self.incumbent.upper.distance;
                 if upper < before && self.incumbent.is_gain(upper) {
                     self.examine_candidates(cells, sheet);
                 }
@@ -339,11 +323,9 @@ impl NearestSearch {
                     self.wait(bound.max(0.0), sheet, Task::Cell { cell, start });
                 }
             }
-            Task::Block { level, row, column } => {
-                let block = Block { bound, level, row, column };
+            Task::Block(block) => {
                 for child in block.children(index, query).into_iter().flatten() {
-                    let Block { level, row, column, .. } = child;
-                    self.wait(child.bound.max(bound), sheet, Task::Block { level, row, column });
+                    self.wait(child.bound.max(bound), sheet, Task::Block(child));
                     let cell = child.middle(cells);
                     if self.incumbent.is_gain(cells.corner(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);

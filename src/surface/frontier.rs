@@ -43,11 +43,13 @@ impl<T, K: Ord> PartialEq for Entry<T, K> {
 
 impl<T, K: Ord> Eq for Entry<T, K> {}
 
-impl<T, K: Ord> Frontier<T, K> {
-    pub(super) fn new() -> Self {
+impl<T, K: Ord> Default for Frontier<T, K> {
+    fn default() -> Self {
         Frontier { heap: BinaryHeap::new() }
     }
+}
 
+impl<T, K: Ord> Frontier<T, K> {
     pub(super) fn clear(&mut self) {
         self.heap.clear();
     }
@@ -134,7 +136,7 @@ mod tests {
     #[test]
     fn exact_bounds_lead_straight_to_the_least() {
         let numbers: Vec<f64> = (0..64).map(|k| f64::from(k * 37 % 64)).collect();
-        let mut search = LeastNumber { numbers: &numbers, frontier: Frontier::new(), best: f64::INFINITY, opened: 0 };
+        let mut search = LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
         search.frontier.push(0.0, 0, (0, 64)).unwrap();
         // The second least is in a task that is left.
         assert_eq!(search.run().unwrap(), Some(1.0));
@@ -143,7 +145,7 @@ mod tests {
 
     #[test]
     fn equal_bounds_come_by_their_keys() {
-        let mut frontier = Frontier::new();
+        let mut frontier = Frontier::default();
         for key in [3, 1, 2] {
             frontier.push(0.5, key, ()).unwrap();
         }
