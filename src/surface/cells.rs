@@ -13,6 +13,22 @@ use std::ops::Range;
 /// Cells in u and in v of a block, the unit of the index.
 pub(crate) const BLOCK: usize = 4;
 
+/// The rows of a row of blocks, or the columns of a column of blocks, of so many.
+#[inline(always)]
+pub(crate) fn block_range(block: usize, count: usize) -> Range<usize> {
+    block * BLOCK..count.min((block + 1) * BLOCK)
+}
+
+/// The cells of a block of a sheet of so many rows and columns, row after row.
+#[inline]
+pub(crate) fn cells_of_block(
+    [row, column]: [usize; 2],
+    [rows, columns]: [usize; 2],
+) -> impl Iterator<Item = [usize; 2]> {
+    let columns = block_range(column, columns);
+    block_range(row, rows).flat_map(move |i| columns.clone().map(move |j| [i, j]))
+}
+
 /// A sheet of patches of degree N - 1.
 pub(crate) trait Cells<const N: usize>: Sync {
     /// The numbers of cells in u and in v.

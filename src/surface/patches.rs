@@ -1,7 +1,7 @@
 //! Sheets of given Bézier patches.
 
 use super::Patch;
-use super::cells::{BLOCK, Cells};
+use super::cells::{BLOCK, Cells, cells_of_block};
 use super::checks::{finite_points, require};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -109,18 +109,14 @@ impl<const N: usize> Cells<N> for Patches<N> {
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
         let across = self.columns.div_ceil(BLOCK);
         for (k, bounds) in boxes.iter_mut().enumerate() {
-            let (r, c) = (block_rows.start + k / across, k % across);
-            for i in r * BLOCK..self.rows.min((r + 1) * BLOCK) {
-                for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
-                    let patch = self.get(i, j);
-                    // From the bilinear patch through the corners that searches see, which are a
-                    // neighbour's where sides differ.
-                    let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
-                    let [[a, b], [c, d]] = patch.corners();
-                    let mut gap = Aabb::EMPTY;
-                    [a, b, c, d].into_iter().zip(seen).for_each(|(own, seen)| gap.add(own - seen));
-                    *bounds = bounds.union(patch.displacements().sum(gap));
-                }
+            for [i, j] in cells_of_block([block_rows.start + k / across, k % across], self.counts()) {
+                let patch = self.get(i, j);
+                // From the bilinear patch through the corners that searches see, which are a
+                // neighbour's where sides differ.
+                let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
+                let corners = patch.corners();
+                let gap = Aabb::of(corners.as_flattened().iter().zip(seen).map(|(&own, seen)| own - seen));
+                *bounds = bounds.union(patch.displacements().sum(gap));
             }
         }
     }
@@ -128,14 +124,10 @@ impl<const N: usize> Cells<N> for Patches<N> {
     fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
         let across = self.columns.div_ceil(BLOCK);
         for (k, boxes) in boxes.iter_mut().enumerate() {
-            let (r, c) = (block_rows.start + k / across, k % across);
-            *boxes = [Aabb::EMPTY; 2];
-            for i in r * BLOCK..self.rows.min((r + 1) * BLOCK) {
-                for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
-                    let [u, v] = self.get(i, j).tangents();
-                    *boxes = [boxes[0].union(u), boxes[1].union(v)];
-                }
-            }
+            let cells = cells_of_block([block_rows.start + k / across, k % across], self.counts());
+            *boxes = cells.map(|[i, j]| self.get(i, j).tangents()).fold([Aabb::EMPTY; 2], |[all_u, all_v], [u, v]| {
+                [all_u.union(u), all_v.union(v)]
+            });
         }
     }
 }

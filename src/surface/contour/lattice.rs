@@ -1,7 +1,7 @@
 //! The cells of a sheet, their sides, and what these are called.
 
 use crate::surface::Sheet;
-use crate::surface::cells::BLOCK;
+use crate::surface::cells::{BLOCK, block_range};
 use std::ops::Range;
 
 /// Cells in rows and columns.
@@ -30,8 +30,7 @@ impl Lattice {
 
     /// The cells of a block.
     pub(super) fn block(&self, [row, column]: [u32; 2]) -> [Range<usize>; 2] {
-        let range = |k: u32, count: usize| BLOCK * k as usize..count.min(BLOCK * (k as usize + 1));
-        [range(row, self.counts[0]), range(column, self.counts[1])]
+        [block_range(row as usize, self.counts[0]), block_range(column as usize, self.counts[1])]
     }
 
     /// The number of a side of a cell: the same from both cells that it belongs to.

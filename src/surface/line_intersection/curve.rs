@@ -4,7 +4,7 @@
 //! divided, and pairs that are apart are dropped. What a part of the curve and a cell have in
 //! common, `solve` finds with proof.
 
-use super::curve_search::{CurveFind, CurveSolver, Part, Search};
+use super::curve_search::{CurveFind, Part, Search};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
@@ -143,7 +143,7 @@ impl Surface<'_> {
             let (kind, index) = self.indexed(sheet);
             each_sheet!(kind, cells => {
                 let search = Search { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
-                search.run(&part, &mut CurveSolver::default(), &mut finder.finds)
+                search.run(&part, &mut finder.finds)
             })?;
         }
         Ok(())

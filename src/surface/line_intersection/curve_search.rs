@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::geom::aabb::Aabb;
 use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::Place;
-use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::cells::{Cells, cells_of_block};
 use crate::surface::index::Pyramid;
 use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings};
 use glam::{DVec2, DVec3};
@@ -31,17 +31,12 @@ pub(super) struct CurveFind {
 }
 
 /// Memory for the cells of a segment, used again and again.
-pub(super) struct CurveSolver<const M: usize, const N: usize> {
+#[derive(Default)]
+struct CurveSolver<const M: usize, const N: usize> {
     workspace: CurveWorkspace<M, N>,
     found: Crossings,
     /// How far control points may be off.
     rounding_error: f64,
-}
-
-impl<const M: usize, const N: usize> Default for CurveSolver<M, N> {
-    fn default() -> Self {
-        CurveSolver { workspace: CurveWorkspace::default(), found: Crossings::default(), rounding_error: 0.0 }
-    }
 }
 
 /// A part of a segment.
@@ -59,9 +54,7 @@ impl<const M: usize> Part<M> {
     }
 
     fn bounds(&self) -> Aabb {
-        let mut bounds = Aabb::EMPTY;
-        self.points.iter().for_each(|&point| bounds.add(point));
-        bounds
+        Aabb::of(&self.points)
     }
 }
 
@@ -79,7 +72,7 @@ struct Entry<const M: usize> {
 const MIN_PART_SIZE: f64 = 1e-30;
 
 /// The search of a sheet for a segment.
-pub(super) struct Search<'a, C> {
+pub(super) struct Search<'a, C, const M: usize, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     pub(super) sheet: u32,
@@ -88,31 +81,23 @@ pub(super) struct Search<'a, C> {
     pub(super) tolerance: f64,
 }
 
-impl<C> Search<'_, C> {
+impl<C: Cells<N>, const M: usize, const N: usize> Search<'_, C, M, N> {
     /// Adds what the sheet and the segment have in common.
-    pub(super) fn run<const M: usize, const N: usize>(
-        &self,
-        whole: &Part<M>,
-        solver: &mut CurveSolver<M, N>,
-        finds: &mut Vec<CurveFind>,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-    {
+    pub(super) fn run(&self, whole: &Part<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
         let origin = self.index.origin();
         let part = Part { points: whole.points.map(|point| point - origin), ..*whole };
         let (levels, bounds) = (self.index.levels(), self.index.bounds());
-        let extent = bounds.low.abs().max(bounds.high.abs()).length();
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
-        let diagonal = bounds.low.distance(bounds.high);
-        let rounding_error = (8.0 * f64::EPSILON * (extent + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
+        let diagonal = bounds.diagonal();
+        let rounding_error =
+            (8.0 * f64::EPSILON * (bounds.max_norm() + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
         let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
         let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
-        solver.rounding_error = rounding_error;
+        let mut solver = CurveSolver { rounding_error, ..CurveSolver::default() };
         while let Some(entry) = waiting.pop() {
             let Entry { part, diagonal, level, row, column } = entry;
             let bounds = part.bounds().inflated(rounding_error);
-            if bounds.low.distance(bounds.high) > 2.0 * diagonal && part.size > MIN_PART_SIZE {
+            if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
                     let part = Part { points, size, from: part.from + half as f64 * size };
@@ -126,13 +111,12 @@ impl<C> Search<'_, C> {
                     }
                 }
             } else if level == 0 {
-                self.block(&part, [row, column], solver, finds)?;
+                self.block(&part, [row, column], &mut solver, finds)?;
             } else {
                 for child in 0..4 {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
                     if self.touches(&part, rounding_error, level - 1, row, column) {
-                        let child = levels[level - 1].child_boxes(row / 2, column / 2).get(child);
-                        let diagonal = child.low.distance(child.high);
+                        let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).get(child).diagonal();
                         waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
                     }
                 }
@@ -142,14 +126,7 @@ impl<C> Search<'_, C> {
     }
 
     /// False if the part is apart from the boxes of block (row, column) of a level.
-    fn touches<const M: usize>(
-        &self,
-        part: &Part<M>,
-        rounding_error: f64,
-        level: usize,
-        row: usize,
-        column: usize,
-    ) -> bool {
+    fn touches(&self, part: &Part<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
         let level = &self.index.levels()[level];
         let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
         !block.is_empty()
@@ -158,45 +135,33 @@ impl<C> Search<'_, C> {
     }
 
     /// Adds what the cells of a block have.
-    fn block<const M: usize, const N: usize>(
+    fn block(
         &self,
         part: &Part<M>,
-        [row, column]: [usize; 2],
+        block: [usize; 2],
         solver: &mut CurveSolver<M, N>,
         finds: &mut Vec<CurveFind>,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-    {
-        let [rows, columns] = self.cells.counts();
-        let origin = self.index.origin();
-        let deviation = self.index.deviation(row, column) + solver.rounding_error;
+    ) -> Result<()> {
+        let deviation = self.index.deviation(block[0], block[1]) + solver.rounding_error;
         let along = part.bounds();
-        for i in row * BLOCK..rows.min((row + 1) * BLOCK) {
-            for j in column * BLOCK..columns.min((column + 1) * BLOCK) {
-                let mut cell = Aabb::EMPTY;
-                for corner in [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)] {
-                    cell.add(self.cells.corner(corner.0, corner.1) - origin);
-                }
-                if cell.inflated(deviation).overlaps(&along) {
-                    self.cell(part, [i, j], solver, finds)?;
-                }
+        for [i, j] in cells_of_block(block, self.cells.counts()) {
+            let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
+            let cell = Aabb::of(corners.map(|(i, j)| self.cells.corner(i, j) - self.index.origin()));
+            if cell.inflated(deviation).overlaps(&along) {
+                self.cell(part, [i, j], solver, finds)?;
             }
         }
         Ok(())
     }
 
     /// Adds what one cell has.
-    fn cell<const M: usize, const N: usize>(
+    fn cell(
         &self,
         part: &Part<M>,
         [i, j]: [usize; 2],
         solver: &mut CurveSolver<M, N>,
         finds: &mut Vec<CurveFind>,
-    ) -> Result<()>
-    where
-        C: Cells<N>,
-    {
+    ) -> Result<()> {
         let origin = self.index.origin();
         let patch = self.cells.patch(i, j);
         let mut local = patch;

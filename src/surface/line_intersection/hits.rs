@@ -14,16 +14,14 @@ pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 impl Surface<'_> {
     /// Hits that are nearer to each other than this, in different cells, are one.
     pub(super) fn merge_distance(&self) -> f64 {
-        let [low, high] = self.bounds();
-        self.tolerance().max(1e-12 * low.distance(high))
+        self.tolerance().max(1e-12 * self.diagonal())
     }
 
     /// A line that touches a surface is within the tolerance e of it for sqrt(8 R e), with R the
     /// radius of curvature: where it is for longer than several times that for the size of the
     /// whole surface, it runs in it.
     pub(super) fn longest_touch(&self) -> f64 {
-        let [low, high] = self.bounds();
-        8.0 * (self.merge_distance() * low.distance(high)).sqrt()
+        8.0 * (self.merge_distance() * self.diagonal()).sqrt()
     }
 
     /// True if a direction is not along the surface next to a place, away from the sides of its

@@ -26,12 +26,13 @@ pub(in crate::surface) use line::MAX_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
 
 use super::checks::require;
-use super::{Surface, each_sheet};
+use super::{Sheet, Surface};
 use crate::error::{Error, Result};
+use crate::geom::aabb::range;
 use crate::job::Job;
 use crate::outline::ops::NearMisses;
 use crate::outline::{CurveView, Place as CurvePlace};
-use search::{Workspace, search};
+use search::{Search, Workspace};
 
 impl Surface<'_> {
     /// Where a line meets the surface, by rising t.
@@ -55,7 +56,13 @@ impl Surface<'_> {
         workspace.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => search(cells, index, k as u32, line, selection, self.tolerance(), workspace))?;
+            let search = Search { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
+            let Workspace { hits, cubic, high } = workspace;
+            match sheet {
+                Sheet::Grid(cells) => search.run(cells, cubic, hits)?,
+                Sheet::Cubic(cells) => search.run(cells, cubic, hits)?,
+                Sheet::High(cells) => search.run(cells, high, hits)?,
+            }
             if selection == HitSelection::Any && !workspace.hits.is_empty() {
                 break;
             }
@@ -86,7 +93,7 @@ impl Line {
         // No farther than the curve, and what is near it.
         let (along, length) = self.along();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
-        let [low, high] = parameters.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let [low, high] = range(parameters);
         let slack = within + 1e-6 * (high - low);
         let from = ((low - slack) / length).max(self.from);
         let to = ((high + slack) / length).min(self.to);

@@ -3,6 +3,7 @@
 use super::line::{Hit, HitSelection, Line};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::aabb::range;
 use crate::geom::subdivision::UnresolvedCluster;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{Pyramid, Slab};
@@ -11,41 +12,19 @@ use crate::surface::{Patch, Place};
 use glam::{DVec2, DVec3};
 
 /// Memory for searches of patches of degree N - 1, used again and again.
+#[derive(Default)]
 pub(super) struct Solver<const N: usize> {
     roots: Roots<N>,
     workspace: CurveWorkspace<2, N>,
     crossings: Crossings,
 }
 
-impl<const N: usize> Default for Solver<N> {
-    fn default() -> Self {
-        Solver { roots: Roots::default(), workspace: CurveWorkspace::default(), crossings: Crossings::default() }
-    }
-}
-
 /// The same for sheets of all kinds, and what was found.
 #[derive(Default)]
 pub(super) struct Workspace {
     pub(super) hits: Vec<Hit>,
-    cubic: Solver<4>,
-    high: Solver<8>,
-}
-
-/// Which of the solvers patches of degree N - 1 need.
-pub(super) trait Solve<const N: usize> {
-    fn parts(&mut self) -> (&mut Solver<N>, &mut Vec<Hit>);
-}
-
-impl Solve<4> for Workspace {
-    fn parts(&mut self) -> (&mut Solver<4>, &mut Vec<Hit>) {
-        (&mut self.cubic, &mut self.hits)
-    }
-}
-
-impl Solve<8> for Workspace {
-    fn parts(&mut self) -> (&mut Solver<8>, &mut Vec<Hit>) {
-        (&mut self.high, &mut self.hits)
-    }
+    pub(super) cubic: Solver<4>,
+    pub(super) high: Solver<8>,
 }
 
 /// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a
@@ -120,78 +99,86 @@ struct Entry {
 /// 30 levels.
 const MAX_STACK: usize = 3 * 30 + 4;
 
-/// Adds the hits of one sheet. Of all, every cell's; else those up to the first, and what may be
-/// one with it.
-pub(super) fn search<const N: usize>(
-    cells: &impl Cells<N>,
-    index: &Pyramid,
-    sheet: u32,
-    line: &Line,
-    selection: HitSelection,
-    tolerance: f64,
-    workspace: &mut impl Solve<N>,
-) -> Result<()> {
-    let (solver, hits) = workspace.parts();
-    let ray = Ray::new(line, index);
-    let slack = ray.rounding_error;
-    let slab = Slab::new(ray.local, ray.along, slack);
-    let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
-    let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
-    let levels = index.levels();
-    let mut stack = [Entry::default(); MAX_STACK];
-    let mut count = 1;
-    stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
-    // Where what is beyond does not matter.
-    let mut farthest = to;
-    let first = |farthest: f64, hits: &[Hit]| match selection {
-        HitSelection::First => {
-            // Farther than what is one with the hit may be.
-            let extent = 4.0 * tolerance + 1e4 * slack;
-            hits.iter().map(|hit| ray.distance(hit.t) + extent).fold(farthest, f64::min)
-        }
-        _ => farthest,
-    };
-    farthest = first(farthest, hits);
-    while count > 0 {
-        count -= 1;
-        let Entry { enters, level, row, column } = stack[count];
-        if enters > farthest {
-            continue;
-        }
-        let (row, column) = (row as usize, column as usize);
-        if level == 0 {
-            let known = hits.len();
-            leaf.search(row, column, hits)?;
-            if hits.len() > known {
-                if selection == HitSelection::Any {
-                    return Ok(());
-                }
-                farthest = first(farthest, &hits[known..]);
+/// The search of one sheet.
+pub(super) struct Search<'a> {
+    pub(super) index: &'a Pyramid,
+    pub(super) sheet: u32,
+    pub(super) line: &'a Line,
+    pub(super) selection: HitSelection,
+    pub(super) tolerance: f64,
+}
+
+impl Search<'_> {
+    /// Adds the hits of the sheet, whose cells are given. Of all, every cell's; else those up to the
+    /// first, and what may be one with it.
+    pub(super) fn run<const N: usize>(
+        &self,
+        cells: &impl Cells<N>,
+        solver: &mut Solver<N>,
+        hits: &mut Vec<Hit>,
+    ) -> Result<()> {
+        let Search { index, sheet, line, selection, tolerance } = *self;
+        let ray = Ray::new(line, index);
+        let slack = ray.rounding_error;
+        let slab = Slab::new(ray.local, ray.along, slack);
+        let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
+        let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
+        let levels = index.levels();
+        let mut stack = [Entry::default(); MAX_STACK];
+        let mut count = 1;
+        stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+        // Where what is beyond does not matter.
+        let mut farthest = to;
+        let first = |farthest: f64, hits: &[Hit]| match selection {
+            HitSelection::First => {
+                // Farther than what is one with the hit may be.
+                let extent = 4.0 * tolerance + 1e4 * slack;
+                hits.iter().map(|hit| ray.distance(hit.t) + extent).fold(farthest, f64::min)
             }
-            continue;
-        }
-        let level_below = &levels[level as usize - 1];
-        let [near, far] = slab.through(level_below.child_boxes(row, column), from, farthest);
-        let waiting = count;
-        for child in 0..4 {
-            let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-            let oriented = |row, column| level_below.oriented(row, column);
-            if near[child] > far[child]
-                || oriented(row, column).is_some_and(|oriented| !oriented.meets_line(ray.local, ray.along))
-            {
+            _ => farthest,
+        };
+        farthest = first(farthest, hits);
+        while count > 0 {
+            count -= 1;
+            let Entry { enters, level, row, column } = stack[count];
+            if enters > farthest {
                 continue;
             }
-            // Sorted as they come: the nearest is taken first, being last.
-            let mut at = count;
-            while at > waiting && stack[at - 1].enters < near[child] {
-                stack[at] = stack[at - 1];
-                at -= 1;
+            let (row, column) = (row as usize, column as usize);
+            if level == 0 {
+                let known = hits.len();
+                leaf.search(row, column, hits)?;
+                if hits.len() > known {
+                    if selection == HitSelection::Any {
+                        return Ok(());
+                    }
+                    farthest = first(farthest, &hits[known..]);
+                }
+                continue;
             }
-            stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
-            count += 1;
+            let level_below = &levels[level as usize - 1];
+            let [near, far] = slab.through(level_below.child_boxes(row, column), from, farthest);
+            let waiting = count;
+            for child in 0..4 {
+                let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
+                let oriented = |row, column| level_below.oriented(row, column);
+                if near[child] > far[child]
+                    || oriented(row, column).is_some_and(|oriented| !oriented.meets_line(ray.local, ray.along))
+                {
+                    continue;
+                }
+                // Sorted as they come: the nearest is taken first, being last.
+                let mut at = count;
+                while at > waiting && stack[at - 1].enters < near[child] {
+                    stack[at] = stack[at - 1];
+                    at -= 1;
+                }
+                stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+                count += 1;
+            }
         }
+        Ok(())
     }
-    Ok(())
 }
 
 /// The search of a block.
@@ -234,13 +221,12 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.touching(i, j, hits);
         }
-        if !self.solver.roots.simple.is_empty() {
-            let patch = self.cells.patch(i, j);
-            for k in 0..self.solver.roots.simple.len() {
-                self.add(&patch, [i, j], self.solver.roots.simple[k], None, hits)?;
-            }
+        let roots = &self.solver.roots.simple;
+        if roots.is_empty() {
+            return Ok(());
         }
-        Ok(())
+        let patch = self.cells.patch(i, j);
+        roots.iter().try_for_each(|&root| self.add(&patch, [i, j], root, None, hits))
     }
 
     /// Where the fields cannot tell: the part of the line in the cell's box as a curve.
@@ -252,11 +238,10 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         found.simple.clear();
         found.unresolved.clear();
         crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
-        for k in 0..self.solver.crossings.simple.len() {
-            self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits)?;
+        for crossing in &self.solver.crossings.simple {
+            self.add(&patch, [i, j], crossing.place, None, hits)?;
         }
-        for k in 0..self.solver.crossings.unresolved.len() {
-            let UnresolvedCluster { best, low, high } = self.solver.crossings.unresolved[k];
+        for &UnresolvedCluster { best, low, high } in &self.solver.crossings.unresolved {
             let span = [low.x, high.x].map(|at| self.ray.parameter(start.lerp(end, at.clamp(0.0, 1.0))));
             self.add(&patch, [i, j], DVec2::new(best.middle.y, best.middle.z), Some(span), hits)?;
         }
@@ -267,7 +252,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
-        let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        let [low, high] = range(along);
         let slack = ray.rounding_error + self.tolerance;
         let from = (low - slack).max(ray.distance(ray.line.from) - ray.rounding_error);
         let to = (high + slack).min(ray.distance(ray.line.to) + ray.rounding_error);

@@ -59,8 +59,8 @@ impl Surface<'_> {
     /// True if a direction only touches the surface at a place next to a side, as far as rounding
     /// of numbers up to `largest` tells.
     pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
-        let ([low, high], sine) = (self.bounds(), self.normal(place).dot(direction).abs());
-        let (rounding_error, size) = (64.0 * f64::EPSILON * largest.max(low.distance(high)), low.distance(high));
+        let (size, sine) = (self.diagonal(), self.normal(place).dot(direction).abs());
+        let rounding_error = 64.0 * f64::EPSILON * largest.max(size);
         let tolerance = rounding_error / sine.max((rounding_error / size).sqrt());
         let on_side = self.on_side(place, tolerance);
         on_side.is_some_and(|place| self.only_touches(&[place], direction))
@@ -91,8 +91,7 @@ impl Surface<'_> {
             std::iter::once((cell, at)).chain(next)
         };
         let point = self.jet(place).point;
-        let [low, high] = self.bounds();
-        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * low.distance(high);
+        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * self.diagonal();
         let mut cells = Vec::new();
         for direction in 0..2 {
             if self.is_pole(place, direction) {
@@ -118,18 +117,15 @@ impl Surface<'_> {
         let between = |[a, b]: [DVec2; 2]| libm::atan2(a.perp_dot(b), a.dot(b));
         let at = |u: f64, v: f64| self.jet(Place { u, v, ..place });
         // At a pole those of the lines to it, turning as S_u to S_v do.
-        let fan = if self.is_pole(place, 0) {
+        let fan = [0.0, 0.5, 1.0];
+        let turn = |[a, b, c]: [DVec2; 3]| between([a, b]) + between([b, c]);
+        if self.is_pole(place, 0) {
             let inwards = if place.u == 0.0 { 1.0 } else { -1.0 };
-            Some([0.0, 0.5, 1.0].map(|v| inwards * at(place.u, if place.u == 0.0 { v } else { 1.0 - v }).u))
-        } else if self.is_pole(place, 1) {
+            return turn(fan.map(|v| seen(inwards * at(place.u, if place.u == 0.0 { v } else { 1.0 - v }).u)));
+        }
+        if self.is_pole(place, 1) {
             let inwards = if place.v == 0.0 { 1.0 } else { -1.0 };
-            Some([0.0, 0.5, 1.0].map(|u| inwards * at(if place.v == 1.0 { u } else { 1.0 - u }, place.v).v))
-        } else {
-            None
-        };
-        if let Some(fan) = fan {
-            let [a, b, c] = fan.map(&seen);
-            return between([a, b]) + between([b, c]);
+            return turn(fan.map(|u| seen(inwards * at(if place.v == 1.0 { u } else { 1.0 - u }, place.v).v)));
         }
         let jet = at(place.u, place.v);
         let tangents = [jet.u, jet.v, -jet.u, -jet.v].map(&seen);

@@ -3,7 +3,7 @@
 //! A block's bound is the greater one of those by its axis-aligned and its oriented box, each of
 //! which contains the block.
 
-use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::cells::{BLOCK, Cells, cells_of_block};
 use crate::surface::index::Pyramid;
 use glam::DVec3;
 
@@ -45,14 +45,8 @@ impl Block {
     }
 
     /// The cells of a block of the lowest level.
-    pub(super) fn cells<const N: usize, C: Cells<N>>(
-        &self,
-        cells: &C,
-    ) -> impl Iterator<Item = (usize, usize)> + use<N, C> {
-        let [rows, columns] = cells.counts();
-        let (top, left) = (self.row * BLOCK, self.column * BLOCK);
-        let (bottom, right) = (rows.min(top + BLOCK), columns.min(left + BLOCK));
-        (top..bottom).flat_map(move |i| (left..right).map(move |j| (i, j)))
+    pub(super) fn cells<const N: usize, C: Cells<N>>(&self, cells: &C) -> impl Iterator<Item = [usize; 2]> + use<N, C> {
+        cells_of_block([self.row, self.column], cells.counts())
     }
 }
 

@@ -46,7 +46,7 @@ const SAME_POINT: f64 = 16.0;
 struct FoundMinimum {
     minimum: LocalMinimum,
     sheet: usize,
-    cell: (usize, usize),
+    cell: [usize; 2],
 }
 
 impl Surface<'_> {
@@ -141,13 +141,13 @@ impl MinimaSearch<'_> {
 
     fn search_block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
         for cell in block.cells(cells) {
-            let patch = cells.patch(cell.0, cell.1);
+            let patch = cells.patch(cell[0], cell[1]);
             if patch.box_distance(self.query) > self.limit {
                 continue;
             }
             let mut minima = Vec::new();
             interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
-            if !cells.is_smooth_around(cell.0, cell.1) {
+            if !cells.is_smooth_around(cell[0], cell[1]) {
                 side_minima(&patch, self.query, |minimum| minima.push(minimum));
             }
             for minimum in minima {
@@ -188,7 +188,7 @@ impl MinimaSearch<'_> {
 
     fn is_minimum_in<const N: usize>(&self, cells: &impl Cells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
         let mut workspace = PartFrontier::default();
-        block.cells(cells).all(|(i, j)| {
+        block.cells(cells).all(|[i, j]| {
             let (patch, start) = (cells.patch(i, j), DVec2::splat(0.5));
             if patch.box_distance(minimum.point) > self.tolerance {
                 return true;
@@ -213,8 +213,8 @@ impl MinimaSearch<'_> {
         self.undecided.retain(|place| proven.iter().all(|found| distance(found, place) > near));
         let mut points = alloc::with_capacity(proven.len() + self.undecided.len() + 1)?;
         for FoundMinimum { minimum, sheet, cell } in proven.into_iter().chain(self.undecided) {
-            let (i, j) = (cell.0 as u32, cell.1 as u32);
-            let place = Place { sheet: sheet as u32, cell: [i, j], u: minimum.place.x, v: minimum.place.y };
+            let cell = cell.map(|k| k as u32);
+            let place = Place { sheet: sheet as u32, cell, u: minimum.place.x, v: minimum.place.y };
             let LocalMinimum { point, distance, bound, proven, .. } = minimum;
             let normal = self.surface.normal(place);
             points.push(Closest { place, point, normal, distance, bound, proven, is_ambiguous: !proven });
@@ -263,8 +263,8 @@ fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> R
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];
         let closed = if let Sheet::Grid(grid) = surface.sheet(sheet) { grid.is_closed() } else { [false; 2] };
-        for [i, j] in cells_around(surface.sheet(sheet).cells(), closed, [cell.0, cell.1]) {
-            if let Ok(other) = undecided.binary_search_by_key(&(sheet, (i, j)), |other| (other.sheet, other.cell)) {
+        for next in cells_around(surface.sheet(sheet).cells(), closed, cell) {
+            if let Ok(other) = undecided.binary_search_by_key(&(sheet, next), |other| (other.sheet, other.cell)) {
                 groups.union(k as u32, other as u32);
             }
         }

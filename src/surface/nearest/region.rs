@@ -103,7 +103,7 @@ impl Ball {
             if (k + 1).is_multiple_of(BLOCKS_PER_STEP) {
                 job.step(0.0, "region")?;
             }
-            for (i, j) in block.cells(cells) {
+            for [i, j] in block.cells(cells) {
                 let patch = cells.patch(i, j);
                 let whole = patch.max_distance(self.query) <= self.radius;
                 if whole || self.reaches(&patch, &mut workspace) {

@@ -69,15 +69,10 @@ struct Pair<const M: usize, const N: usize> {
 }
 
 /// Memory for searches, used again and again.
+#[derive(Default)]
 pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
     stack: Stack<Pair<M, N>>,
     boxes: Vec<UnresolvedBox>,
-}
-
-impl<const M: usize, const N: usize> Default for CurveWorkspace<M, N> {
-    fn default() -> Self {
-        CurveWorkspace { stack: Vec::new(), boxes: Vec::new() }
-    }
 }
 
 /// The search of one curve and one patch.

@@ -10,6 +10,7 @@
 
 use super::chart::{Chart, MARGIN, ParameterBox};
 use super::equation::{Equation, Frame};
+use crate::geom::aabb::range;
 use crate::geom::subdivision::BoxTest;
 use glam::{DVec3, DVec4};
 
@@ -301,8 +302,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     /// Classifies a curve next to a side across parameter k: if it runs along it, to rounding, it
     /// belongs to the box above; if it touches it, to the box that it comes from.
     fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
-        let values = samples.map(|x| x[k]);
-        let (min, max) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+        let [min, max] = range(samples.map(|x| x[k]));
         let near = |side: f64| min >= side - close && max <= side + close;
         let is_high = near(self.high[k]);
         if !is_high && !near(self.low[k]) {

@@ -85,8 +85,7 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
     /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
-        let size = |surface: &Surface<'_>| surface.bounds()[0].distance(surface.bounds()[1]);
-        let chord = positive("chord", options.chord, 1e-4 * size(self).min(size(other)))?;
+        let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         require(tolerance.is_finite(), "tolerance", tolerance)?;
         let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;

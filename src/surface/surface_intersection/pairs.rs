@@ -9,7 +9,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::job::Job;
-use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::cells::{BLOCK, Cells, cells_of_block};
 use crate::surface::checks::require;
 use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::{Sheet, Surface, each_sheet};
@@ -30,8 +30,7 @@ pub const MAX_PAIRS: u64 = 1 << 26;
 /// Pairs of blocks between two looks at the job.
 const VISITS_PER_STEP: usize = 1024;
 
-/// A sheet, its index, and what takes its index's coordinates to the common ones.
-#[derive(Clone, Copy)]
+/// A sheet and its index.
 struct Indexed<'a> {
     number: u32,
     sheet: &'a Sheet<'a>,
@@ -59,17 +58,15 @@ struct Parallelepiped {
 }
 
 impl Parallelepiped {
-    fn of(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
-        let (centre, half) = oriented.edges();
+    fn new(centre: DVec3, half: [DVec3; 3]) -> Parallelepiped {
         let [x, y, z] = half;
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
-        Parallelepiped {
-            centre: centre + shift,
-            half,
-            lengths: half.map(DVec3::length),
-            normals,
-            volume: x.dot(normals[0]).abs(),
-        }
+        Parallelepiped { centre, half, lengths: half.map(DVec3::length), normals, volume: x.dot(normals[0]).abs() }
+    }
+
+    fn of(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
+        let (centre, half) = oriented.edges();
+        Parallelepiped::new(centre + shift, half)
     }
 
     /// False if one of the axes of separation shows that the solids are farther apart than `by`:
@@ -107,8 +104,7 @@ impl Parallelepiped {
 
 impl Node {
     fn root(index: &Pyramid, shift: DVec3) -> Node {
-        let bounds = index.bounds();
-        let bounds = shifted(bounds, shift - index.origin());
+        let bounds = shifted(index.bounds(), shift - index.origin());
         Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
@@ -155,17 +151,6 @@ struct Quadrilateral {
 }
 
 impl Quadrilateral {
-    const NONE: Quadrilateral = Quadrilateral {
-        cell: [0; 2],
-        bounds: Aabb::EMPTY,
-        centre: DVec3::ZERO,
-        half: [DVec3::ZERO; 2],
-        twist: DVec3::ZERO,
-        lengths: [0.0; 2],
-        normal: DVec3::ZERO,
-        rise: 0.0,
-    };
-
     fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> Quadrilateral {
         let half = [0.25 * (r + s - p - q), 0.25 * (q + s - p - r)];
         let (twist, normal) = (0.25 * (p + s - q - r), half[0].cross(half[1]));
@@ -211,14 +196,12 @@ impl Quadrilateral {
 }
 
 /// The corners of the cells of a block, and those cells that may meet another.
-#[derive(Clone, Copy)]
 struct Block {
     at: [usize; 2],
     corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
     /// How far the surface may be from the cells' quadrilaterals.
     deviation: f64,
-    quads: [Quadrilateral; BLOCK * BLOCK],
-    count: usize,
+    quads: Vec<Quadrilateral>,
 }
 
 impl Block {
@@ -226,8 +209,7 @@ impl Block {
         at: [usize::MAX; 2],
         corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
         deviation: 0.0,
-        quads: [Quadrilateral::NONE; BLOCK * BLOCK],
-        count: 0,
+        quads: Vec::new(),
     };
 
     /// Reads the block at a node, unless it is that already.
@@ -250,24 +232,16 @@ impl Block {
 
     /// Chooses the cells that may be as near to a box as `by`.
     fn choose(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
-        let [rows, columns] = sheet.cells();
-        let [first, left] = self.at.map(|at| at * BLOCK);
-        self.count = 0;
-        for (r, i) in (first..rows).take(BLOCK).enumerate() {
-            for (c, j) in (left..columns).take(BLOCK).enumerate() {
-                let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
-                let [[p, q], [s, t]] = corners;
-                let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
-                if overlap(&bounds, near, by) {
-                    self.quads[self.count] = Quadrilateral::new([i as u32, j as u32], corners, bounds);
-                    self.count += 1;
-                }
+        self.quads.clear();
+        for [i, j] in cells_of_block(self.at, sheet.cells()) {
+            let (r, c) = (i % BLOCK, j % BLOCK);
+            let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
+            let [[p, q], [s, t]] = corners;
+            let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
+            if overlap(&bounds, near, by) {
+                self.quads.push(Quadrilateral::new([i as u32, j as u32], corners, bounds));
             }
         }
-    }
-
-    fn quads(&self) -> &[Quadrilateral] {
-        &self.quads[..self.count]
     }
 }
 
@@ -282,21 +256,20 @@ impl Surface<'_> {
         require(within >= 0.0 && within.is_finite(), "within", within)?;
         let mut found = Vec::new();
         for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
-            let ((sheet_a, index_a), (sheet_b, index_b)) = (self.indexed(k), other.indexed(n));
-            let a = Indexed { number: k as u32, sheet: sheet_a, index: index_a };
-            let b = Indexed { number: n as u32, sheet: sheet_b, index: index_b };
+            let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
+                let (sheet, index) = surface.indexed(k);
+                Indexed { number: k as u32, sheet, index }
+            });
             pairs(&a, &b, within, &mut found, job)?;
         }
         Ok(found)
     }
 }
 
-/// Adds the pairs of cells of two sheets that may be as near as `within`, in order: all that are,
-/// and few others.
+/// Adds the pairs of cells of two sheets that may be as near as `within`, in order.
 fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair>, job: &Job<'_>) -> Result<()> {
     let origin = a.index.origin();
     let shift = b.index.origin() - origin;
-    let roots = [Node::root(a.index, DVec3::ZERO), Node::root(b.index, shift)];
     // Boxes hold the surface to the bit; the shift from one origin to the other rounds.
     let size = [a, b].map(|sheet| {
         let Aabb { low, high } = sheet.index.bounds();
@@ -306,7 +279,7 @@ fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair
     let before = found.len();
     let blocks = [Block::NONE; 2];
     let mut descent = Descent { a, b, origin, shift, by, blocks, visited: 0, found, job };
-    descent.visit(&roots[0], &roots[1])?;
+    descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
@@ -363,7 +336,7 @@ impl Descent<'_> {
         let by = self.by + left.deviation + right.deviation;
         left.choose(a.sheet, &other.bounds, by);
         right.choose(b.sheet, &one.bounds, by);
-        for (p, q) in left.quads().iter().flat_map(|p| right.quads().iter().map(move |q| (p, q))) {
+        for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
             if p.meets(q, by) {
                 alloc::push(found, CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] })?;
             }
@@ -379,13 +352,6 @@ impl Descent<'_> {
 mod tests {
     use super::*;
 
-    fn solid(half: [DVec3; 3]) -> Parallelepiped {
-        let [x, y, z] = half;
-        let normals = [y.cross(z), z.cross(x), x.cross(y)];
-        let lengths = half.map(DVec3::length);
-        Parallelepiped { centre: DVec3::ZERO, half, lengths, normals, volume: x.dot(normals[0]).abs() }
-    }
-
     /// Boxes turned at random and a gap apart, which an axis of separation crosses straight: one
     /// across a face, or across an edge of each.
     #[test]
@@ -398,7 +364,7 @@ mod tests {
                 let y = x.cross(y).normalize();
                 [x, y, x.cross(y)].map(|axis| (0.1 + random.f64()) * axis)
             };
-            let (one, mut other) = (solid(turned()), solid(turned()));
+            let [one, mut other] = [0, 1].map(|_| Parallelepiped::new(DVec3::ZERO, turned()));
             let axes = [one.half[k % 3], other.half[k % 3], one.half[k % 3].cross(other.half[k / 3 % 3])];
             let along = axes[k / 9 % 3].normalize();
             let corner = |solid: &Parallelepiped| -> DVec3 {
