@@ -6,7 +6,7 @@
 //! values, which all bounds of the index rest on.
 
 use crate::choice::choices;
-
+use crate::error::{Error, Result};
 use std::ops::Range;
 
 /// Nodes that a cubic may depend on.
@@ -82,6 +82,17 @@ impl Axis {
         let others = |(place, of)| most(of, |node| node != place && node != place + 1);
         axis.outside = axis.weights.iter().enumerate().map(others).fold(0.0, f64::max);
         axis
+    }
+
+    /// The directions of rows and of columns of nodes.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`] below [`Axis::least_lines`].
+    pub(crate) fn pair([rows, columns]: [usize; 2], closed: [bool; 2], scheme: Scheme) -> Result<[Axis; 2]> {
+        if rows < Axis::least_lines(closed[0]) || columns < Axis::least_lines(closed[1]) {
+            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+        }
+        Ok([Axis::new(rows, closed[0], scheme), Axis::new(columns, closed[1], scheme)])
     }
 
     /// The number of intervals.
@@ -200,7 +211,8 @@ fn weights(place: usize, nodes: usize, five: usize, four: usize, scheme: Scheme)
     // The slope at node `at` of the polynomial through the nodes from `first` on.
     let slope = |at: usize, first: usize, count: usize| {
         let mut slope = [0.0; TAPS];
-        slope[first..first + count].copy_from_slice(&differences(count)[at - first][..count]);
+        let (by, rows) = differences(count);
+        slope[first..].iter_mut().zip(rows[at - first]).for_each(|(slope, weight)| *slope = weight / by);
         slope
     };
     let (start, end) = match scheme {
@@ -225,33 +237,24 @@ fn weights(place: usize, nodes: usize, five: usize, four: usize, scheme: Scheme)
     points
 }
 
-/// Row k: the slope at node k of the polynomial through `count` nodes.
-fn differences(count: usize) -> [[f64; 5]; 5] {
-    let over = |by: f64, rows: [[f64; 5]; 5]| rows.map(|row| row.map(|weight| weight / by));
+/// Row k: the slope at node k of the polynomial through `count` nodes, times the number that is
+/// given with the rows.
+fn differences(count: usize) -> (f64, &'static [&'static [f64]]) {
     match count {
-        2 => over(1.0, [[-1.0, 1.0, 0.0, 0.0, 0.0], [-1.0, 1.0, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5], [0.0; 5]]),
-        3 => over(
-            2.0,
-            [[-3.0, 4.0, -1.0, 0.0, 0.0], [-1.0, 0.0, 1.0, 0.0, 0.0], [1.0, -4.0, 3.0, 0.0, 0.0], [0.0; 5], [0.0; 5]],
-        ),
-        4 => over(
+        2 => (1.0, &[&[-1.0, 1.0], &[-1.0, 1.0]]),
+        3 => (2.0, &[&[-3.0, 4.0, -1.0], &[-1.0, 0.0, 1.0], &[1.0, -4.0, 3.0]]),
+        4 => (
             6.0,
-            [
-                [-11.0, 18.0, -9.0, 2.0, 0.0],
-                [-2.0, -3.0, 6.0, -1.0, 0.0],
-                [1.0, -6.0, 3.0, 2.0, 0.0],
-                [-2.0, 9.0, -18.0, 11.0, 0.0],
-                [0.0; 5],
-            ],
+            &[&[-11.0, 18.0, -9.0, 2.0], &[-2.0, -3.0, 6.0, -1.0], &[1.0, -6.0, 3.0, 2.0], &[-2.0, 9.0, -18.0, 11.0]],
         ),
-        _ => over(
+        _ => (
             12.0,
-            [
-                [-25.0, 48.0, -36.0, 16.0, -3.0],
-                [-3.0, -10.0, 18.0, -6.0, 1.0],
-                [1.0, -8.0, 0.0, 8.0, -1.0],
-                [-1.0, 6.0, -18.0, 10.0, 3.0],
-                [3.0, -16.0, 36.0, -48.0, 25.0],
+            &[
+                &[-25.0, 48.0, -36.0, 16.0, -3.0],
+                &[-3.0, -10.0, 18.0, -6.0, 1.0],
+                &[1.0, -8.0, 0.0, 8.0, -1.0],
+                &[-1.0, 6.0, -18.0, 10.0, 3.0],
+                &[3.0, -16.0, 36.0, -48.0, 25.0],
             ],
         ),
     }

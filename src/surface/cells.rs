@@ -6,7 +6,11 @@
 
 use super::Patch;
 use super::subdivision::Field;
+use crate::alloc;
+use crate::error::Result;
 use crate::geom::aabb::Aabb;
+use crate::job::Job;
+use crate::par;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -27,6 +31,35 @@ pub(crate) fn cells_of_block(
 ) -> impl Iterator<Item = [usize; 2]> {
     let columns = block_range(column, columns);
     block_range(row, rows).flat_map(move |i| columns.clone().map(move |j| [i, j]))
+}
+
+/// Values that a thread makes at a time.
+const VALUES_PER_TASK: usize = 1 << 10;
+
+/// Values for cells in rows and columns, row after row, on the job's threads: `work` fills those of
+/// a row.
+pub(super) fn by_row<T: Send + Clone + Default>(
+    [rows, columns]: [usize; 2],
+    stage: &'static str,
+    job: &Job<'_>,
+    work: impl Fn(usize, &mut [T]) + Sync,
+) -> Result<Vec<T>> {
+    let mut all = alloc::filled(T::default(), rows * columns)?;
+    let together = VALUES_PER_TASK.div_ceil(columns);
+    par::map_cancellable(job, stage, all.chunks_mut(together * columns).enumerate(), |(k, part)| {
+        part.chunks_mut(columns).enumerate().for_each(|(i, row)| work(k * together + i, row));
+    })?;
+    Ok(all)
+}
+
+/// [`by_row`], cell by cell.
+pub(super) fn by_cell<T: Send + Clone + Default>(
+    counts: [usize; 2],
+    stage: &'static str,
+    job: &Job<'_>,
+    work: impl Fn([usize; 2]) -> T + Sync,
+) -> Result<Vec<T>> {
+    by_row(counts, stage, job, |i, row| row.iter_mut().enumerate().for_each(|(j, value)| *value = work([i, j])))
 }
 
 /// A sheet of patches of degree N - 1.
@@ -67,33 +100,26 @@ pub(crate) trait Cells<const N: usize>: Sync {
 }
 
 impl<const N: usize> Patch<N> {
-    /// A bound of the distance from the bilinear patch through the corners, at equal parameters:
-    /// that of the control nets, of which the difference is the net.
-    #[allow(dead_code, reason = "for estimates of cells")]
+    /// A bound of the distance from the bilinear patch through the corners, at equal parameters.
     pub(crate) fn deviation(&self) -> f64 {
-        let at = |k: usize| k as f64 / (N - 1) as f64;
-        let [[p00, p01], [p10, p11]] = self.corners();
-        let mut worst = 0.0_f64;
-        for (a, row) in self.points.iter().enumerate() {
-            let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
-            for (b, point) in row.iter().enumerate() {
-                worst = worst.max(point.distance_squared(from.lerp(to, at(b))));
-            }
-        }
-        worst.sqrt()
+        self.bilinear_differences().map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
     }
 
-    /// A box of the differences from the bilinear patch through the corners, at equal parameters:
-    /// those of the control nets.
+    /// A box of the differences from the bilinear patch through the corners, at equal parameters.
     pub(crate) fn displacements(&self) -> Aabb {
+        Aabb::of(self.bilinear_differences())
+    }
+
+    /// The control points of the difference from the bilinear patch through the corners: those of
+    /// the control nets.
+    #[inline]
+    fn bilinear_differences(&self) -> impl Iterator<Item = DVec3> {
         let at = |k: usize| k as f64 / (N - 1) as f64;
         let [[p00, p01], [p10, p11]] = self.corners();
-        let mut bounds = Aabb::EMPTY;
-        for (a, row) in self.points.iter().enumerate() {
+        self.points.iter().enumerate().flat_map(move |(a, row)| {
             let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
-            row.iter().enumerate().for_each(|(b, &point)| bounds.add(point - from.lerp(to, at(b))));
-        }
-        bounds
+            row.iter().enumerate().map(move |(b, &point)| point - from.lerp(to, at(b)))
+        })
     }
 
     /// Boxes of S_u and S_v: of their control vectors.

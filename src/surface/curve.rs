@@ -66,7 +66,7 @@ impl Sheet<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`]. O(cells along the curve).
     pub fn row_curve(&self, u: f64) -> Result<Curve> {
-        let closed = matches!(self, Sheet::Grid(grid) if grid.is_closed()[1]);
+        let closed = self.seams()[1];
         each_sheet!(self, cells => {
             let (row, within) = place(u, cells.counts()[0])?;
             let count = cells.counts()[1];
@@ -79,7 +79,7 @@ impl Sheet<'_> {
     /// # Errors
     /// As for [`Sheet::row_curve`].
     pub fn column_curve(&self, v: f64) -> Result<Curve> {
-        let closed = matches!(self, Sheet::Grid(grid) if grid.is_closed()[0]);
+        let closed = self.seams()[0];
         each_sheet!(self, cells => {
             let (column, within) = place(v, cells.counts()[1])?;
             let count = cells.counts()[0];

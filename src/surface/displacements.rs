@@ -14,24 +14,14 @@
 //! O(nodes), by the vector instructions of `sweep`.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::cells::BLOCK;
 use super::nodes::Nodes;
-use super::sweep::{Ranges, Sums, Sweep};
+use super::sweep::{Sums, Sweep};
 use crate::geom::aabb::Aabb;
 use glam::DVec3;
 use std::ops::Range;
 
-/// A grid as seen here.
-pub(super) struct Displacements<'a> {
-    pub(super) nodes: &'a Nodes<'a>,
-    pub(super) u: &'a Axis,
-    pub(super) v: &'a Axis,
-}
-
 /// Weights that give the inner Bézier points from the thirds of the chord.
-type Bend = Sums<2>;
-
-fn bend(weights: &Weights) -> Bend {
+fn bend(weights: &Weights) -> Sums<2> {
     let [start, first, second, end] = weights;
     let mut bend = [[0.0; TAPS]; 2];
     for k in 0..TAPS {
@@ -42,43 +32,20 @@ fn bend(weights: &Weights) -> Bend {
     bend
 }
 
-impl Displacements<'_> {
-    /// The boxes of the blocks of some rows of blocks, row after row.
-    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
-        let Displacements { nodes, u, v } = *self;
-        let sweep = Sweep { nodes, u, v, sums: bend };
-        let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
-        let rows = |r: usize| r * BLOCK..self.u.cells().min((r + 1) * BLOCK);
-        // Along each row once, and then for all blocks that depend on it.
-        let mut along = vec![Aabb::EMPTY; boxes.len()];
-        let mut ranges = Ranges::new(cells);
-        let mut line = Vec::new();
-        let whole = rows(block_rows.start).start..rows(block_rows.end - 1).end;
-        for row in self.u.lines_of(whole) {
-            ranges.clear();
-            sweep.along(row, &mut line, &mut ranges);
-            let needed: Vec<usize> =
-                block_rows.clone().filter(|&r| self.u.lines_of(rows(r)).any(|line| line == row)).collect();
-            for c in 0..across {
-                let found = ranges.over(c * BLOCK..cells.min((c + 1) * BLOCK));
-                for r in &needed {
-                    let bounds = &mut along[(r - block_rows.start) * across + c];
-                    *bounds = bounds.union(found);
-                }
-            }
-        }
-        let mut columns = Ranges::new(cells + 1);
-        for (r, (boxes, along)) in block_rows.zip(boxes.chunks_mut(across).zip(along.chunks(across))) {
-            columns.clear();
-            for i in rows(r) {
-                sweep.across(i, &mut columns);
-            }
-            for (c, (bounds, along)) in boxes.iter_mut().zip(along).enumerate() {
-                let across = columns.over(c * BLOCK..cells.min((c + 1) * BLOCK) + 1);
-                *bounds = grown(along.shrunk(), self.u.lebesgue()).sum(across.shrunk());
-            }
-        }
-    }
+/// The boxes of the blocks of some rows of blocks, row after row.
+pub(super) fn displacements(
+    nodes: &Nodes<'_>,
+    [u, v]: [&Axis; 2],
+    block_rows: Range<usize>,
+    boxes: &mut [Aabb],
+) {
+    let sweep = Sweep { nodes, u, v, sums: bend };
+    let mut along = vec![Aabb::EMPTY; boxes.len()];
+    sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found));
+    sweep.across_blocks(block_rows, |k, columns, ranges| {
+        let across = ranges.over(columns.start..columns.end + 1);
+        boxes[k] = grown(along[k].shrunk(), u.lebesgue()).sum(across.shrunk());
+    });
 }
 
 /// What sums with weights that sum to 1, and whose absolute values sum to `lebesgue` at most, make

@@ -4,9 +4,9 @@
 //! the scheme's cubic; flatness is bounded by control nets. O(cells), on the job's threads.
 
 use super::axis::{Axis, TAPS};
-use super::cells::Cells;
+use super::cells::{Cells, by_cell, by_row};
 use super::normal::angle;
-use super::{Patch, Sheet, each_sheet};
+use super::{Sheet, each_sheet};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -14,9 +14,7 @@ use crate::par;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Rows of cells, or chunks of them, between two reports of progress.
-const ROWS_PER_STEP: usize = 64;
-/// Cells that a thread takes at a time, where they do not come by rows.
+/// Cells whose normals a thread compares at a time.
 const CELLS_PER_TASK: usize = 1 << 8;
 
 impl Sheet<'_> {
@@ -37,13 +35,13 @@ impl Sheet<'_> {
             return alloc::filled(0.0, rows * columns);
         };
         let defects = grid.axes().map(Defects::of);
-        by_row(rows, columns, "estimating errors", job, |i, errors| {
+        by_row(self.cells(), "estimating errors", job, |i, errors: &mut [f64]| {
             let along = |row: usize, j: usize| defects[1].along(j, |column| grid.nodes().get(row, column));
             let across = |column: usize| defects[0].along(i, |row| grid.nodes().get(row, column));
             let mut left = across(0);
-            for j in 0..columns {
+            for (j, error) in errors.iter_mut().enumerate() {
                 let right = across(j + 1);
-                errors.push(along(i, j).max(along(i + 1, j)) + left.max(right));
+                *error = along(i, j).max(along(i + 1, j)) + left.max(right);
                 left = right;
             }
         })
@@ -53,21 +51,18 @@ impl Sheet<'_> {
     /// corners, and from the two triangles that either diagonal makes of them, both at equal
     /// parameters.
     pub fn flatness(&self, i: usize, j: usize) -> [f64; 2] {
-        fn of<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
-            let [[a, b], [c, d]] = patch.corners();
-            let bilinear = patch.deviation();
+        each_sheet!(self, cells => {
+            let patch = Cells::patch(cells, i, j);
+            let ([[a, b], [c, d]], bilinear) = (patch.corners(), patch.deviation());
             [bilinear, bilinear + 0.25 * ((a - b) - (c - d)).length()]
-        }
-        each_sheet!(self, cells => of(&Cells::patch(cells, i, j)))
+        })
     }
 
     /// Whether the sides u = 0 and u = 1 of the whole sheet, v = 0 and v = 1 are one point each.
     /// O(cells at the sides).
     pub fn poles(&self) -> [[bool; 2]; 2] {
-        let [rows, columns] = self.cells();
-        let u = |end: bool| (0..columns).all(|j| self.side_is_point(0, if end { rows - 1 } else { 0 }, j, end));
-        let v = |end: bool| (0..rows).all(|i| self.side_is_point(1, i, if end { columns - 1 } else { 0 }, end));
-        [[u(false), u(true)], [v(false), v(true)]]
+        let last = self.cells().map(|count| count - 1);
+        [0, 1].map(|k| [self.line_is_point(k, 0, false), self.line_is_point(k, last[k], true)])
     }
 
     /// [`Sheet::flatness`] for each cell, row after row. O(cells).
@@ -76,10 +71,7 @@ impl Sheet<'_> {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn flatnesses(&self, job: &Job<'_>) -> Result<Vec<[f64; 2]>> {
-        let [rows, columns] = self.cells();
-        by_row(rows, columns, "bounding deviations", job, |i, bounds| {
-            bounds.extend((0..columns).map(|j| self.flatness(i, j)));
-        })
+        by_cell(self.cells(), "bounding deviations", job, |[i, j]| self.flatness(i, j))
     }
 
     /// The largest angle between the normals on both sides of borders between cells, at the corners
@@ -114,15 +106,8 @@ fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool;
         }
         worst.angle
     };
-    let (count, mut worst) = (rows * columns, 0.0_f64);
-    for from in (0..count).step_by(ROWS_PER_STEP * CELLS_PER_TASK) {
-        job.step(from as f64 / count as f64, "comparing normals")?;
-        let round = (ROWS_PER_STEP * CELLS_PER_TASK).min(count - from);
-        let parts =
-            par::chunks(job.threads(), round, CELLS_PER_TASK, |range| in_chunk(from + range.start..from + range.end));
-        worst = parts.into_iter().fold(worst, f64::max);
-    }
-    Ok(worst)
+    let parts = par::chunks_cancellable(job, "comparing normals", rows * columns, CELLS_PER_TASK, in_chunk)?;
+    Ok(parts.into_iter().fold(0.0, f64::max))
 }
 
 /// The largest angle so far, and the square of the chord between its unit vectors, which rises with
@@ -143,30 +128,6 @@ impl CreaseAngle {
             }
         }
     }
-}
-
-/// The values that `work` adds for each row of cells, `each` a row.
-fn by_row<T: Send>(
-    rows: usize,
-    each: usize,
-    stage: &'static str,
-    job: &Job<'_>,
-    work: impl Fn(usize, &mut Vec<T>) + Sync,
-) -> Result<Vec<T>> {
-    let mut all = alloc::with_capacity(rows.saturating_mul(each))?;
-    let round = (ROWS_PER_STEP * CELLS_PER_TASK / each.max(1)).clamp(1, ROWS_PER_STEP);
-    for from in (0..rows).step_by(round) {
-        job.step(from as f64 / rows as f64, stage)?;
-        let parts = par::map(job.threads(), from..rows.min(from + round), |i| {
-            let mut row = alloc::with_capacity(each)?;
-            work(i, &mut row);
-            Ok(row)
-        });
-        for part in parts {
-            all.append(&mut part?);
-        }
-    }
-    Ok(all)
 }
 
 /// The weights of the difference between the quintic and the scheme's cubic in each interval of an

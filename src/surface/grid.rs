@@ -7,12 +7,14 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
-use super::displacements::Displacements;
+use super::displacements::displacements;
 use super::nodes::{Nodes, Window};
 use super::subdivision::Field;
-use super::tangents::Tangents;
+use super::tangents::tangents;
 use super::{Patch, Scheme};
-use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::geom::aabb::Aabb;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
@@ -37,20 +39,9 @@ impl<'a> Grid<'a> {
     /// nodes and the repeated one; [`Error::SidesApart`] if a closed direction does not end where
     /// it begins, with the place of the largest gap.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
-        let (rows, columns) = (nodes.rows(), nodes.columns());
-        let [closed_u, closed_v] = closed;
-        if rows < Axis::least_lines(closed_u) || columns < Axis::least_lines(closed_v) {
-            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
-        }
+        let [u, v] = Axis::pair([nodes.rows(), nodes.columns()], closed, scheme)?;
         nodes.check_finite()?;
-        let gap = |a: (usize, usize), b: (usize, usize)| nodes.get(a.0, a.1).distance(nodes.get(b.0, b.1));
-        if closed_u {
-            check_closed(columns, |j| gap((0, j), (rows - 1, j)))?;
-        }
-        if closed_v {
-            check_closed(rows, |i| gap((i, 0), (i, columns - 1)))?;
-        }
-        let (u, v) = (Axis::new(rows, closed_u, scheme), Axis::new(columns, closed_v, scheme));
+        nodes.check_closed(closed)?;
         Ok(Grid { nodes, u, v })
     }
 
@@ -108,38 +99,15 @@ fn blended(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
 #[inline(always)]
 fn bezier(line: &Window, place: usize, weights: &Weights) -> [DVec3; 4] {
     let point = |k: usize| DVec3::new(line[3 * k], line[3 * k + 1], line[3 * k + 2]);
-    let inner = |weights: &[f64; TAPS]| {
-        let terms = weights.iter().enumerate().map(|(k, &weight)| weight * point(k));
-        terms.fold(DVec3::ZERO, |sum, term| sum + term)
-    };
+    let inner = |weights: &[f64; TAPS]| (0..TAPS).fold(DVec3::ZERO, |sum, k| sum + weights[k] * point(k));
     [point(place), inner(&weights[1]), inner(&weights[2]), point(place + 1)]
 }
 
 /// The four Bézier points of the interval after node `place`.
 #[inline(always)]
 fn bezier_pairs(nodes: &[DVec2; TAPS], place: usize, weights: &Weights) -> [DVec2; 4] {
-    let inner = |weights: &[f64; TAPS]| {
-        let mut sum = weights[0] * nodes[0];
-        for k in 1..TAPS {
-            sum += weights[k] * nodes[k];
-        }
-        sum
-    };
+    let inner = |weights: &[f64; TAPS]| (1..TAPS).fold(weights[0] * nodes[0], |sum, k| sum + weights[k] * nodes[k]);
     [nodes[place], inner(&weights[1]), inner(&weights[2]), nodes[place + 1]]
-}
-
-/// [`Error::SidesApart`] with the place of the largest gap, unless all gaps are 0.
-pub(super) fn check_closed(count: usize, gap: impl Fn(usize) -> f64) -> Result<()> {
-    let mut worst = (0, 0.0);
-    for (place, distance) in (0..count).map(|place| (place, gap(place))) {
-        if distance > worst.1 {
-            worst = (place, distance);
-        }
-    }
-    match worst {
-        (_, 0.0) => Ok(()),
-        (place, distance) => Err(Error::SidesApart { place: place as u32, distance }),
-    }
 }
 
 impl Cells<4> for Grid<'_> {
@@ -196,10 +164,10 @@ impl Cells<4> for Grid<'_> {
     }
 
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
-        Displacements { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
+        displacements(&self.nodes, self.axes(), block_rows, boxes);
     }
 
     fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
-        Tangents { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
+        tangents(&self.nodes, self.axes(), block_rows, boxes);
     }
 }

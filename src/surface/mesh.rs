@@ -97,11 +97,26 @@ impl Sheet<'_> {
     }
 
     fn bend(&self, i: usize, j: usize) -> Bend {
-        fn of<const N: usize>(patch: &Patch<N>) -> Bend {
-            Bend::of(patch)
-        }
-        each_sheet!(self, cells => of(&Cells::patch(cells, i, j)))
+        each_sheet!(self, cells => Bend::of(&Cells::patch(cells, i, j)))
     }
+}
+
+/// The lines of one direction: the cell and the parameter of each, and whether it is one point.
+fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<(u32, f64)>, Vec<bool>)> {
+    let is_point = |cell: usize, end: bool| sheet.line_is_point(direction, cell, end);
+    let mut lines = alloc::with_capacity(count + 1)?;
+    let mut points = alloc::with_capacity(count + 1)?;
+    for (cell, &parts) in parts.iter().enumerate() {
+        for k in 0..parts as usize {
+            lines.push((cell as u32, k as f64 / parts));
+            points.push(k == 0 && is_point(cell, false));
+        }
+    }
+    if !sheet.is_closed()[direction] {
+        lines.push((parts.len() as u32 - 1, 1.0));
+        points.push(is_point(parts.len() - 1, true));
+    }
+    Ok((lines, points))
 }
 
 /// The lines of a mesh on a sheet.
@@ -119,8 +134,8 @@ struct Lattice<'a> {
 impl<'a> Lattice<'a> {
     fn new(sheet: &'a Sheet<'a>, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = sheet.cells();
-        let mut parts =
-            [alloc::filled(f64::from(options.least[0]), rows)?, alloc::filled(f64::from(options.least[1]), columns)?];
+        let [least_u, least_v] = options.least.map(f64::from);
+        let mut parts = [alloc::filled(least_u, rows)?, alloc::filled(least_v, columns)?];
         let least = |bound: f64| (0.5 * bound / options.tolerance).sqrt().ceil();
         let mut bends = alloc::with_capacity(rows * columns)?;
         for i in 0..rows {
@@ -134,7 +149,6 @@ impl<'a> Lattice<'a> {
         }
         // A quarter of the tolerance goes to S_uu and to S_vv each; twists may need more than these
         // have asked for.
-        let mut deviation = 0.0_f64;
         for (k, bend) in bends.iter().enumerate() {
             let (i, j) = (k / columns, k % columns);
             let short = 0.5 * bend.0[1] / (options.tolerance * parts[0][i] * parts[1][j]);
@@ -148,51 +162,12 @@ impl<'a> Lattice<'a> {
         if corners.is_nan() || corners > MAX_ELEMENTS as f64 {
             return Err(Error::TooLarge { what: "corners", count: corners as u64, limit: MAX_ELEMENTS });
         }
-        for (k, bend) in bends.iter().enumerate() {
-            deviation = deviation.max(bend.deviation(parts[0][k / columns], parts[1][k % columns]));
-        }
-        let mut lattice = Lattice {
-            sheet,
-            lines: [Vec::new(), Vec::new()],
-            points: [Vec::new(), Vec::new()],
-            meeting: None,
-            deviation,
-        };
-        for direction in 0..2 {
-            lattice.lay(direction, &parts[direction], counts[direction] as usize)?;
-        }
-        if lattice.points[0].contains(&true) {
-            lattice.meeting = lattice.points[1].iter().position(|&point| point);
-        }
-        Ok(lattice)
-    }
-
-    /// The lines of one direction.
-    fn lay(&mut self, direction: usize, parts: &[f64], count: usize) -> Result<()> {
-        let closed = self.sheet.is_closed()[direction];
-        let mut lines = alloc::with_capacity(count + 1)?;
-        let mut points = alloc::with_capacity(count + 1)?;
-        for (cell, &parts) in parts.iter().enumerate() {
-            for k in 0..parts as usize {
-                lines.push((cell as u32, k as f64 / parts));
-                points.push(k == 0 && self.is_point(direction, cell, false));
-            }
-        }
-        if !closed {
-            lines.push((parts.len() as u32 - 1, 1.0));
-            points.push(self.is_point(direction, parts.len() - 1, true));
-        }
-        (self.lines[direction], self.points[direction]) = (lines, points);
-        Ok(())
-    }
-
-    /// True if the whole line of nodes before a row of cells, or after it, is one point.
-    fn is_point(&self, direction: usize, cell: usize, end: bool) -> bool {
-        let other = self.sheet.cells()[1 - direction];
-        (0..other).all(|k| {
-            let (i, j) = if direction == 0 { (cell, k) } else { (k, cell) };
-            self.sheet.side_is_point(direction, i, j, end)
-        })
+        let deviations = bends.iter().enumerate().map(|(k, of)| of.deviation(parts[0][k / columns], parts[1][k % columns]));
+        let deviation = deviations.fold(0.0, f64::max);
+        let (lines_u, points_u) = lines(sheet, 0, &parts[0], counts[0] as usize)?;
+        let (lines_v, points_v) = lines(sheet, 1, &parts[1], counts[1] as usize)?;
+        let meeting = if points_u.contains(&true) { points_v.iter().position(|&point| point) } else { None };
+        Ok(Lattice { sheet, lines: [lines_u, lines_v], points: [points_u, points_v], meeting, deviation })
     }
 
     /// The vertex where lines meet, by number of the first lines that meet there.

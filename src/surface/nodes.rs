@@ -150,4 +150,25 @@ impl<'a> Nodes<'a> {
     pub(crate) fn check_finite(&self) -> Result<()> {
         finite_nodes((0..self.rows).flat_map(|i| (0..self.columns).map(move |j| self.get(i, j))))
     }
+
+    /// [`Error::SidesApart`] with the place of the largest gap, unless the last line of each closed
+    /// direction is the first one again.
+    pub(super) fn check_closed(&self, [closed_u, closed_v]: [bool; 2]) -> Result<()> {
+        let gap = |a: [usize; 2], b: [usize; 2]| self.get(a[0], a[1]).distance(self.get(b[0], b[1]));
+        if closed_u {
+            check_gaps((0..self.columns).map(|j| gap([0, j], [self.rows - 1, j])))?;
+        }
+        if closed_v {
+            check_gaps((0..self.rows).map(|i| gap([i, 0], [i, self.columns - 1])))?;
+        }
+        Ok(())
+    }
+}
+
+fn check_gaps(gaps: impl Iterator<Item = f64>) -> Result<()> {
+    let worst = gaps.zip(0..).fold((0.0, 0), |worst, gap| if gap.0 > worst.0 { gap } else { worst });
+    match worst {
+        (0.0, _) => Ok(()),
+        (distance, place) => Err(Error::SidesApart { place, distance }),
+    }
 }

@@ -160,28 +160,20 @@ impl Sheet<'_> {
     pub fn normal_limit(&self, i: usize, j: usize, u: f64, v: f64) -> Normal {
         let mut here = each_sheet!(self, cells => Cells::patch(cells, i, j).normal(u, v));
         if here.kind == NormalKind::Limit {
-            let [in_u, in_v] = self.cells();
-            if (u == 0.0 || u == 1.0) && self.side_is_point(0, i, j, u == 1.0) {
-                let along = |direction: bool| self.along(direction, j, in_v, |j| self.side_is_point(0, i, j, u == 1.0));
-                for j in along(false).chain(along(true)) {
-                    self.spread(&mut here, [i, j], [[u, 0.0], [u, 0.5], [u, 1.0]]);
-                }
-            }
-            if (v == 0.0 || v == 1.0) && self.side_is_point(1, i, j, v == 1.0) {
-                let along = |direction: bool| self.along(direction, i, in_u, |i| self.side_is_point(1, i, j, v == 1.0));
-                for i in along(false).chain(along(true)) {
-                    self.spread(&mut here, [i, j], [[0.0, v], [0.5, v], [1.0, v]]);
+            for (direction, t) in [u, v].into_iter().enumerate() {
+                let cell = |k: usize| if direction == 0 { [i, k] } else { [k, j] };
+                let has = |&k: &usize| self.side_is_point(direction, cell(k)[0], cell(k)[1], t == 1.0);
+                let (start, count) = ([j, i][direction], self.cells()[1 - direction]);
+                if (t == 0.0 || t == 1.0) && has(&start) {
+                    let before = (0..=start).rev().take_while(has);
+                    for k in before.chain((start..count).take_while(has)) {
+                        let place = |other: f64| if direction == 0 { [t, other] } else { [other, t] };
+                        self.spread(&mut here, cell(k), [0.0, 0.5, 1.0].map(place));
+                    }
                 }
             }
         }
         here
-    }
-
-    /// Cells from `start` on, or backwards, while they have the side.
-    fn along(&self, up: bool, start: usize, count: usize, has: impl Fn(usize) -> bool) -> impl Iterator<Item = usize> {
-        let cells = (0..=count)
-            .map_while(move |k| if up { Some(start + k).filter(|&k| k < count) } else { start.checked_sub(k) });
-        cells.take_while(move |&k| has(k))
     }
 
     /// Raises the spread by what other places have.
@@ -200,6 +192,15 @@ impl Sheet<'_> {
         each_sheet!(self, cells => {
             let patch = Cells::patch(cells, i, j);
             if direction == 0 { patch.side_is_point(end) } else { patch.transposed().side_is_point(end) }
+        })
+    }
+
+    /// True if the whole line of nodes before a row of cells, or after it, is one point; `direction`
+    /// 1: a column.
+    pub(super) fn line_is_point(&self, direction: usize, cell: usize, end: bool) -> bool {
+        (0..self.cells()[1 - direction]).all(|k| {
+            let [i, j] = if direction == 0 { [cell, k] } else { [k, cell] };
+            self.side_is_point(direction, i, j, end)
         })
     }
 }

@@ -1,7 +1,7 @@
 //! The kinds of sheets, and the macro that treats them alike.
 
 use super::cells::Cells;
-use super::{Grid, Jet, Patch, Patches};
+use super::{Grid, Jet, Patches};
 use glam::DVec3;
 
 /// A piece of surface with rows and columns of cells. Copies share their nodes.
@@ -45,9 +45,12 @@ impl Sheet<'_> {
 
     /// The position and the derivatives at parameters (u, v) of the cell at (i, j).
     pub fn jet(&self, i: usize, j: usize, u: f64, v: f64) -> Jet {
-        fn of<const N: usize>(patch: &Patch<N>, u: f64, v: f64) -> Jet {
-            patch.jet(u, v)
-        }
-        each_sheet!(self, cells => of(&Cells::patch(cells, i, j), u, v))
+        each_sheet!(self, cells => Cells::patch(cells, i, j).jet(u, v))
+    }
+
+    /// Whether the cells on both sides of the line that closes u, or v, share it to the bit: of
+    /// grids. The sides of patches that are given may differ a little.
+    pub(crate) fn seams(&self) -> [bool; 2] {
+        if let Sheet::Grid(grid) = self { grid.is_closed() } else { [false; 2] }
     }
 }

@@ -4,6 +4,7 @@
 //! patches. Whole rows at once, by vector instructions chosen at run time. O(nodes).
 
 use super::axis::{Axis, TAPS, Weights};
+use super::cells::{BLOCK, block_range};
 use super::nodes::Nodes;
 use crate::geom::aabb::Aabb;
 use crate::simd::{self, Kernel};
@@ -64,11 +65,11 @@ pub(super) struct Ranges {
 }
 
 impl Ranges {
-    pub(super) fn new(count: usize) -> Ranges {
+    fn new(count: usize) -> Ranges {
         Ranges { low: vec![f64::INFINITY; 3 * count], high: vec![f64::NEG_INFINITY; 3 * count] }
     }
 
-    pub(super) fn clear(&mut self) {
+    fn clear(&mut self) {
         self.low.fill(f64::INFINITY);
         self.high.fill(f64::NEG_INFINITY);
     }
@@ -86,9 +87,45 @@ impl Ranges {
     }
 }
 
+/// True if a line is a side of one of some cells.
+fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
+    cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.cells() } else { cells.end }
+}
+
 impl<const K: usize> Sweep<'_, K> {
+    /// Boxes of the sums along the rows that the blocks of some rows of blocks depend on: each row
+    /// once, and then for all blocks that depend on it. `add` receives the number of the block, the
+    /// box over its columns, and whether the row is a side of its cells.
+    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) {
+        let rows = |r: usize| block_range(r, self.u.cells());
+        let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
+        let (mut ranges, mut line) = (Ranges::new(cells), Vec::new());
+        for row in self.u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
+            ranges.clear();
+            self.along(row, &mut line, &mut ranges);
+            let needed = block_rows.clone().filter(|&r| self.u.lines_of(rows(r)).any(|line| line == row));
+            let needed: Vec<_> = needed.map(|r| (r - block_rows.start, is_own(self.u, &rows(r), row))).collect();
+            for c in 0..across {
+                let found = ranges.over(block_range(c, cells));
+                needed.iter().for_each(|&(r, own)| add(r * across + c, found, own));
+            }
+        }
+    }
+
+    /// Ranges, by column, of the sums across the rows of cells of each row of blocks: `each`
+    /// receives the number of a block, its columns of cells, and the ranges.
+    pub(super) fn across_blocks(&self, block_rows: Range<usize>, mut each: impl FnMut(usize, Range<usize>, &Ranges)) {
+        let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
+        let mut ranges = Ranges::new(cells + 1);
+        for (k, r) in block_rows.enumerate() {
+            ranges.clear();
+            block_range(r, self.u.cells()).for_each(|i| self.across(i, &mut ranges));
+            (0..across).for_each(|c| each(k * across + c, block_range(c, cells), &ranges));
+        }
+    }
+
     /// Widens the ranges of cells by the sums along a row.
-    pub(super) fn along(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
+    fn along(&self, row: usize, line: &mut Vec<f64>, ranges: &mut Ranges) {
         let cells = self.v.cells();
         // All that have the same weights, six nodes from their place on; the row goes on at both
         // ends if it is closed.
@@ -119,7 +156,7 @@ impl<const K: usize> Sweep<'_, K> {
     }
 
     /// Widens the ranges of columns by the sums across the rows of interval i.
-    pub(super) fn across(&self, i: usize, ranges: &mut Ranges) {
+    fn across(&self, i: usize, ranges: &mut Ranges) {
         let (rows, weights) = self.u.taps(i);
         let sums = (self.sums)(weights);
         let packed = rows.map(|row| self.nodes.packed_row(row));

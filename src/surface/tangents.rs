@@ -8,19 +8,11 @@
 //! is in B, enlarged by (L - 1) / 2 of its size at both ends, and by O e.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::cells::BLOCK;
 use super::displacements::grown;
 use super::nodes::Nodes;
-use super::sweep::{Ranges, Sums, Sweep};
+use super::sweep::{Sums, Sweep};
 use crate::geom::aabb::Aabb;
 use std::ops::Range;
-
-/// A grid as seen here.
-pub(super) struct Tangents<'a> {
-    pub(super) nodes: &'a Nodes<'a>,
-    pub(super) u: &'a Axis,
-    pub(super) v: &'a Axis,
-}
 
 /// Weights that give the control vectors of the derivative.
 fn steps(weights: &Weights) -> Sums<3> {
@@ -52,57 +44,29 @@ impl Spread {
     }
 }
 
-/// True if a line is a side of one of some cells.
-fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
-    cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.cells() } else { cells.end }
-}
-
-impl Tangents<'_> {
-    /// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
-    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
-        let Tangents { nodes, u, v } = *self;
-        let sweep = Sweep { nodes, u, v, sums: steps };
-        let across = v.cells().div_ceil(BLOCK);
-        let rows = |r: usize| r * BLOCK..u.cells().min((r + 1) * BLOCK);
-        let columns = |c: usize| c * BLOCK..v.cells().min((c + 1) * BLOCK);
-        // S_v: along each row once, and then for all blocks that depend on it.
-        let mut along = vec![Spread::EMPTY; boxes.len()];
-        let mut ranges = Ranges::new(v.cells());
-        let mut line = Vec::new();
-        for row in u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
-            ranges.clear();
-            sweep.along(row, &mut line, &mut ranges);
-            let needed = block_rows.clone().filter(|&r| u.lines_of(rows(r)).any(|line| line == row));
-            let needed: Vec<_> = needed.map(|r| (r, is_own(u, &rows(r), row))).collect();
-            for c in 0..across {
-                let found = ranges.over(columns(c));
-                for &(r, own) in &needed {
-                    along[(r - block_rows.start) * across + c].add(found, own);
-                }
-            }
-        }
-        let mut ranges = Ranges::new(nodes.columns());
-        for (r, (boxes, along)) in block_rows.zip(boxes.chunks_mut(across).zip(along.chunks(across))) {
-            ranges.clear();
-            for i in rows(r) {
-                sweep.across(i, &mut ranges);
-            }
-            for (c, (bounds, along)) in boxes.iter_mut().zip(along).enumerate() {
-                let mut across = Spread::EMPTY;
-                across.add(ranges.over(columns(c).start..columns(c).end + 1), true);
-                for j in v.lines_of(columns(c)) {
-                    across.add(ranges.over(j..j + 1), false);
-                }
-                *bounds = [across.sums(v), along.sums(u)];
-            }
-        }
-    }
+/// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
+pub(super) fn tangents(
+    nodes: &Nodes<'_>,
+    [u, v]: [&Axis; 2],
+    block_rows: Range<usize>,
+    boxes: &mut [[Aabb; 2]],
+) {
+    let sweep = Sweep { nodes, u, v, sums: steps };
+    // S_v.
+    let mut along = vec![Spread::EMPTY; boxes.len()];
+    sweep.along_blocks(block_rows.clone(), |k, found, own| along[k].add(found, own));
+    sweep.across_blocks(block_rows, |k, columns, ranges| {
+        let mut across = Spread::EMPTY;
+        across.add(ranges.over(columns.start..columns.end + 1), true);
+        v.lines_of(columns).for_each(|j| across.add(ranges.over(j..j + 1), false));
+        boxes[k] = [across.sums(v), along[k].sums(u)];
+    });
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::cells::Cells;
+    use crate::surface::cells::{BLOCK, Cells};
     use crate::surface::{Grid, Patch, Scheme};
     use glam::DVec3;
 
@@ -110,11 +74,7 @@ mod tests {
     /// sides somewhere, or the boxes were too large.
     #[test]
     fn tangents_are_in_their_boxes() {
-        let mut state = 7_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut random = fastrand::Rng::with_seed(7);
         let mut nearest = f64::INFINITY;
         for round in 0..400 {
             let cells = [[9, 6], [5, 5], [2, 9], [13, 4], [3, 3]][round % 5];
@@ -126,7 +86,7 @@ mod tests {
                 let (a, b) = (if closed[0] { i % h } else { i }, if closed[1] { j % w } else { j });
                 for k in 0..3 {
                     let again = data[3 * (a * (w + 1) + b) + k];
-                    data[3 * (i * (w + 1) + j) + k] = if (a, b) == (i, j) { random() } else { again };
+                    data[3 * (i * (w + 1) + j) + k] = if (a, b) == (i, j) { random.f64() - 0.5 } else { again };
                 }
             }
             let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();

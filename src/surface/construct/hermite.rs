@@ -1,11 +1,12 @@
 //! Nodes with given tangents.
 
 use crate::alloc;
-use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::job::Job;
 use crate::surface::axis::Axis;
 use crate::surface::checks::finite_points;
-use crate::surface::grid::check_closed;
 use crate::surface::{Nodes, Patch, Patches, Scheme, Sheet};
 use glam::DVec3;
 
@@ -76,25 +77,16 @@ struct Hermite<'a> {
 
 impl<'a> Hermite<'a> {
     fn new(given: &'a Tangents<'a>) -> Result<Self> {
-        let (nodes, [closed_u, closed_v]) = (given.nodes, given.closed);
+        let (nodes, closed) = (given.nodes, given.closed);
         let (rows, columns) = (nodes.rows(), nodes.columns());
-        if rows < Axis::least_lines(closed_u) || columns < Axis::least_lines(closed_v) {
-            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
-        }
+        let axes = Axis::pair([rows, columns], closed, Scheme::SixTap)?;
         nodes.check_finite()?;
         let arrays = [("tangents", given.u), ("tangents", given.v)];
         let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
         for (what, vectors) in arrays.into_iter().chain(twists) {
             finite_points(vectors, (rows * columns) as u64, what)?;
         }
-        let gap = |a: (usize, usize), b: (usize, usize)| nodes.get(a.0, a.1).distance(nodes.get(b.0, b.1));
-        if closed_u {
-            check_closed(columns, |j| gap((0, j), (rows - 1, j)))?;
-        }
-        if closed_v {
-            check_closed(rows, |i| gap((i, 0), (i, columns - 1)))?;
-        }
-        let axes = [Axis::new(rows, closed_u, Scheme::SixTap), Axis::new(columns, closed_v, Scheme::SixTap)];
+        nodes.check_closed(closed)?;
         Ok(Hermite { given, rows, columns, axes })
     }
 

@@ -16,11 +16,7 @@ pub(super) struct Lattice {
 impl Lattice {
     /// The lattice of a sheet.
     pub(super) fn of(sheet: &Sheet<'_>) -> Self {
-        let closed = match sheet {
-            Sheet::Grid(grid) => grid.is_closed(),
-            _ => [false; 2],
-        };
-        Lattice { counts: sheet.cells(), closed }
+        Lattice { counts: sheet.cells(), closed: sheet.seams() }
     }
 
     /// The numbers of blocks in u and in v.

@@ -88,9 +88,7 @@ impl ChildBoxes {
         }
         sums
     }
-}
 
-impl ChildBoxes {
     /// As [`ChildBoxes::distances_squared`] in single precision: right to a few units in the last
     /// place for the rounded point.
     #[inline(always)]
@@ -123,14 +121,12 @@ impl OrientedBox {
         let mut found = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
         // The box is made for the axes as they will be used, rounded.
         let axes = found.frame();
-        let mut bounds = Aabb::EMPTY;
-        points.iter().for_each(|&point| bounds.add(axes * point));
+        let bounds = Aabb::of(points.iter().map(|&point| axes * point));
         // The reach of the displacements along the axes.
-        let (middle, half) = (0.5 * (by.low + by.high), 0.5 * (by.high - by.low));
-        let [x, y, z] = [axes.row(0), axes.row(1), axes.row(2)].map(|axis| axis.abs().dot(half));
-        let reach = DVec3::new(x, y, z);
-        bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
-        let middle = axes.transpose() * (0.5 * (bounds.low + bounds.high));
+        let (middle, half) = (by.centre(), 0.5 * by.size());
+        let reach = DVec3::from_array([0, 1, 2].map(|k| axes.row(k).abs().dot(half)));
+        let bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
+        let middle = axes.transpose() * bounds.centre();
         found.centre = single(middle);
         let centre = axes * found.centre();
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
@@ -275,13 +271,9 @@ mod tests {
     /// it.
     #[test]
     fn edges_hold_the_box() {
-        let mut state = 1_u64;
-        let mut random = move || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        };
+        let mut random = fastrand::Rng::with_seed(1);
         for k in 0..3000 {
-            let mut direction = || DVec3::new(random(), random(), random()).normalize();
+            let mut direction = || DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0)).normalize();
             let (u, v) = (direction(), direction());
             let w = u.cross(v).normalize();
             let sizes = [1.0, [1e-2, 1e-3, 1e-5][k % 3], [1e-3, 1e-6, 0.0][k / 3 % 3]];

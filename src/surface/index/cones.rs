@@ -8,8 +8,9 @@
 //! O(n) to build, 8 bytes a block.
 
 use super::super::cells::{BLOCK, Cells};
+use super::super::normal::angle;
 use super::super::ranges::{angles, cross};
-use super::schedule::{BLOCK_ROWS_PER_TASK, tasks_per_step};
+use super::schedule::block_rows_per_task;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::aabb::Aabb;
@@ -51,7 +52,7 @@ impl PackedCone {
 
     /// The cone of the cross products of vectors of two boxes.
     fn of_products([u, v]: [Aabb; 2]) -> PackedCone {
-        let parts = |of: Aabb| [0.5 * (of.low + of.high), 0.5 * (of.high - of.low)];
+        let parts = |of: Aabb| [of.centre(), 0.5 * of.size()];
         let [[u, half_u], [v, half_v]] = [parts(u), parts(v)];
         let Some((axis, third)) = PackedCone::packed_axis(u.cross(v)) else { return PackedCone::ALL };
         let Some(first) = u.reject_from_normalized(third).try_normalize() else { return PackedCone::ALL };
@@ -91,7 +92,7 @@ impl PackedCone {
 impl NormalCone {
     /// The angle of the axis with a unit vector.
     fn angle_to(&self, direction: DVec3) -> f64 {
-        libm::atan2(self.axis.cross(direction).length(), self.axis.dot(direction))
+        angle(self.axis, direction)
     }
 
     /// The least and the greatest angle of its directions with a unit vector, or beyond.
@@ -120,21 +121,16 @@ impl Cones {
         // The rounding of sums of nodes and of their products, here and where patches are made.
         let noise = 1024.0 * f64::EPSILON * reach;
         let mut base = alloc::filled(PackedCone::ALL, rows * columns)?;
-        let together = BLOCK_ROWS_PER_TASK * columns;
-        let (count, round) = (rows.div_ceil(BLOCK_ROWS_PER_TASK), tasks_per_step(columns));
-        let mut parts = base.chunks_mut(together).enumerate();
-        for from in (0..count).step_by(round) {
-            job.step(from as f64 / count as f64, "normal cones")?;
-            let slice: Vec<_> = parts.by_ref().take(round).collect();
-            par::map(job.threads(), slice.into_iter(), |(k, cones)| {
-                let first = BLOCK_ROWS_PER_TASK * k;
-                let mut boxes = vec![[Aabb::EMPTY; 2]; cones.len()];
-                cells.tangents(first..first + cones.len() / columns, &mut boxes);
-                for (cone, boxes) in cones.iter_mut().zip(boxes) {
-                    *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
-                }
-            });
-        }
+        let rows_together = block_rows_per_task(columns);
+        let parts = base.chunks_mut(rows_together * columns).enumerate();
+        par::map_cancellable(job, "normal cones", parts, |(k, cones)| {
+            let first = rows_together * k;
+            let mut boxes = vec![[Aabb::EMPTY; 2]; cones.len()];
+            cells.tangents(first..first + cones.len() / columns, &mut boxes);
+            for (cone, boxes) in cones.iter_mut().zip(boxes) {
+                *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
+            }
+        })?;
         let mut levels = vec![Level { columns, cones: base }];
         while let Some(last) = levels.last().filter(|last| last.columns > 2 || last.cones.len() > 2 * last.columns) {
             levels.push(last.above()?);
@@ -170,9 +166,8 @@ impl Level {
     fn above(&self) -> Result<Level> {
         let (below, columns) = (self.cones.len() / self.columns, self.columns.div_ceil(2));
         let mut cones = alloc::with_capacity(below.div_ceil(2) * columns)?;
-        let mut four = [PackedCone::ALL; 4];
         for (r, c) in (0..below.div_ceil(2)).flat_map(|r| (0..columns).map(move |c| (r, c))) {
-            let mut count = 0;
+            let (mut four, mut count) = ([PackedCone::ALL; 4], 0);
             for (r, c) in [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(down, on)| (2 * r + down, 2 * c + on)) {
                 if r < below && c < self.columns {
                     four[count] = self.cones[r * self.columns + c];

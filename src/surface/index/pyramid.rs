@@ -3,7 +3,7 @@
 use super::super::cells::{BLOCK, Cells};
 use super::boxes::{ChildBoxes, OrientedBox};
 use super::cones::Cones;
-use super::schedule::{BLOCK_ROWS_PER_TASK, tasks_per_step};
+use super::schedule::block_rows_per_task;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::aabb::Aabb;
@@ -98,27 +98,21 @@ impl Pyramid {
         let origin = middle(cells);
         let mut base = Level::new(rows, columns, true)?;
         let mut displacements = alloc::filled(PackedBox::default(), rows * columns)?;
-        let (across, together) = (columns.div_ceil(2), BLOCK_ROWS_PER_TASK * columns);
-        let parts =
-            base.child_boxes.chunks_mut(BLOCK_ROWS_PER_TASK / 2 * across).zip(base.oriented.chunks_mut(together));
-        let mut parts = parts.zip(displacements.chunks_mut(together)).enumerate();
-        let (count, round) = (rows.div_ceil(BLOCK_ROWS_PER_TASK), tasks_per_step(columns));
-        for from in (0..count).step_by(round) {
-            job.step(0.8 * from as f64 / count as f64, "index")?;
-            let slice: Vec<_> = parts.by_ref().take(round).collect();
-            par::map(job.threads(), slice.into_iter(), |(k, ((groups, oriented), displacements))| {
-                let first = BLOCK_ROWS_PER_TASK * k;
-                let mut bounds = vec![Aabb::EMPTY; displacements.len()];
-                cells.displacements(first..first + displacements.len() / columns, &mut bounds);
-                let parts =
-                    oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
-                for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
-                    let groups = &mut groups[r / 2 * across..][..across];
-                    let row = BlockRow { row: first + r, displacements: bounds };
-                    row.build(cells, origin, groups, oriented, displacements);
-                }
-            });
-        }
+        let (across, rows_together) = (columns.div_ceil(2), block_rows_per_task(columns));
+        let parts = base.child_boxes.chunks_mut(rows_together / 2 * across);
+        let parts = parts.zip(base.oriented.chunks_mut(rows_together * columns));
+        let parts = parts.zip(displacements.chunks_mut(rows_together * columns)).enumerate();
+        par::map_cancellable(&job.part(0.0, 0.8), "index", parts, |(k, ((groups, oriented), displacements))| {
+            let first = rows_together * k;
+            let mut bounds = vec![Aabb::EMPTY; displacements.len()];
+            cells.displacements(first..first + displacements.len() / columns, &mut bounds);
+            let parts =
+                oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
+            for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
+                let groups = &mut groups[r / 2 * across..][..across];
+                build_row(cells, first + r, origin, bounds, groups, oriented, displacements);
+            }
+        })?;
         job.step(0.8, "index")?;
         let mut levels = vec![base];
         while let Some(last) = levels.last().filter(|last| last.child_boxes.len() > 1) {
@@ -190,53 +184,43 @@ impl Pyramid {
 /// A point amid the surface: the middle of the box of some of its corners.
 fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
     let [rows, columns] = cells.counts();
-    let mut bounds = Aabb::EMPTY;
-    for i in (0..=8).map(|k| k * rows / 8) {
-        (0..=8).for_each(|k| bounds.add(cells.corner(i, k * columns / 8)));
-    }
-    0.5 * (bounds.low + bounds.high)
+    let places = (0..=8).flat_map(|k| (0..=8).map(move |n| (k * rows / 8, n * columns / 8)));
+    Aabb::of(places.map(|(i, j)| cells.corner(i, j))).centre()
 }
 
-/// One row of blocks, and the boxes of displacements of its blocks.
-struct BlockRow<'a> {
+/// Builds the boxes of a row of blocks; `bounds`: those of the displacements of its blocks.
+fn build_row<const N: usize>(
+    cells: &impl Cells<N>,
     row: usize,
-    displacements: &'a [Aabb],
-}
-
-impl BlockRow<'_> {
-    /// Builds the boxes of the row.
-    fn build<const N: usize>(
-        &self,
-        cells: &impl Cells<N>,
-        origin: DVec3,
-        groups: &mut [ChildBoxes],
-        oriented: &mut [OrientedBox],
-        displacements: &mut [PackedBox],
-    ) {
-        let [rows, columns] = cells.counts();
-        let (first, last) = (self.row * BLOCK, rows.min((self.row + 1) * BLOCK));
-        let mut points = [DVec3::ZERO; (BLOCK + 1) * (BLOCK + 1)];
-        for (c, &displacement) in self.displacements.iter().enumerate() {
-            let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
-            let mut count = 0;
-            let mut hull = Aabb::EMPTY;
-            for i in first..=last {
-                for j in left..=right {
-                    points[count] = cells.corner(i, j) - origin;
-                    hull.add(points[count]);
-                    count += 1;
-                }
+    origin: DVec3,
+    bounds: &[Aabb],
+    groups: &mut [ChildBoxes],
+    oriented: &mut [OrientedBox],
+    displacements: &mut [PackedBox],
+) {
+    let [rows, columns] = cells.counts();
+    let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
+    let mut points = [DVec3::ZERO; (BLOCK + 1) * (BLOCK + 1)];
+    for (c, &displacement) in bounds.iter().enumerate() {
+        let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
+        let mut count = 0;
+        let mut hull = Aabb::EMPTY;
+        for i in first..=last {
+            for j in left..=right {
+                points[count] = cells.corner(i, j) - origin;
+                hull.add(points[count]);
+                count += 1;
             }
-            // Enlarged by the rounding of the coordinates on the way.
-            let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
-            let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
-            displacements[c] = PackedBox::new(displacement);
-            groups[c / 2].set(2 * (self.row % 2) + c % 2, hull.sum(displacement));
-            let width = right - left + 1;
-            let (a, b) = (points[0], points[width - 1]);
-            let (d, e) = (points[count - width], points[count - 1]);
-            oriented[c] = OrientedBox::around(&points[..count], d + e - a - b, b + e - a - d, displacement);
         }
+        // Enlarged by the rounding of the coordinates on the way.
+        let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
+        let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
+        displacements[c] = PackedBox::new(displacement);
+        groups[c / 2].set(2 * (row % 2) + c % 2, hull.sum(displacement));
+        let width = right - left + 1;
+        let (a, b) = (points[0], points[width - 1]);
+        let (d, e) = (points[count - width], points[count - 1]);
+        oriented[c] = OrientedBox::around(&points[..count], d + e - a - b, b + e - a - d, displacement);
     }
 }
 

@@ -18,7 +18,7 @@ use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::frontier::{BranchAndBound, Frontier};
-use crate::surface::{Place, Sheet, Surface, each_sheet};
+use crate::surface::{Place, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 
 /// Places where the distance from a point is locally least.
@@ -262,8 +262,8 @@ fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> R
     let mut groups = DisjointSets::new(undecided.len())?;
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];
-        let closed = if let Sheet::Grid(grid) = surface.sheet(sheet) { grid.is_closed() } else { [false; 2] };
-        for next in cells_around(surface.sheet(sheet).cells(), closed, cell) {
+        let of = surface.sheet(sheet);
+        for next in cells_around(of.cells(), of.seams(), cell) {
             if let Ok(other) = undecided.binary_search_by_key(&(sheet, next), |other| (other.sheet, other.cell)) {
                 groups.union(k as u32, other as u32);
             }

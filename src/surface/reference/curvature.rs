@@ -6,10 +6,9 @@
 //! (S_u, S_v), less what the two are away from their means. Parameters are scaled so that the means
 //! are units.
 
-use super::diameter::by_cell;
-use super::lattice::Lattice;
 use crate::error::Result;
 use crate::job::Job;
+use crate::surface::cells::{Cells, by_cell};
 use crate::surface::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 
@@ -22,11 +21,8 @@ const MAX_HALVINGS: u32 = 5;
 /// # Errors
 /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].
 pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
-    fn of<const N: usize>(cells: &impl crate::surface::cells::Cells<N>, [i, j]: [usize; 2]) -> f64 {
-        cells.patch(i, j).curvature_bound(MAX_HALVINGS)
-    }
-    let bounds = by_cell(Lattice::of(sheet), job, |cell| each_sheet!(sheet, cells => of(cells, cell)))?;
-    Ok(bounds.into_iter().fold(0.0, f64::max))
+    let of_cell = |[i, j]: [usize; 2]| each_sheet!(sheet, cells => Cells::patch(cells, i, j).curvature_bound(MAX_HALVINGS));
+    Ok(by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
 }
 
 impl<const N: usize> Patch<N> {

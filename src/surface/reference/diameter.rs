@@ -16,13 +16,9 @@ use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::par;
-use crate::surface::cells::Cells;
+use crate::surface::cells::{Cells, by_cell};
 use crate::surface::{Patch, Sheet, each_sheet};
 use glam::DVec3;
-
-/// Rows of cells between two reports of progress.
-const ROWS: usize = 16;
 
 /// Bounds of the diameters of all cells of a sheet.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,30 +36,10 @@ impl Diameters {
     /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
         let lattice = Lattice::of(sheet);
-        let both = by_cell(lattice, job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
+        let both = by_cell(lattice.cells, "cells", job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
         let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
         Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
     }
-}
-
-/// Applies `work` to all cells, on the job's threads; the results in the order of the cells.
-pub(super) fn by_cell<T: Send + Clone + Default>(
-    lattice: Lattice,
-    job: &Job<'_>,
-    work: impl Fn([usize; 2]) -> T + Sync,
-) -> Result<Vec<T>> {
-    let width = lattice.cells[1];
-    let mut results = alloc::filled(T::default(), lattice.len())?;
-    // As much at a time as takes a few milliseconds.
-    let batch = (4096 / width).max(1) * ROWS;
-    for (k, rows) in results.chunks_mut(batch * width).enumerate() {
-        job.step((k * batch) as f64 / lattice.cells[0] as f64, "cells")?;
-        let first = k * batch;
-        par::map(job.threads(), rows.chunks_mut(width).enumerate(), |(i, row)| {
-            row.iter_mut().enumerate().for_each(|(j, result)| *result = work([first + i, j]));
-        });
-    }
-    Ok(results)
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.

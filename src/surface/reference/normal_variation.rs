@@ -8,14 +8,14 @@
 //!   curvatures on the whole surface,
 //! * or by the cell's normal cone, which is tighter and needs no K.
 
-use super::diameter::{Diameters, by_cell};
+use super::diameter::Diameters;
 use super::lattice::Lattice;
 use super::search::{SearchOptions, SearchOutcome, search};
 use super::sizes::Sizes;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::binomial_row;
 use crate::job::Job;
-use crate::surface::cells::Cells;
+use crate::surface::cells::{Cells, by_cell};
 use crate::surface::checks::require;
 use crate::surface::normal::angle;
 use crate::surface::{MAX_DEGREE, Patch, Sheet, each_sheet};
@@ -39,7 +39,7 @@ pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Siz
         let corners = lattice.corners(cell).map(|node| reach(normal(sheet, node))).into_iter().fold(0.0, f64::max);
         Some(2.0 * half.max(corners) + ANGLE_ROUNDING)
     };
-    Ok(Sizes::new(lattice, by_cell(lattice, job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?))
+    Ok(Sizes::new(lattice, by_cell(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?))
 }
 
 /// The variation by curvature: K d, and the jumps of normals at corners. `curvature`: K, no
@@ -65,7 +65,7 @@ pub fn normal_variation_by_curvature(
         let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + ANGLE_ROUNDING;
         if regular { turn.min(PI) } else { PI }
     };
-    Ok(Sizes::new(lattice, by_cell(lattice, job, variation)?))
+    Ok(Sizes::new(lattice, by_cell(lattice.cells, "cells", job, variation)?))
 }
 
 /// The unit normal at a node: that of the cell from there on, or of the last one; 0 if there is

@@ -121,11 +121,9 @@ struct Intersection<'a> {
 
 /// For rows and columns of a sheet, the last cell after which none follows.
 fn ends(sheet: &Sheet<'_>) -> [u32; 2] {
+    let (cells, seams) = (sheet.cells(), sheet.seams());
     match sheet {
-        Sheet::Grid(grid) => {
-            let (cells, closed) = (grid.cells(), grid.is_closed());
-            [0, 1].map(|k| if closed[k] { u32::MAX } else { cells[k] as u32 - 1 })
-        }
+        Sheet::Grid(_) => [0, 1].map(|k| if seams[k] { u32::MAX } else { cells[k] as u32 - 1 }),
         // The sides of patches that are given may differ a little: each patch keeps its own.
         Sheet::Cubic(_) | Sheet::High(_) => [0, 0],
     }
