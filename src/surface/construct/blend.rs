@@ -6,16 +6,12 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::aabb::range;
 use crate::geom::bernstein::{blossom, elevate};
 use crate::surface::axis::TAPS;
 
 /// Intervals that differ more than this among five lines: slopes are taken from three.
 const MAX_LENGTH_RATIO: f64 = 8.0;
-
-/// The cardinal functions of some lines.
-pub(super) struct Blend {
-    pieces: Vec<Piece>,
-}
 
 /// The functions between two lines: Bézier points of those that are not 0.
 pub(super) struct Piece {
@@ -24,19 +20,11 @@ pub(super) struct Piece {
     points: [[f64; 4]; TAPS],
 }
 
-impl Blend {
-    /// `lengths`: of the intervals between lines, positive; of closed directions the last one leads
-    /// back to the first line.
-    pub(super) fn new(lengths: &[f64], closed: bool) -> Result<Self> {
-        let row = Row { lengths, closed };
-        let pieces = alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))?;
-        Ok(Blend { pieces })
-    }
-
-    /// Those between lines `interval` and the next.
-    pub(super) fn piece(&self, interval: usize) -> &Piece {
-        &self.pieces[interval]
-    }
+/// The cardinal functions between each line and the next. `lengths`: of the intervals between lines,
+/// positive; of closed directions the last one leads back to the first line.
+pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<Piece>> {
+    let row = Row { lengths, closed };
+    alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))
 }
 
 impl Piece {
@@ -83,8 +71,7 @@ impl Row<'_> {
         let mut count = max_count;
         if max_count > 3 {
             let first = self.first(line, max_count);
-            let intervals = (first..first + max_count as isize - 1).map(|k| self.length(k));
-            let (min, max) = intervals.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+            let [min, max] = range((first..first + max_count as isize - 1).map(|k| self.length(k)));
             if max > MAX_LENGTH_RATIO * min {
                 count = 3;
             }
@@ -142,9 +129,8 @@ mod tests {
         let at: Vec<f64> = (0..=lengths.len()).map(|k| lengths[..k].iter().sum()).collect();
         let f = |x: f64| 2.0 - x + 0.3 * x * x - 0.1 * x.powi(3) + 0.01 * x.powi(4);
         let slope = |x: f64| -1.0 + 0.6 * x - 0.3 * x * x + 0.04 * x.powi(3);
-        let blend = Blend::new(&lengths, false).unwrap();
-        for (k, &length) in lengths.iter().enumerate() {
-            let piece = blend.piece(k);
+        let blend = blend(&lengths, false).unwrap();
+        for (k, (&length, piece)) in lengths.iter().zip(&blend).enumerate() {
             let weights = piece.weights::<4>([0.0, 1.0]);
             let c =
                 weights.map(|weights| weights.iter().zip(piece.lines).map(|(w, line)| w * f(at[line])).sum::<f64>());
@@ -162,9 +148,8 @@ mod tests {
     fn few_lines_and_closed_ones() {
         for (count, closed) in [(1, false), (2, false), (3, false), (3, true), (4, true), (5, true), (9, true)] {
             let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * (k % 3) as f64).collect();
-            let blend = Blend::new(&lengths, closed).unwrap();
-            for k in 0..count {
-                let weights = blend.piece(k).weights::<4>([0.0, 1.0]);
+            for piece in blend(&lengths, closed).unwrap() {
+                let weights = piece.weights::<4>([0.0, 1.0]);
                 assert!(weights.iter().all(|w| (w.iter().sum::<f64>() - 1.0).abs() < 1e-13));
             }
         }

@@ -1,7 +1,7 @@
 //! Surfaces of the frames that the outlines module makes.
 
 use super::net::Gordon;
-use super::net_curve::{CurvePlace, NetCurve, degree};
+use super::net_curve::{CurvePlace, NetCurve, degree, try_collect};
 use crate::alloc;
 use crate::choice::choices;
 use crate::error::{Error, Result};
@@ -56,13 +56,7 @@ impl Sheet<'static> {
         if kind == FrameSurface::Nodes {
             return through(counts, nodes, closed);
         }
-        let mut highest = 1;
-        for fit in curves {
-            for k in 0..fit.len() {
-                highest = degree(&fit.curve(k))?.max(highest);
-            }
-        }
-        if highest <= 3 {
+        if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
             Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         } else {
             Ok(Sheet::High(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
@@ -92,14 +86,8 @@ fn gordon<const N: usize>(
     if rows < min[0] || columns < min[1] {
         return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
     }
-    let net_curves = |fit: &Fit| -> Result<Vec<NetCurve<N>>> {
-        let mut net_curves = alloc::with_capacity(fit.len())?;
-        for k in 0..fit.len() {
-            net_curves.push(NetCurve::new(&fit.curve(k))?);
-        }
-        Ok(net_curves)
-    };
-    let (row_strands, column_strands) = (net_curves(across)?, net_curves(along)?);
+    let net_curves = |fit: &Fit| try_collect(fit.len(), |k| NetCurve::new(&fit.curve(k)));
+    let (row_curves, column_curves) = (net_curves(across)?, net_curves(along)?);
     let at = |net_curve: &NetCurve<N>, place: Place| {
         let (segment, count) = (place.segment as usize, net_curve.segments.len());
         // Joints are called the start of the next segment.
@@ -112,7 +100,7 @@ fn gordon<const N: usize>(
     };
     let places = alloc::collect((0..rows * columns).map(|n| {
         let (k, l) = (n / columns, n % columns);
-        [at(&row_strands[k], across.place(n)), at(&column_strands[l], along.place(l * rows + k))]
+        [at(&row_curves[k], across.place(n)), at(&column_curves[l], along.place(l * rows + k))]
     }))?;
-    Gordon::new(row_strands, column_strands, closed, &places, job)
+    Gordon::new(row_curves, column_curves, closed, &places, job)
 }

@@ -8,11 +8,12 @@
 //! With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is
 //! the skin of the rows.
 
-use super::blend::Blend;
+use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
-use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
+use super::net_curve::{CurvePlace, NetCurve, Piece, degree, try_collect};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::Aabb;
 use crate::job::Job;
 use crate::outline::CurveView;
 use crate::surface::axis::TAPS;
@@ -70,11 +71,7 @@ impl Sheet<'static> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         net.check()?;
-        let mut highest = 1;
-        for curve in net.rows.iter().chain(net.columns) {
-            highest = degree(curve)?.max(highest);
-        }
-        if highest <= 3 {
+        if degree(net.rows.iter().chain(net.columns).copied())? <= 3 {
             Ok(Sheet::Cubic(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         } else {
             Ok(Sheet::High(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
@@ -95,10 +92,8 @@ impl CurveNet<'_> {
 
     /// The diagonal of the box of all curves, and the largest of their coordinates.
     fn extent(&self) -> (f64, f64) {
-        let points = || self.rows.iter().chain(self.columns).flat_map(CurveView::points);
-        let bounds = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (low, high) = points().fold(bounds, |(low, high), &p| (low.min(p), high.max(p)));
-        (low.distance(high), low.abs().max(high.abs()).max_element())
+        let bounds = Aabb::of(self.rows.iter().chain(self.columns).flat_map(CurveView::points));
+        (bounds.diagonal(), bounds.low.abs().max(bounds.high.abs()).max_element())
     }
 }
 
@@ -119,22 +114,18 @@ impl<const N: usize> Gordon<N> {
     /// The nodes are found where curves are nearest.
     fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
-        let net_curves = |curves: &[CurveView<'_>], before: usize| -> Result<Vec<NetCurve<N>>> {
-            let mut net_curves = alloc::with_capacity(curves.len())?;
-            for (k, curve) in curves.iter().enumerate() {
+        let net_curves = |curves: &[CurveView<'_>], before: usize| {
+            try_collect(curves.len(), |k| {
                 job.step(0.1 * (before + k) as f64 / total, FINDING)?;
-                net_curves.push(NetCurve::new(curve)?);
-            }
-            Ok(net_curves)
+                NetCurve::new(&curves[k])
+            })
         };
         let (rows, columns) = (net_curves(net.rows, 0)?, net_curves(net.columns, net.rows.len())?);
-        let boxes = |net_curves: &[NetCurve<N>], before: usize| -> Result<Vec<Boxes>> {
-            let mut boxes = alloc::with_capacity(net_curves.len())?;
-            for (k, net_curve) in net_curves.iter().enumerate() {
+        let boxes = |net_curves: &[NetCurve<N>], before: usize| {
+            try_collect(net_curves.len(), |k| {
                 job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
-                boxes.push(Boxes::of(net_curve)?);
-            }
-            Ok(boxes)
+                Boxes::of(&net_curves[k])
+            })
         };
         let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
         let (size, max_coordinate) = net.extent();
@@ -142,17 +133,16 @@ impl<const N: usize> Gordon<N> {
         let rounding_error = 4.0 * f64::EPSILON * max_coordinate;
         // Lengths below this are neither searched for nor cut off.
         let slack = (0.25 * tolerance).min(1e-9 * size) + rounding_error;
-        let mut places = alloc::with_capacity(rows.len() * columns.len())?;
-        for (k, row) in rows.iter().enumerate() {
-            for (l, column) in columns.iter().enumerate() {
-                job.step(0.2 + 0.6 * (k * columns.len() + l) as f64 / (rows.len() * columns.len()) as f64, FINDING)?;
-                let met = nearest([row, column], [&row_boxes[k], &column_boxes[l]], slack)?;
-                if met.distance > tolerance.max(rounding_error) {
-                    return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
-                }
-                places.push([snapped(row, met.places[0], slack), snapped(column, met.places[1], slack)]);
+        let count = rows.len() * columns.len();
+        let places = try_collect(count, |n| {
+            let (k, l) = (n / columns.len(), n % columns.len());
+            job.step(0.2 + 0.6 * n as f64 / count as f64, FINDING)?;
+            let met = nearest([&rows[k], &columns[l]], [&row_boxes[k], &column_boxes[l]], slack)?;
+            if met.distance > tolerance.max(rounding_error) {
+                return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
             }
-        }
+            Ok([snapped(&rows[k], met.places[0], slack), snapped(&columns[l], met.places[1], slack)])
+        })?;
         Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
@@ -165,36 +155,33 @@ impl<const N: usize> Gordon<N> {
         job: &Job<'_>,
     ) -> Result<Self> {
         let [height, width] = [rows.len(), columns.len()];
-        let hear = |done: usize| job.step(done as f64 / (height + width) as f64, FINDING);
         let points = [&rows, &columns].map(|net_curves| net_curves.iter().map(NetCurve::is_point).collect::<Vec<_>>());
-        let mut nodes = alloc::with_capacity(height * width)?;
-        for (n, &[on_row, on_column]) in places.iter().enumerate() {
+        let nodes = alloc::collect(places.iter().enumerate().map(|(n, &[on_row, on_column])| {
             let (k, l) = (n / width, n % width);
             let (p, q) = (rows[k].point(on_row), columns[l].point(on_column));
-            nodes.push(if points[0][k] {
-                p
-            } else if points[1][l] {
-                q
-            } else {
-                0.5 * (p + q)
-            });
-        }
-        let mut along_rows = alloc::with_capacity(height)?;
-        for (k, row) in rows.iter_mut().enumerate() {
-            hear(k)?;
-            let at = alloc::collect((0..width).map(|l| places[k * width + l][0]))?;
-            let out_of_order = |l: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32 };
-            let ends = |l: usize| nodes[k * width + l % width.max(1)];
-            along_rows.push(pieces(row, at, closed[1], ends, out_of_order)?);
-        }
-        let mut along_columns = alloc::with_capacity(width)?;
-        for (l, column) in columns.iter_mut().enumerate() {
-            hear(height + l)?;
-            let at = alloc::collect((0..height).map(|k| places[k * width + l][1]))?;
-            let out_of_order = |k: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32 };
-            let ends = |k: usize| nodes[k % height.max(1) * width + l];
-            along_columns.push(pieces(column, at, closed[0], ends, out_of_order)?);
-        }
+            match (points[0][k], points[1][l]) {
+                (true, _) => p,
+                (false, true) => q,
+                (false, false) => 0.5 * (p + q),
+            }
+        }))?;
+        // Rows (axis 0) at the columns, columns at the rows.
+        let cut = |net_curves: &mut [NetCurve<N>], axis: usize| {
+            let count = [width, height][axis];
+            let place = |k: usize, l: usize| if axis == 0 { (k, l) } else { (l, k) };
+            let number = |(row, column): (usize, usize)| row * width + column;
+            try_collect(net_curves.len(), |k| {
+                job.step((axis * height + k) as f64 / (height + width) as f64, FINDING)?;
+                let at = alloc::collect((0..count).map(|l| places[number(place(k, l))][axis]))?;
+                let ends = |l: usize| nodes[number(place(k, l % count.max(1)))];
+                let out_of_order = |l: usize| {
+                    let (row, column) = place(k, l);
+                    Error::CurvesOutOfOrder { row: row as u32, column: column as u32 }
+                };
+                pieces(&mut net_curves[k], at, closed[1 - axis], ends, out_of_order)
+            })
+        };
+        let (along_rows, along_columns) = (cut(&mut rows, 0)?, cut(&mut columns, 1)?);
         Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
     }
 
@@ -209,16 +196,16 @@ impl<const N: usize> Gordon<N> {
         }
         let u = Strips::of(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
         let v = Strips::of(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
-        let (blend_u, blend_v) = (Blend::new(&u.lengths, self.closed[0])?, Blend::new(&v.lengths, self.closed[1])?);
+        let (blend_u, blend_v) = (blend(&u.lengths, self.closed[0])?, blend(&v.lengths, self.closed[1])?);
         let rows = v.refined(&self.rows, &job.part(0.2, 0.3))?;
         let columns = u.refined(&self.columns, &job.part(0.3, 0.4))?;
         let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
-            let piece = blend_v.piece(strip);
+            let piece = &blend_v[strip];
             (piece.lines, piece.weights::<N>(part))
         }))?;
         let mut patches = patches_with_capacity(u.count(), v.count())?;
         for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
-            let piece = blend_u.piece(strip);
+            let piece = &blend_u[strip];
             let across = piece.weights::<N>(part);
             // C_l - sum L_k P_kl, which is 0 at nodes.
             let rest = alloc::collect((0..self.columns.len()).map(|l| {
@@ -249,19 +236,15 @@ impl<const N: usize> Gordon<N> {
             let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
             sum / (2 * row.len()) as f64
         };
-        let blend = Blend::new(&positive(alloc::collect((0..last).map(apart))?), closed)?;
+        let blend = blend(&positive(alloc::collect((0..last).map(apart))?), closed)?;
         let mut patches = patches_with_capacity(last, v.count())?;
-        for k in 0..last {
-            let piece = blend.piece(k);
+        for piece in &blend {
             let across = piece.weights::<N>([0.0, 1.0]);
-            let patch = |j: usize| {
-                let rows = piece.lines.map(|k| &refined[k][j]);
-                let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
-                Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
-            };
             for j in 0..v.count() {
                 report_progress(&job.part(0.4, 1.0), &patches)?;
-                patches.push(patch(j));
+                let rows = piece.lines.map(|k| &refined[k][j]);
+                let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
+                patches.push(Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) });
             }
         }
         Ok(Patches::of(patches, last, v.count()))
@@ -299,9 +282,7 @@ fn pieces<const N: usize>(
     }
     net_curve.closed = closed;
     if at.is_empty() {
-        let mut all = alloc::with_capacity(1)?;
-        all.push(net_curve.whole()?);
-        return Ok(all);
+        return try_collect(1, |_| net_curve.whole());
     }
     if !point {
         let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
@@ -354,19 +335,15 @@ impl Strips {
             let whole: f64 = curve.iter().map(|piece| piece.length).sum();
             lengths.iter_mut().zip(curve).for_each(|(length, piece)| *length += piece.length / whole);
         }
-        let mut strips = Strips {
-            lengths: positive(lengths),
-            breaks: alloc::with_capacity(count)?,
-            ends: alloc::with_capacity(count)?,
-        };
+        let (mut all_breaks, mut all_ends) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         for strip in 0..count {
             job.step(strip as f64 / count as f64, MAKING)?;
             let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
             let (breaks, ends) = breaks(&own, points)?;
-            strips.breaks.push(breaks);
-            strips.ends.push(ends);
+            all_breaks.push(breaks);
+            all_ends.push(ends);
         }
-        Ok(strips)
+        Ok(Strips { lengths: positive(lengths), breaks: all_breaks, ends: all_ends })
     }
 
     /// The number of cells.
@@ -385,16 +362,14 @@ impl Strips {
 
     /// The segments of each curve over each cell.
     fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
-        let mut all = alloc::with_capacity(curves.len())?;
-        for (k, curve) in curves.iter().enumerate() {
+        try_collect(curves.len(), |k| {
             job.step(k as f64 / curves.len() as f64, MAKING)?;
             let mut refined = alloc::with_capacity(self.count())?;
-            for (strip, piece) in curve.iter().enumerate() {
+            for (strip, piece) in curves[k].iter().enumerate() {
                 piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
             }
-            all.push(refined);
-        }
-        Ok(all)
+            Ok(refined)
+        })
     }
 }
 
@@ -405,14 +380,13 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     let Some(first) = curves().next() else {
         return Ok((vec![1.0], own.iter().map(|_| vec![1.0]).collect()));
     };
-    let mut breaks;
     if curves().all(|ends| ends.len() == first.len()) {
         // Matched in order.
         let number = curves().count() as f64;
         let mean = |k: usize| curves().map(|ends| ends[k]).sum::<f64>() / number;
-        breaks = alloc::collect((0..first.len()).map(|k| if k + 1 == first.len() { 1.0 } else { mean(k) }))?;
-        let ends = own.iter().zip(points).map(|(_, &point)| if point { vec![1.0] } else { breaks.clone() });
-        return Ok((breaks.clone(), ends.collect()));
+        let breaks = alloc::collect((0..first.len()).map(|k| if k + 1 == first.len() { 1.0 } else { mean(k) }))?;
+        let ends = points.iter().map(|&point| if point { vec![1.0] } else { breaks.clone() }).collect();
+        return Ok((breaks, ends));
     }
     let mut all = Vec::new();
     for (curve, ends) in own.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
@@ -421,7 +395,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     }
     all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut ends: Vec<Vec<f64>> = own.iter().map(|_| Vec::new()).collect();
-    breaks = Vec::new();
+    let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {
         let last = breaks.last().copied().unwrap_or(0.0);
         if breaks.is_empty() || end - last > SAME_BREAK || ends[curve].last() == Some(&last) {
@@ -474,9 +448,5 @@ fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Pat
 
 /// The sum of points by their weights.
 fn combined(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
-    let mut sum = weights[0] * points[0];
-    for k in 1..TAPS {
-        sum += weights[k] * points[k];
-    }
-    sum
+    (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
 }

@@ -39,18 +39,27 @@ pub(super) struct Piece<const N: usize> {
     pub(super) length: f64,
 }
 
-/// The highest degree of the segments of a curve.
+/// The highest degree of the segments of some curves, 1 at least.
 ///
 /// # Errors
 /// [`Error::EmptyCurve`] for a curve without points, [`Error::OptionOutOfRange`] for a degree above
 /// 7.
-pub(super) fn degree(curve: &CurveView<'_>) -> Result<usize> {
-    if curve.points().is_empty() {
-        return Err(Error::EmptyCurve);
-    }
-    let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
-    require(degree <= MAX_DEGREE, "degree", degree as f64)?;
-    Ok(degree)
+pub(super) fn degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Result<usize> {
+    curves.try_fold(1, |highest, curve| {
+        if curve.points().is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
+        require(degree <= MAX_DEGREE, "degree", degree as f64)?;
+        Ok(degree.max(highest))
+    })
+}
+
+/// Collects the first `count` of what may fail.
+pub(super) fn try_collect<T>(count: usize, make: impl FnMut(usize) -> Result<T>) -> Result<Vec<T>> {
+    let mut all = alloc::with_capacity(count)?;
+    (0..count).map(make).try_for_each(|item| item.map(|item| all.push(item)))?;
+    Ok(all)
 }
 
 impl<const N: usize> NetCurve<N> {
@@ -125,11 +134,7 @@ impl<const N: usize> NetCurve<N> {
     /// the first. A curve that is one point has parts that are the same.
     pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<Piece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
-        let mut pieces = alloc::with_capacity(count)?;
-        for k in 0..count {
-            pieces.push(self.between(places[k], places[(k + 1) % places.len()])?);
-        }
-        Ok(pieces)
+        try_collect(count, |k| self.between(places[k], places[(k + 1) % places.len()]))
     }
 
     /// The whole curve, one piece.

@@ -9,26 +9,40 @@ use crate::alloc;
 use crate::error::Result;
 use crate::par;
 use crate::sort::Buckets;
+use crate::surface::Place;
 use glam::DVec2;
 use std::collections::VecDeque;
-
-/// A place on a sheet: a cell and the parameters there.
-pub(super) type Step = ([u32; 2], DVec2);
 
 /// A curve of a sheet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContourPath {
     pub(super) level: u32,
     pub(super) closed: bool,
-    /// From where to where among the steps.
-    pub(super) steps: [usize; 2],
+    /// From where to where among the places.
+    pub(super) range: [usize; 2],
 }
 
-/// The curves of a sheet, by level and lowest cell.
+/// The curves of sheets, one sheet after the other, each by level and lowest cell.
 #[derive(Debug, Default)]
 pub(super) struct ContourPaths {
     pub(super) paths: Vec<ContourPath>,
-    pub(super) steps: Vec<Step>,
+    pub(super) places: Vec<Place>,
+}
+
+impl ContourPaths {
+    pub(super) fn append(&mut self, other: ContourPaths) -> Result<()> {
+        // Of one level and sheet, as it is.
+        if self.paths.is_empty() {
+            *self = other;
+            return Ok(());
+        }
+        let shift = self.places.len();
+        alloc::append(&mut self.places, &other.places)?;
+        alloc::reserve(&mut self.paths, other.paths.len())?;
+        let moved = |path: ContourPath| ContourPath { range: path.range.map(|at| at + shift), ..path };
+        self.paths.extend(other.paths.into_iter().map(moved));
+        Ok(())
+    }
 }
 
 const NONE: u32 = u32::MAX;
@@ -66,26 +80,23 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Links the arcs of a sheet. `jumps`: whether the cells at a side have marks of their own, which
-/// are linked first.
-pub(super) fn chain(found: &mut FoundArcs, lattice: &Lattice, jumps: bool, threads: usize) -> Result<ContourPaths> {
+/// Adds the paths of a sheet, whose arcs it links. `jumps`: whether the cells at a side have marks
+/// of their own, which are linked first.
+pub(super) fn chain(
+    sheet: u32,
+    found: &mut FoundArcs,
+    lattice: &Lattice,
+    jumps: bool,
+    threads: usize,
+    made: &mut ContourPaths,
+) -> Result<()> {
     by_level(&mut found.arcs)?;
     if jumps {
         stitch(&mut found.arcs, lattice)?;
     }
     let levels: Vec<&[Arc]> = found.arcs.chunk_by(|a, b| a.level == b.level).collect();
-    let mut parts = par::map(threads, levels.into_iter(), |arcs| paths(arcs, &found.inner)).into_iter();
-    // Of one level, as it is.
-    let mut made = parts.next().unwrap_or_else(|| Ok(ContourPaths::default()))?;
-    for part in parts {
-        let part = part?;
-        let shift = made.steps.len();
-        alloc::append(&mut made.steps, &part.steps)?;
-        alloc::reserve(&mut made.paths, part.paths.len())?;
-        let moved = |path: ContourPath| ContourPath { steps: path.steps.map(|step| step + shift), ..path };
-        made.paths.extend(part.paths.into_iter().map(moved));
-    }
-    Ok(made)
+    let parts = par::map(threads, levels.into_iter(), |arcs| paths(sheet, arcs, &found.inner));
+    parts.into_iter().try_for_each(|part| made.append(part?))
 }
 
 /// Sorts arcs by level: cells come as the search finds them, with their levels one after the other.
@@ -101,10 +112,9 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
 }
 
 /// The paths of one level, by lowest cell.
-fn paths(arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
-    let mut made = ContourPaths::default();
-    let mut order = Vec::new();
-    follow(arcs, inner, &mut made, &mut order)?;
+fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
+    let (mut made, mut order) = (ContourPaths::default(), Vec::new());
+    follow(sheet, arcs, inner, &mut made, &mut order)?;
     let mut by: Vec<usize> = (0..order.len()).collect();
     by.sort_unstable_by_key(|&k| order[k]);
     made.paths = by.into_iter().map(|k| made.paths[k]).collect();
@@ -112,7 +122,13 @@ fn paths(arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
 }
 
 /// The paths of one level; `order` receives the lowest cell of each, and the key of its mark.
-fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Vec<([u32; 2], u64)>) -> Result<()> {
+fn follow(
+    sheet: u32,
+    arcs: &[Arc],
+    inner: &[DVec2],
+    made: &mut ContourPaths,
+    order: &mut Vec<([u32; 2], u64)>,
+) -> Result<()> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
@@ -122,10 +138,8 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Ve
             entered[after] = true;
         }
     }
-    alloc::reserve(
-        &mut made.steps,
-        arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>(),
-    )?;
+    let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
+    alloc::reserve(&mut made.places, count)?;
     let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
     let mut used = alloc::filled(false, arcs.len())?;
     // Open ones from their beginnings, then closed ones.
@@ -146,23 +160,24 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Ve
             last = next[last] as usize;
         }
         let closed = next[last] != NONE;
-        let first = made.steps.len();
+        let first = made.places.len();
         let mut at = if closed { min } else { head };
         loop {
             let arc = &arcs[at];
-            alloc::push(&mut made.steps, (arc.cell, arc.ends[0]))?;
+            let place = |&at: &DVec2| Place { sheet, cell: arc.cell, u: at.x, v: at.y };
             let [from, to] = arc.inner.map(|k| k as usize);
-            alloc::reserve(&mut made.steps, to - from)?;
-            made.steps.extend(inner[from..to].iter().map(|&place| (arc.cell, place)));
+            alloc::push(&mut made.places, place(&arc.ends[0]))?;
+            alloc::reserve(&mut made.places, to - from)?;
+            made.places.extend(inner[from..to].iter().map(place));
             if arc.jumps || next[at] == NONE {
-                alloc::push(&mut made.steps, (arc.cell, arc.ends[1]))?;
+                alloc::push(&mut made.places, place(&arc.ends[1]))?;
             }
             if next[at] == NONE || (closed && next[at] as usize == min) {
                 break;
             }
             at = next[at] as usize;
         }
-        let path = ContourPath { level: arcs[head].level, closed, steps: [first, made.steps.len()] };
+        let path = ContourPath { level: arcs[head].level, closed, range: [first, made.places.len()] };
         alloc::push(&mut made.paths, path)?;
         alloc::push(order, lowest(min))?;
     }

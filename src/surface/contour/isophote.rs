@@ -228,8 +228,9 @@ impl Surface<'_> {
                 Sheet::High(cells) => search.find::<_, 8, 14, 27>(k, cells, &part)?,
             }
         }
-        let mut found = search.curves.paths(self, &job.part(0.9, 1.0))?;
-        add_points(self, &search.points, &mut found)?;
+        let IsophoteSearch { curves, points, .. } = search;
+        let mut found = curves.paths(self, &job.part(0.9, 1.0))?;
+        add_points(self, &points, &mut found)?;
         self.report_angles(axis, angles, unsigned, &mut found)?;
         add_leus_points(found, spacing)
     }
@@ -332,11 +333,9 @@ impl IsophoteSearch<'_> {
             let source = Isophotes::<C, N, H> { normals: &normals, classes };
             let crossed = blocks(&classes.radians)?;
             let search = Search::<_, _, N, M> { cells, source: &source, lattice, chord };
-            let found = search.run(crossed.len(), |k| crossed[k], &next())?;
+            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
+            found.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
             curves.add(k, found, &lattice, jumps, job.threads())?;
-            if let Some((_, paths)) = curves.sheets.last_mut() {
-                paths.paths.iter_mut().for_each(|path| path.level = classes.numbers[path.level as usize]);
-            }
         }
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);

@@ -18,7 +18,7 @@ const CHUNK: usize = 1024;
 /// The paths of sheets, and unresolved places.
 #[derive(Default)]
 pub(super) struct ContourSet {
-    pub(super) sheets: Vec<(usize, ContourPaths)>,
+    sheets: ContourPaths,
     pub(super) unresolved: Vec<Place>,
 }
 
@@ -34,14 +34,12 @@ impl ContourSet {
         alloc::reserve(&mut self.unresolved, found.unresolved.len())?;
         let place = |&(cell, at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell, u: at.x, v: at.y };
         self.unresolved.extend(found.unresolved.iter().map(place));
-        let paths = chain(&mut found, lattice, jumps, threads)?;
-        alloc::push(&mut self.sheets, (sheet, paths))
+        chain(sheet as u32, &mut found, lattice, jumps, threads, &mut self.sheets)
     }
 
-    /// The paths of all sheets joined, by level and then by first path; leaves the set without
-    /// unresolved places.
-    pub(super) fn paths(&mut self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
-        let all = SheetContours::new(surface, &self.sheets, job)?;
+    /// The paths of all sheets joined, by level and then by first path.
+    pub(super) fn paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
+        let all = SheetContours::new(surface, self.sheets, job)?;
         let tolerance = surface.tolerance();
         let after = all.followers(tolerance)?;
         let mut entered = alloc::filled(false, after.len())?;
@@ -62,8 +60,7 @@ impl ContourSet {
             alloc::push(&mut sequences, (lowest, k))?;
         }
         sequences.sort_unstable();
-        let unresolved = std::mem::take(&mut self.unresolved);
-        let mut paths = Paths { ends: vec![0], unresolved, ..Paths::default() };
+        let mut paths = Paths { ends: vec![0], unresolved: self.unresolved, ..Paths::default() };
         paths.reserve(all.places.len())?;
         let mut sequence = Vec::new();
         for (_, first) in sequences {
@@ -76,7 +73,7 @@ impl ContourSet {
             let last = sequence[sequence.len() - 1];
             let closed = all.contours[first].closed || after[last] == Some(first);
             if !closed {
-                let ends = [all.contours[first].steps[0], all.contours[last].steps[1] - 1];
+                let ends = [all.contours[first].range[0], all.contours[last].range[1] - 1];
                 all.report_inner(surface, ends, &mut paths)?;
             }
             all.add(&sequence, closed, tolerance, &mut paths)?;
@@ -95,18 +92,10 @@ struct SheetContours {
 }
 
 impl SheetContours {
-    fn new(surface: &Surface<'_>, sheets: &[(usize, ContourPaths)], job: &Job<'_>) -> Result<Self> {
-        let count = sheets.iter().map(|(_, contours)| contours.steps.len()).sum();
-        let mut places = alloc::with_capacity(count)?;
-        let mut contours = alloc::with_capacity(sheets.iter().map(|(_, contours)| contours.paths.len()).sum())?;
-        for (sheet, own) in sheets {
-            let shift = places.len();
-            places.extend(own.steps.iter().map(|&(cell, at)| Place { sheet: *sheet as u32, cell, u: at.x, v: at.y }));
-            let moved =
-                |contour: &ContourPath| ContourPath { steps: contour.steps.map(|step| step + shift), ..*contour };
-            contours.extend(own.paths.iter().map(moved));
-        }
+    fn new(surface: &Surface<'_>, sheets: ContourPaths, job: &Job<'_>) -> Result<Self> {
+        let ContourPaths { paths: mut contours, places } = sheets;
         contours.sort_by_key(|contour| contour.level);
+        let count = places.len();
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
         let parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
         par::map_cancellable(job, "points", parts, |((places, points), normals)| {
@@ -120,8 +109,8 @@ impl SheetContours {
     fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
-        let head = |k: usize| self.points[self.contours[k].steps[0]];
-        let tail = |k: usize| self.points[self.contours[k].steps[1] - 1];
+        let head = |k: usize| self.points[self.contours[k].range[0]];
+        let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
         let mut heads: Vec<usize> = alloc::with_capacity(open().count())?;
         heads.extend(open());
         heads.sort_unstable_by(|&a, &b| {
@@ -155,18 +144,16 @@ impl SheetContours {
     /// the one before are left out; what is no larger than a point is unresolved.
     fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
-        let steps = || contours.iter().flat_map(|&k| self.contours[k].steps[0]..self.contours[k].steps[1]);
-        let push = |step: usize, paths: &mut Paths| {
-            paths.push(self.places[step], self.points[step], self.normals[step])
-        };
-        for step in steps() {
+        let all = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
+        let push = |at: usize, paths: &mut Paths| paths.push(self.places[at], self.points[at], self.normals[at]);
+        for at in all() {
             let near = paths.points.len() > first
-                && paths.points.last().is_some_and(|last| last.distance(self.points[step]) <= tolerance);
+                && paths.points.last().is_some_and(|last| last.distance(self.points[at]) <= tolerance);
             if !near {
-                push(step, paths)?;
+                push(at, paths)?;
             }
         }
-        let last = steps().next_back();
+        let last = all().next_back();
         let ends = |paths: &Paths| paths.points.len() > first + 1;
         if closed {
             while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {

@@ -121,9 +121,7 @@ impl Surface<'_> {
     }
 
     fn check_values(&self, values: &[f64]) -> Result<()> {
-        let of = |sheet: &Sheet<'_>| sheet.cells().map(|count| count as u64 + 1);
-        let count: u64 = (0..self.len()).map(|k| of(self.sheet(k))).map(|[rows, columns]| rows * columns).sum();
-        let given = values.len() as u64;
+        let (count, given) = (self.node_count(), values.len() as u64);
         if given < count {
             return Err(Error::ArrayTooShort { what: "values", needed: 8 * count, given: 8 * given });
         }

@@ -217,13 +217,9 @@ fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
 fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
     let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
     finds.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
-    let mut kept = finds.partition_point(|find| !find.tangent);
-    let mut from = kept;
-    while from < finds.len() {
-        let mut all = finds[from];
-        let mut to = from + 1;
-        while to < finds.len() && runs_on(&all, &finds[to], merge_distance) {
-            let next = &finds[to];
+    finds.dedup_by(|next, all| {
+        let joins = all.tangent && next.tangent && runs_on(all, next, merge_distance);
+        if joins {
             all.length += next.length;
             if next.span[1] > all.span[1] {
                 (all.span[1], all.ends[1]) = (next.span[1], next.ends[1]);
@@ -231,13 +227,9 @@ fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
             if next.gap < all.gap {
                 (all.at, all.place, all.point, all.gap) = (next.at, next.place, next.point, next.gap);
             }
-            to += 1;
         }
-        finds[kept] = all;
-        kept += 1;
-        from = to;
-    }
-    finds.truncate(kept);
+        joins
+    });
 }
 
 /// True if an unresolved find begins where another is, or ends.

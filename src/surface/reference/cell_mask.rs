@@ -107,22 +107,20 @@ impl CellMask {
 
     /// Zeroes the bits from..to.
     fn clear_bits(&mut self, from: usize, to: usize) {
-        let mut at = from;
-        while at < to {
-            let (word, bit) = (at / 64, at % 64);
-            let count = (64 - bit).min(to - at);
-            let ones = if count == 64 { u64::MAX } else { (1 << count) - 1 };
-            self.words[word] &= !(ones << bit);
-            at += count;
-        }
+        words(from, to).for_each(|(word, ones)| self.words[word] &= !ones);
     }
 
     /// True if none of the cells from..to, by number, has a 1.
     pub(crate) fn is_clear(&self, from: usize, to: usize) -> bool {
-        (from / 64..to.div_ceil(64)).all(|word| {
-            let low = if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };
-            let high = if 64 * (word + 1) > to { u64::MAX >> (64 * (word + 1) - to) } else { u64::MAX };
-            self.words[word] & low & high == 0
-        })
+        words(from, to).all(|(word, ones)| self.words[word] & ones == 0)
     }
+}
+
+/// The words that the bits from..to are in, each with these.
+fn words(from: usize, to: usize) -> impl Iterator<Item = (usize, u64)> {
+    (from / 64..to.div_ceil(64)).map(move |word| {
+        let low = if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };
+        let high = if 64 * (word + 1) > to { u64::MAX >> (64 * (word + 1) - to) } else { u64::MAX };
+        (word, low & high)
+    })
 }

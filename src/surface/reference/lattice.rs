@@ -128,14 +128,12 @@ impl Lattice {
     pub fn neighbours(&self, cell: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
         let around = |k: usize| {
             let (at, count) = (cell[k], self.cells[k]);
-            match self.closed[k] {
-                // Three at least.
-                true => Span::new(at + count - 1, 3.min(count), count),
-                false => {
-                    let first = at.saturating_sub(1);
-                    Span { first, len: (at + 2).min(count) - first, count }
-                }
+            // Closed directions have three at least.
+            if self.closed[k] {
+                return Span::new(at + count - 1, 3.min(count), count);
             }
+            let first = at.saturating_sub(1);
+            Span { first, len: (at + 2).min(count) - first, count }
         };
         let (rows, columns) = (around(0), around(1));
         rows.indices().flat_map(move |i| columns.indices().map(move |j| [i, j])).filter(move |&other| other != cell)

@@ -78,13 +78,13 @@ pub fn search(
         require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
-    let mut window = Window::new(lattice);
+    let mut window = Window { lattice, spans: lattice.cells.map(Span::all), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
     let mut found = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
     let widest = lines_u.max(lines_v).next_power_of_two();
     let mut stride = if options.by_rows { 1 } else { widest };
-    let mut ticker = ProgressTicker::new(job);
+    let mut ticker = ProgressTicker { job, spent: 0, fraction: 0.0 };
     while stride > 0 {
         for i in (0..lines_u).step_by(stride) {
             // The negative answer at once: nothing is left.
@@ -178,10 +178,6 @@ struct Window {
 }
 
 impl Window {
-    fn new(lattice: Lattice) -> Self {
-        Window { lattice, spans: lattice.cells.map(Span::all), rings: lattice.closed }
-    }
-
     fn is_empty(&self) -> bool {
         self.spans.iter().any(|span| span.len == 0)
     }
@@ -231,11 +227,7 @@ struct ProgressTicker<'a, 'b> {
     fraction: f64,
 }
 
-impl<'a, 'b> ProgressTicker<'a, 'b> {
-    fn new(job: &'a Job<'b>) -> Self {
-        ProgressTicker { job, spent: 0, fraction: 0.0 }
-    }
-
+impl ProgressTicker<'_, '_> {
     fn spend(&mut self, work: usize, fraction: f64) -> Result<()> {
         self.spent += work;
         self.fraction = self.fraction.max(fraction);

@@ -102,16 +102,11 @@ impl Sizes {
     /// reach and shorter ones do not.
     fn ring(&self, node: [usize; 2], k: usize) -> f64 {
         let ([rows, columns], inner) = (self.lattice.block(node, k), self.lattice.block(node, k - 1));
-        let mut greatest = 0.0_f64;
-        for i in rows.indices() {
-            if inner[0].contains(i) {
-                let outside = columns.indices().filter(|&j| !inner[1].contains(j));
-                greatest = outside.fold(greatest, |greatest, j| greatest.max(self.get([i, j])));
-            } else {
-                greatest = columns.indices().fold(greatest, |greatest, j| greatest.max(self.get([i, j])));
-            }
-        }
-        greatest
+        let own = rows.indices().flat_map(|i| {
+            let crosses = inner[0].contains(i);
+            columns.indices().filter(move |&j| !(crosses && inner[1].contains(j))).map(move |j| [i, j])
+        });
+        own.map(|cell| self.get(cell)).fold(0.0, f64::max)
     }
 
     /// The bound of a chain, the sum over its cells (2, 3).
