@@ -68,17 +68,8 @@ mod tests {
     use glam::DVec3;
     use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-    struct Random(u64);
-
-    impl Random {
-        fn next(&mut self) -> f64 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        }
-
-        fn point(&mut self, size: f64) -> DVec3 {
-            size * (2.0 * DVec3::new(self.next(), self.next(), self.next()) - 1.0)
-        }
+    fn point(random: &mut fastrand::Rng, size: f64) -> DVec3 {
+        size * DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0))
     }
 
     fn torus(u: f64, v: f64) -> DVec3 {
@@ -92,9 +83,8 @@ mod tests {
         [h, w]: [usize; 2],
         closed: [bool; 2],
         scheme: Scheme,
-        point: impl FnMut(f64, f64) -> DVec3,
+        mut point: impl FnMut(f64, f64) -> DVec3,
     ) -> Sheet<'static> {
-        let mut point = point;
         let mut nodes = vec![DVec3::ZERO; (h + 1) * (w + 1)];
         for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
             let from = [(i, h, closed[0]), (j, w, closed[1])].map(|(k, n, closed)| if closed { k % n } else { k });
@@ -109,7 +99,7 @@ mod tests {
     }
 
     fn sheets() -> Vec<Sheet<'static>> {
-        let mut random = Random(8);
+        let mut random = fastrand::Rng::with_seed(8);
         let wavy = |u: f64, v: f64| DVec3::new(u, v, 0.1 * (9.0 * u).sin() * (7.0 * v + 1.0).cos());
         let bowl = |u: f64, v: f64| DVec3::new(u * (TAU * v).cos(), u * (TAU * v).sin(), 0.3 * u * u);
         let mut all = Vec::new();
@@ -117,8 +107,8 @@ mod tests {
             all.push(sheet([41, 73], [true; 2], scheme, torus));
             all.push(sheet([35, 40], [false; 2], scheme, wavy));
             all.push(sheet([25, 44], [false, true], scheme, bowl));
-            all.push(sheet([30, 31], [false; 2], scheme, |u, v| wavy(u, v) + random.point(0.004)));
-            all.push(sheet([34, 50], [true; 2], scheme, |u, v| torus(u, v) + random.point(0.004)));
+            all.push(sheet([30, 31], [false; 2], scheme, |u, v| wavy(u, v) + point(&mut random, 0.004)));
+            all.push(sheet([34, 50], [true; 2], scheme, |u, v| torus(u, v) + point(&mut random, 0.004)));
             all.push(sheet([20, 20], [false; 2], scheme, |u, v| DVec3::new(u, v, 0.0)));
         }
         for degree in [3, 5] {
@@ -126,7 +116,7 @@ mod tests {
             for (i, a, b) in (0..30).flat_map(|i| (0..=degree).flat_map(move |a| (0..=degree).map(move |b| (i, a, b))))
             {
                 let at = |k: usize, a: usize| (k as f64 + a as f64 / degree as f64) / 10.0;
-                points.push(wavy(at(i / 6, a), at(i % 6, b)) + random.point(1e-4));
+                points.push(wavy(at(i / 6, a), at(i % 6, b)) + point(&mut random, 1e-4));
             }
             all.push(match degree {
                 3 => Sheet::Cubic(Patches::new(&points, [3; 2], 5, 6).unwrap()),
@@ -140,12 +130,12 @@ mod tests {
     /// exclude nothing.
     #[test]
     fn answers_are_the_same_without_cones() {
-        let (job, mut random) = (Job::default(), Random(5));
+        let (job, mut random) = (Job::default(), fastrand::Rng::with_seed(5));
         for (number, sheet) in sheets().into_iter().enumerate() {
             let sharp = Surface::new(vec![sheet.clone()], None, &job).unwrap();
             let mut blunt = Surface::new(vec![sheet], None, &job).unwrap();
             blunt.disable_cones(&job).unwrap();
-            let directions = [DVec3::Z, DVec3::new(0.3, -0.5, 0.8), random.point(1.0)];
+            let directions = [DVec3::Z, DVec3::new(0.3, -0.5, 0.8), point(&mut random, 1.0)];
             for (direction, unsigned) in directions.into_iter().flat_map(|d| [(d, false), (d, true)]) {
                 let max = if unsigned { FRAC_PI_2 } else { PI };
                 let angles = [0.0, 1e-3, 0.6, FRAC_PI_2, 2.0, PI];

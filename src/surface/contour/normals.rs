@@ -135,12 +135,8 @@ mod tests {
 
     #[test]
     fn normals_are_cross_products() {
-        let mut state = 5_u32;
-        let mut random = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            f64::from(state >> 8) / f64::from(1 << 24) - 0.5
-        };
-        let mut vector = || DVec3::new(random(), random(), random());
+        let mut random = fastrand::Rng::with_seed(5);
+        let mut vector = || DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
         let patch = Patch::<4> { points: std::array::from_fn(|_| std::array::from_fn(|_| vector())) };
         let made = Hodographs::new(&patch, &[DVec3::X, DVec3::Y, DVec3::Z]);
         let fields: [Field<6>; 3] = std::array::from_fn(|k| made.normal(k));

@@ -37,6 +37,12 @@ fn round_up(value: f64) -> f32 {
     if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }
 
+/// In double precision.
+#[inline(always)]
+fn double(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}
+
 impl ChildBoxes {
     pub(crate) const EMPTY: ChildBoxes = ChildBoxes { low: [[f32::INFINITY; 4]; 3], high: [[f32::NEG_INFINITY; 4]; 3] };
 
@@ -50,8 +56,7 @@ impl ChildBoxes {
 
     /// One of the four.
     pub(crate) fn get(&self, child: usize) -> Aabb {
-        let corner = |of: &[[f32; 4]; 3]| DVec3::from_array([0, 1, 2].map(|axis| f64::from(of[axis][child])));
-        Aabb { low: corner(&self.low), high: corner(&self.high) }
+        Aabb { low: double(self.low.map(|axis| axis[child])), high: double(self.high.map(|axis| axis[child])) }
     }
 
     /// The box of all four.
@@ -128,31 +133,27 @@ impl OrientedBox {
         let bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
         let middle = axes.transpose() * bounds.centre();
         found.centre = single(middle);
-        let centre = axes * found.centre();
+        let centre = axes * double(found.centre);
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
         // The axes are orthonormal to 1e-7, so that lengths along them are.
         found.half = reach.to_array().map(|half| round_up(half * (1.0 + 1e-6)));
         found
     }
 
-    fn centre(&self) -> DVec3 {
-        DVec3::from_array(self.centre.map(f64::from))
-    }
-
     /// Rows: the axes.
     #[inline(always)]
     fn frame(&self) -> DMat3 {
-        let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
+        let [first, second] = self.axes.map(double);
         DMat3::from_cols(first, second, first.cross(second)).transpose()
     }
 
     /// A lower bound of the square of the distance of a point.
     #[inline(always)]
     pub(crate) fn distance_squared(&self, point: DVec3) -> f64 {
-        let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
-        let from = point - self.centre();
+        let [first, second] = self.axes.map(double);
+        let from = point - double(self.centre);
         let along = DVec3::new(from.dot(first), from.dot(second), from.dot(first.cross(second)));
-        let half = DVec3::from_array(self.half.map(f64::from));
+        let half = double(self.half);
         let outside = (along.abs() - half).max(DVec3::ZERO);
         outside.length_squared() * (1.0 - 1e-6)
     }
@@ -161,9 +162,8 @@ impl OrientedBox {
     /// axes across each direction.
     #[inline(always)]
     pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
-        let single = |v: &[f32; 3]| DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]));
-        let (first, second, half) = (single(&self.axes[0]), single(&self.axes[1]), single(&self.half));
-        let (third, from) = (first.cross(second), origin - single(&self.centre));
+        let ([first, second], half) = (self.axes.map(double), double(self.half));
+        let (third, from) = (first.cross(second), origin - double(self.centre));
         // The axes are orthonormal to 1e-7 only: the box is enlarged by as much of the distance.
         let half = half + 1e-6 * from.abs().element_sum();
         let from = DVec3::new(from.dot(first), from.dot(second), from.dot(third));
@@ -181,25 +181,22 @@ impl OrientedBox {
 
     /// False if all of some points are beyond one of its sides, and so their hull is.
     pub(crate) fn meets_hull(&self, points: &[DVec3]) -> bool {
-        let (frame, half) = (self.frame(), DVec3::from_array(self.half.map(f64::from)));
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let mut farthest = 0.0_f64;
-        for &point in points {
-            let from = point - self.centre();
-            let along = frame * from;
-            (low, high) = (low.min(along), high.max(along));
+        let (frame, half) = (self.frame(), double(self.half));
+        let (mut bounds, mut farthest) = (Aabb::EMPTY, 0.0_f64);
+        for from in points.iter().map(|&point| point - double(self.centre)) {
+            bounds.add(frame * from);
             farthest = farthest.max(from.length_squared());
         }
         // The axes are orthonormal to 1e-7 only.
         let rounding = 1e-6 * farthest.sqrt();
-        (low - half).max(-half - high).max_element() <= rounding
+        (bounds.low - half).max(-half - bounds.high).max_element() <= rounding
     }
 
     /// The least and the greatest product of points of the box with a direction.
     #[inline(always)]
     pub(crate) fn along(&self, direction: DVec3) -> [f64; 2] {
-        let half = DVec3::from_array(self.half.map(f64::from));
-        let middle = self.centre().dot(direction);
+        let half = double(self.half);
+        let middle = double(self.centre).dot(direction);
         // The axes are orthonormal to 1e-7, so that the box may reach a little farther.
         let reach =
             (self.frame() * direction).abs().dot(half) * (1.0 + 1e-6) + 1e-6 * half.length() * direction.length();
@@ -209,13 +206,13 @@ impl OrientedBox {
     /// The centre and the half edges of a parallelepiped that contains the box.
     #[inline(always)]
     pub(crate) fn edges(&self) -> (DVec3, [DVec3; 3]) {
-        let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
+        let [first, second] = self.axes.map(double);
         // The box is where products with the axes are small. The inverse of a matrix that is
         // orthonormal to 1e-7 is its transpose, to 1e-6: of the longest edge, however short another
         // is.
-        let half = DVec3::from_array(self.half.map(f64::from));
+        let half = double(self.half);
         let [x, y, z] = (half + 1e-6 * half.length()).to_array();
-        (self.centre(), [x * first, y * second, z * first.cross(second)])
+        (double(self.centre), [x * first, y * second, z * first.cross(second)])
     }
 
     /// The corners.

@@ -87,9 +87,11 @@ impl Surface<'_> {
         if a.tangent || b.tangent || cell(a) == cell(b) {
             return false;
         }
-        let sine = slack.least_sine([a, b]);
+        let sine = slack.sine(a).min(slack.sine(b)).min(1.0);
         let rounding = slack.rounding(sine);
-        let tolerance = if slack.turned(a, b) {
+        // The line enters at the one what it leaves at the other.
+        let turned = a.normal.dot(slack.along) * b.normal.dot(slack.along) < 0.0;
+        let tolerance = if turned {
             // Where it is as good as along the surface, it may as well be two.
             if sine < slack.floor { 0.0 } else { rounding }
         } else {
@@ -184,15 +186,6 @@ impl LineRounding {
     /// The sine of the angle between line and surface.
     fn sine(&self, hit: &Hit) -> f64 {
         hit.normal.dot(self.along).abs()
-    }
-
-    fn least_sine(&self, hits: [&Hit; 2]) -> f64 {
-        hits.map(|hit| self.sine(hit)).into_iter().fold(1.0, f64::min)
-    }
-
-    /// True if the line enters at the one what it leaves at the other.
-    fn turned(&self, a: &Hit, b: &Hit) -> bool {
-        a.normal.dot(self.along) * b.normal.dot(self.along) < 0.0
     }
 
     /// How far apart one point may be found, where the line meets the surface at an angle of this

@@ -45,8 +45,8 @@ impl Surface<'_> {
         check("limit", query, limit).ok()?;
         let tolerance = self.query_tolerance(query);
         SurfaceSearch { surface: self, search }.find(query, limit, tolerance);
-        let best = search.best().filter(|best| best.distance <= limit)?;
-        let (place, bound) = (best.place(), search.lower_bound(&best));
+        let best = search.incumbent.best.filter(|best| best.distance <= limit)?;
+        let (place, bound) = (best.place(), search.settled.min(best.distance));
         Some(Closest {
             place,
             point: best.point,
@@ -54,7 +54,7 @@ impl Surface<'_> {
             distance: best.distance,
             bound,
             proven: best.distance.is_finite() && bound >= best.distance - tolerance,
-            is_ambiguous: search.is_ambiguous(&best),
+            is_ambiguous: search.incumbent.is_ambiguous(&best),
         })
     }
 

@@ -67,10 +67,12 @@ pub(super) struct Incumbent {
     /// The length to which distances are proved: at least what rounding allows.
     pub(super) tolerance: f64,
     pub(super) upper: UpperBound,
-    best: Option<Answer>,
+    /// The nearest answer so far.
+    pub(super) best: Option<Answer>,
     /// Answers within the tolerance of the nearest, or not much farther.
     ties: Vec<Answer>,
-    direction: DVec3,
+    /// The unit vector from the nearest answer to the query; 0 as long as there is none.
+    pub(super) direction: DVec3,
 }
 
 impl Incumbent {
@@ -80,21 +82,10 @@ impl Incumbent {
         (self.query, self.tolerance, self.upper) = (query, tolerance, UpperBound::new(limit, tolerance));
     }
 
-    /// The nearest answer so far.
-    pub(super) fn best(&self) -> Option<Answer> {
-        self.best
-    }
-
     /// The distance of the nearest answer.
     #[inline(always)]
     pub(super) fn distance(&self) -> f64 {
         self.best.map_or(f64::INFINITY, |best| best.distance)
-    }
-
-    /// The unit vector from the nearest answer to the query; 0 as long as there is none.
-    #[inline(always)]
-    pub(super) fn direction(&self) -> DVec3 {
-        self.direction
     }
 
     /// True if an answer at this distance would be nearer by more than a trifle.

@@ -107,9 +107,9 @@ struct CellPatch<'a, const N: usize> {
 /// A search for the nearest point: answers, tasks, and the work done. It may be used again.
 #[derive(Debug, Default)]
 pub(super) struct NearestSearch {
-    incumbent: Incumbent,
-    /// The least lower bound of what was settled.
-    settled: f64,
+    pub(super) incumbent: Incumbent,
+    /// The least lower bound of what was settled: of all points, with the distance of the answer.
+    pub(super) settled: f64,
     /// Patches and parts examined, and how many they were when the answer last got notably nearer.
     evaluations: usize,
     evaluations_at_gain: usize,
@@ -127,21 +127,6 @@ impl NearestSearch {
         self.candidates.clear();
         self.frontier.clear();
         (self.settled, self.evaluations, self.evaluations_at_gain, self.blocks) = (f64::INFINITY, 0, 0, 0);
-    }
-
-    /// The nearest answer.
-    pub(super) fn best(&self) -> Option<Answer> {
-        self.incumbent.best()
-    }
-
-    /// A lower bound of the distances of all points, if `best` is the nearest answer.
-    pub(super) fn lower_bound(&self, best: &Answer) -> f64 {
-        self.settled.min(best.distance)
-    }
-
-    /// True if another answer is as near as the nearest, at another place.
-    pub(super) fn is_ambiguous(&self, best: &Answer) -> bool {
-        self.incumbent.is_ambiguous(best)
     }
 
     /// What is farther need not be examined.
@@ -183,7 +168,7 @@ impl NearestSearch {
             if block.level == 0 {
                 let extent = self.search_leaf(&Leaf { cells, index, row, column });
                 // From afar, the first answers, and their direction above all, exclude most others.
-                let is_far = self.incumbent.direction() == DVec3::ZERO && self.prune_bound() > 4.0 * extent;
+                let is_far = self.incumbent.direction == DVec3::ZERO && self.prune_bound() > 4.0 * extent;
                 if is_far || self.candidates.len() >= MAX_CANDIDATES {
                     self.examine_candidates(cells, sheet);
                 }
@@ -224,7 +209,7 @@ impl NearestSearch {
     #[inline(always)]
     fn search_leaf<const N: usize>(&mut self, leaf: &Leaf<'_, impl Cells<N>, N>) -> f64 {
         self.blocks += 1;
-        let (query, direction) = (self.incumbent.query, self.incumbent.direction());
+        let (query, direction) = (self.incumbent.query, self.incumbent.direction);
         leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
     }
 
@@ -240,7 +225,7 @@ impl NearestSearch {
             }
             let patch = cells.patch(cell[0] as usize, cell[1] as usize);
             let is_beyond = |direction: DVec3| patch.half_space_distance(self.incumbent.query, direction) > limit;
-            if !is_beyond(direction) && !is_beyond(self.incumbent.direction()) {
+            if !is_beyond(direction) && !is_beyond(self.incumbent.direction) {
                 self.examine(&CellPatch { patch: &patch, sheet, cell }, start);
             }
         }
@@ -346,7 +331,7 @@ impl NearestSearch {
     /// have come to the bottom.
     fn descend_across_cells<const N: usize>(&mut self, cells: &impl Cells<N>, closed: [bool; 2]) {
         for _ in 0..MAX_CELL_STEPS {
-            let Some(best) = self.best() else { return };
+            let Some(best) = self.incumbent.best else { return };
             for cell in cells_around(cells.counts(), closed, best.cell.map(|k| k as usize)) {
                 self.examine_cell(cells, best.sheet, cell, DVec2::splat(0.5));
             }
@@ -389,7 +374,7 @@ impl SurfaceSearch<'_> {
         let Ok(left) = self.run();
         let SurfaceSearch { surface, search } = self;
         left.into_iter().for_each(|bound| search.settle(bound));
-        if let Some(best) = search.best().filter(|best| search.settled < best.distance - tolerance) {
+        if let Some(best) = search.incumbent.best.filter(|best| search.settled < best.distance - tolerance) {
             let sheet = surface.sheet(best.sheet as usize);
             each_sheet!(sheet, cells => search.descend_across_cells(cells, sheet.is_closed()));
         }

@@ -86,13 +86,7 @@ impl<const N: usize> Field<N> {
 
     /// u and v exchanged.
     pub(crate) fn transposed(&self) -> Field<N> {
-        let mut turned = *self;
-        for a in 0..N {
-            for b in 0..N {
-                turned.c[a][b] = self.c[b][a];
-            }
-        }
-        turned
+        Field { c: std::array::from_fn(|a| std::array::from_fn(|b| self.c[b][a])) }
     }
 }
 
@@ -102,12 +96,8 @@ mod tests {
 
     #[test]
     fn parts_are_the_whole() {
-        let mut state = 1_u32;
-        let mut random = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            f64::from(state >> 8) / f64::from(1 << 24) - 0.5
-        };
-        let field = Field::<4> { c: std::array::from_fn(|_| std::array::from_fn(|_| random())) };
+        let mut random = fastrand::Rng::with_seed(1);
+        let field = Field::<4> { c: [[0.0; 4]; 4].map(|row| row.map(|_| random.f64() - 0.5)) };
         let parts = field.quarters();
         for k in 0..25 {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);

@@ -168,22 +168,22 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
         }
         let frame = equation.frame(part.middle());
-        let proof = part.prove(&frame, rounding_error);
-        if matches!(proof, BoxTest::Empty) {
-            return Ok(BoxTest::Empty);
-        }
-        if let BoxTest::Unique(chart) = proof {
-            let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error, self.task.followed);
-            let found = match search.along_line(&frame) {
-                Some(found) => found,
-                None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
-                None => search.through_inside(&frame),
-            };
-            match found {
-                BoxTest::Empty => return Ok(BoxTest::Empty),
-                BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
-                _ => {}
+        match part.prove(&frame, rounding_error) {
+            BoxTest::Empty => return Ok(BoxTest::Empty),
+            BoxTest::Unique(chart) => {
+                let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error, self.task.followed);
+                let found = match search.along_line(&frame) {
+                    Some(found) => found,
+                    None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
+                    None => search.through_inside(&frame),
+                };
+                match found {
+                    BoxTest::Empty => return Ok(BoxTest::Empty),
+                    BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
+                    _ => {}
+                }
             }
+            _ => {}
         }
         let extents = part.extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
