@@ -66,12 +66,7 @@ impl Sheet<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`]. O(cells along the curve).
     pub fn row_curve(&self, u: f64) -> Result<Curve> {
-        let closed = self.seams()[1];
-        each_sheet!(self, cells => {
-            let (row, within) = place(u, cells.counts()[0])?;
-            let count = cells.counts()[1];
-            joined((0..count).map(|j| curve_at(&Cells::patch(cells, row, j).transposed(), within)), count, closed)
-        })
+        self.coordinate_curve(0, u)
     }
 
     /// The same at v, which counts columns; u runs.
@@ -79,11 +74,18 @@ impl Sheet<'_> {
     /// # Errors
     /// As for [`Sheet::row_curve`].
     pub fn column_curve(&self, v: f64) -> Result<Curve> {
-        let closed = self.seams()[0];
+        self.coordinate_curve(1, v)
+    }
+
+    fn coordinate_curve(&self, direction: usize, at: f64) -> Result<Curve> {
+        let (line, within) = place(at, self.cells()[direction])?;
+        let (count, closed) = (self.cells()[1 - direction], self.seams()[1 - direction]);
         each_sheet!(self, cells => {
-            let (column, within) = place(v, cells.counts()[1])?;
-            let count = cells.counts()[0];
-            joined((0..count).map(|i| curve_at(&Cells::patch(cells, i, column), within)), count, closed)
+            let patch = |k: usize| match direction {
+                0 => Cells::patch(cells, line, k).transposed(),
+                _ => Cells::patch(cells, k, line),
+            };
+            joined((0..count).map(|k| patch(k).points.map(|row| evaluate(&row, within))), count, closed)
         })
     }
 }
@@ -93,9 +95,4 @@ fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
     require((0.0..=cells as f64).contains(&at), "parameter", at)?;
     let cell = (at as usize).min(cells - 1);
     Ok((cell, at - cell as f64))
-}
-
-/// The control points of a patch's curve of constant v.
-fn curve_at<const N: usize>(patch: &super::Patch<N>, v: f64) -> [DVec3; N] {
-    patch.points.map(|row| evaluate(&row, v))
 }

@@ -88,7 +88,13 @@ impl<const N: usize> Patch<N> {
     /// u and v exchanged.
     #[must_use]
     pub fn transposed(&self) -> Self {
-        Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| self.points[b][a])) }
+        let mut turned = *self;
+        for a in 0..N {
+            for b in 0..N {
+                turned.points[a][b] = self.points[b][a];
+            }
+        }
+        turned
     }
 }
 

@@ -109,8 +109,8 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the hits of the sheet, whose cells are given. Of all, every cell's; else those up to the
-    /// first, and what may be one with it.
+    /// Adds the hits of the sheet, whose cells are given. Of all, every cell's; else those up to
+    /// the first, and what may be one with it.
     pub(super) fn run<const N: usize>(
         &self,
         cells: &impl Cells<N>,

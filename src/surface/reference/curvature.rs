@@ -1,10 +1,10 @@
 //! A bound of the principal curvatures, from control nets.
 //!
-//! The curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv) /
-//! |a S_u + b S_v|^2. With a^2 + b^2 = 1 the first is no more than the greater eigenvalue of the matrix of
-//! |S_uu|, |S_uv|, |S_vv|, and |a S_u + b S_v| no less than the smaller singular value of the mean
-//! (S_u, S_v), less what the two are away from their means. Parameters are scaled so that the means
-//! are units.
+//! The curvature in the direction a S_u + b S_v is N . (a^2 S_uu + 2 a b S_uv + b^2 S_vv) over
+//! |a S_u + b S_v|^2. With a^2 + b^2 = 1 the first is no more than the greater eigenvalue of the
+//! matrix of |S_uu|, |S_uv|, |S_vv|, and |a S_u + b S_v| no less than the smaller singular value of
+//! the mean (S_u, S_v), less what the two are away from their means. Parameters are scaled so that
+//! the means are units.
 
 use crate::error::Result;
 use crate::job::Job;

@@ -37,15 +37,6 @@
 //! * *E7* Signs at nodes miss loops within a cell, two crossings on a side, and touching; they pair
 //!   four crossings wrongly. See [`cells_within`].
 //! * *E8* The Euclidean diameter suffices for distances; the intrinsic one is needed for K d only.
-//!
-//! * [`Lattice`]: how cells lie. [`CellMask`]: a set of cells. [`Sizes`]: bounds of cells and
-//!   blocks.
-//! * [`Diameters`], [`curvature_bound`], [`normal_variation_by_cones`],
-//!   [`normal_variation_by_curvature`]: the bounds of cells.
-//! * [`chain`], [`integer_diameter`], [`euler_characteristic`]: cell regions.
-//! * [`search`], [`incidence`], [`angle_incidence`]: the corrected search; [`literal`]: the one to
-//!   the letter. [`closest`], [`cells_within`]: answers by it.
-//! * [`normal_by_sections`]: the paper's approximate normal.
 
 mod answer;
 mod cell_mask;
@@ -56,7 +47,6 @@ mod literal;
 mod normal_variation;
 mod object;
 mod region;
-
 mod search;
 mod section_normal;
 mod sizes;
@@ -67,10 +57,9 @@ pub use curvature::curvature_bound;
 pub use diameter::Diameters;
 pub use lattice::Lattice;
 pub use literal::{LiteralMask, literal};
+pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
 pub use object::{Object, Target, incidence};
 pub use region::{chain, euler_characteristic, integer_diameter};
-
-pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
 pub use search::{Goal, SearchOptions, SearchOutcome, search};
 pub use section_normal::normal_by_sections;
 pub use sizes::{Sizes, Sum};

@@ -86,7 +86,13 @@ impl<const N: usize> Field<N> {
 
     /// u and v exchanged.
     pub(crate) fn transposed(&self) -> Field<N> {
-        Field { c: std::array::from_fn(|a| std::array::from_fn(|b| self.c[b][a])) }
+        let mut turned = *self;
+        for a in 0..N {
+            for b in 0..N {
+                turned.c[a][b] = self.c[b][a];
+            }
+        }
+        turned
     }
 }
 
