@@ -33,12 +33,7 @@ fn bend(weights: &Weights) -> Sums<2> {
 }
 
 /// The boxes of the blocks of some rows of blocks, row after row.
-pub(super) fn displacements(
-    nodes: &Nodes<'_>,
-    [u, v]: [&Axis; 2],
-    block_rows: Range<usize>,
-    boxes: &mut [Aabb],
-) {
+pub(super) fn displacements(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: Range<usize>, boxes: &mut [Aabb]) {
     let sweep = Sweep { nodes, u, v, sums: bend };
     let mut along = vec![Aabb::EMPTY; boxes.len()];
     sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found));

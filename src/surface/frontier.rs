@@ -136,7 +136,8 @@ mod tests {
     #[test]
     fn exact_bounds_lead_straight_to_the_least() {
         let numbers: Vec<f64> = (0..64).map(|k| f64::from(k * 37 % 64)).collect();
-        let mut search = LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
+        let mut search =
+            LeastNumber { numbers: &numbers, frontier: Frontier::default(), best: f64::INFINITY, opened: 0 };
         search.frontier.push(0.0, 0, (0, 64)).unwrap();
         // The second least is in a task that is left.
         assert_eq!(search.run().unwrap(), Some(1.0));

@@ -101,8 +101,11 @@ impl Sheet<'_> {
     }
 }
 
-/// The lines of one direction: the cell and the parameter of each, and whether it is one point.
-fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<(u32, f64)>, Vec<bool>)> {
+/// The cell and the parameter of a line.
+type Line = (u32, f64);
+
+/// The lines of one direction, and whether each is one point.
+fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<Line>, Vec<bool>)> {
     let is_point = |cell: usize, end: bool| sheet.line_is_point(direction, cell, end);
     let mut lines = alloc::with_capacity(count + 1)?;
     let mut points = alloc::with_capacity(count + 1)?;
@@ -122,8 +125,8 @@ fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Re
 /// The lines of a mesh on a sheet.
 struct Lattice<'a> {
     sheet: &'a Sheet<'a>,
-    /// Cell and parameter of each line in u, and in v; lines that close are not repeated.
-    lines: [Vec<(u32, f64)>; 2],
+    /// In u, and in v; lines that close are not repeated.
+    lines: [Vec<Line>; 2],
     /// Lines that are one point.
     points: [Vec<bool>; 2],
     /// If some are in both directions, the first one of v: all of them are one point then.
@@ -162,7 +165,8 @@ impl<'a> Lattice<'a> {
         if corners.is_nan() || corners > MAX_ELEMENTS as f64 {
             return Err(Error::TooLarge { what: "corners", count: corners as u64, limit: MAX_ELEMENTS });
         }
-        let deviations = bends.iter().enumerate().map(|(k, of)| of.deviation(parts[0][k / columns], parts[1][k % columns]));
+        let deviations =
+            bends.iter().enumerate().map(|(k, of)| of.deviation(parts[0][k / columns], parts[1][k % columns]));
         let deviation = deviations.fold(0.0, f64::max);
         let (lines_u, points_u) = lines(sheet, 0, &parts[0], counts[0] as usize)?;
         let (lines_v, points_v) = lines(sheet, 1, &parts[1], counts[1] as usize)?;

@@ -125,9 +125,9 @@ impl<const N: usize> Cells<N> for Patches<N> {
         let across = self.columns.div_ceil(BLOCK);
         for (k, boxes) in boxes.iter_mut().enumerate() {
             let cells = cells_of_block([block_rows.start + k / across, k % across], self.counts());
-            *boxes = cells.map(|[i, j]| self.get(i, j).tangents()).fold([Aabb::EMPTY; 2], |[all_u, all_v], [u, v]| {
-                [all_u.union(u), all_v.union(v)]
-            });
+            *boxes = cells
+                .map(|[i, j]| self.get(i, j).tangents())
+                .fold([Aabb::EMPTY; 2], |[all_u, all_v], [u, v]| [all_u.union(u), all_v.union(v)]);
         }
     }
 }

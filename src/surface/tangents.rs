@@ -45,12 +45,7 @@ impl Spread {
 }
 
 /// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
-pub(super) fn tangents(
-    nodes: &Nodes<'_>,
-    [u, v]: [&Axis; 2],
-    block_rows: Range<usize>,
-    boxes: &mut [[Aabb; 2]],
-) {
+pub(super) fn tangents(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
     let sweep = Sweep { nodes, u, v, sums: steps };
     // S_v.
     let mut along = vec![Spread::EMPTY; boxes.len()];

@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn few_lines_and_closed_ones() {
         for (count, closed) in [(1, false), (2, false), (3, false), (3, true), (4, true), (5, true), (9, true)] {
-            let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * (k % 3) as f64).collect();
+            let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * f64::from(k % 3)).collect();
             for piece in blend(&lengths, closed).unwrap() {
                 let weights = piece.weights::<4>([0.0, 1.0]);
                 assert!(weights.iter().all(|w| (w.iter().sum::<f64>() - 1.0).abs() < 1e-13));

@@ -240,11 +240,14 @@ impl<const N: usize> Gordon<N> {
         let mut patches = patches_with_capacity(last, v.count())?;
         for piece in &blend {
             let across = piece.weights::<N>([0.0, 1.0]);
-            for j in 0..v.count() {
-                report_progress(&job.part(0.4, 1.0), &patches)?;
+            let patch = |j: usize| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
                 let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
-                patches.push(Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) });
+                Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
+            };
+            for j in 0..v.count() {
+                report_progress(&job.part(0.4, 1.0), &patches)?;
+                patches.push(patch(j));
             }
         }
         Ok(Patches::of(patches, last, v.count()))

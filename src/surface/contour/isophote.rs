@@ -125,7 +125,11 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         let [u, v] = of.speeds();
         let levels = self.within(angles(&of.ranges(), self.normals.rounding_error(&of)));
         let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
-        CellBase { levels, rounding_error, data: Squares { along: squares(&[along]), across: squares(&[first, second]) } }
+        CellBase {
+            levels,
+            rounding_error,
+            data: Squares { along: squares(&[along]), across: squares(&[first, second]) },
+        }
     }
 
     fn level_count(&self) -> usize {

@@ -106,8 +106,7 @@ impl Pyramid {
             let first = rows_together * k;
             let mut bounds = vec![Aabb::EMPTY; displacements.len()];
             cells.displacements(first..first + displacements.len() / columns, &mut bounds);
-            let parts =
-                oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
+            let parts = oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
             for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
                 let groups = &mut groups[r / 2 * across..][..across];
                 build_row(cells, first + r, origin, bounds, groups, oriented, displacements);

@@ -54,7 +54,7 @@ impl<const M: usize> Part<M> {
     }
 
     fn bounds(&self) -> Aabb {
-        Aabb::of(&self.points)
+        Aabb::of(self.points)
     }
 }
 

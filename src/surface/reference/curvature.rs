@@ -21,7 +21,8 @@ const MAX_HALVINGS: u32 = 5;
 /// # Errors
 /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].
 pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
-    let of_cell = |[i, j]: [usize; 2]| each_sheet!(sheet, cells => Cells::patch(cells, i, j).curvature_bound(MAX_HALVINGS));
+    let of_cell =
+        |[i, j]: [usize; 2]| each_sheet!(sheet, cells => Cells::patch(cells, i, j).curvature_bound(MAX_HALVINGS));
     Ok(by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
 }
 

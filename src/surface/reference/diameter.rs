@@ -36,7 +36,8 @@ impl Diameters {
     /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
         let lattice = Lattice::of(sheet);
-        let both = by_cell(lattice.cells, "cells", job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
+        let both =
+            by_cell(lattice.cells, "cells", job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
         let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
         Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
     }

@@ -39,7 +39,10 @@ pub fn normal_variation_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Siz
         let corners = lattice.corners(cell).map(|node| reach(normal(sheet, node))).into_iter().fold(0.0, f64::max);
         Some(2.0 * half.max(corners) + ANGLE_ROUNDING)
     };
-    Ok(Sizes::new(lattice, by_cell(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?))
+    Ok(Sizes::new(
+        lattice,
+        by_cell(lattice.cells, "cells", job, |cell| cone(cell).map_or(PI, |variation| variation.min(PI)))?,
+    ))
 }
 
 /// The variation by curvature: K d, and the jumps of normals at corners. `curvature`: K, no
