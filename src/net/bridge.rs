@@ -119,10 +119,7 @@ impl Bridge {
 
     /// True if the cell at (i, j) belongs to it.
     pub fn has_cell(&self, i: usize, j: usize) -> bool {
-        let (across, along) = match self.direction {
-            Direction::Right => (j, i),
-            Direction::Down => (i, j),
-        };
+        let (across, along) = self.direction.ordered(i, j);
         across + 1 == self.at as usize && (self.start as usize..self.end as usize - 1).contains(&along)
     }
 

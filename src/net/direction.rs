@@ -21,20 +21,18 @@ impl Direction {
         }
     }
 
-    /// The number of nodes in this direction, and across it: along a side that is joined.
-    pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
+    /// Of row and column, that in this direction first, exchanged for `Right`; and back: row and
+    /// column of node k of line i, row i (`Down`) or column i, are `ordered(i, k)`.
+    pub(crate) fn ordered<T>(self, row: T, column: T) -> (T, T) {
         match self {
-            Direction::Right => (shape.columns(), shape.rows()),
-            Direction::Down => (shape.rows(), shape.columns()),
+            Direction::Right => (column, row),
+            Direction::Down => (row, column),
         }
     }
 
-    /// Row and column of node `k` of line `i`: row i (`Down`) or column i.
-    pub(crate) fn place(self, i: usize, k: usize) -> (usize, usize) {
-        match self {
-            Direction::Right => (k, i),
-            Direction::Down => (i, k),
-        }
+    /// The number of nodes in this direction, and across it: along a side that is joined.
+    pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
+        self.ordered(shape.rows(), shape.columns())
     }
 
     /// The link in this direction from node `k` of line `i` to the next line.

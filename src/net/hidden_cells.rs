@@ -4,7 +4,7 @@
 //! O(rows + cells of hidden bridges).
 
 use crate::error::Result;
-use crate::net::{Bridge, Direction, Net};
+use crate::net::{Bridge, Net};
 use crate::sort::Buckets;
 use std::ops::Range;
 
@@ -56,9 +56,6 @@ impl HiddenCells {
 /// The rows of cells of a bridge, and its range of columns in each.
 fn ranges(bridge: &Bridge) -> impl Iterator<Item = (usize, [u32; 2])> + Clone {
     let (before, start, end) = (bridge.at - 1, bridge.start, bridge.end - 1);
-    let (rows, range) = match bridge.direction {
-        Direction::Right => (start..end, [before, before + 1]),
-        Direction::Down => (before..before + 1, [start, end]),
-    };
-    rows.map(move |row| (row as usize, range))
+    let (rows, columns) = bridge.direction.ordered(before..before + 1, start..end);
+    rows.map(move |row| (row as usize, [columns.start, columns.end]))
 }

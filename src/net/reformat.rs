@@ -5,13 +5,12 @@
 //! those of the original, and a closing link of the last row starts at its last copy.
 //! Invariant: classes, faces and volume stay what they were. O(nodes).
 
-use super::arrange::{LinkCollector, Rearrangement, map_seam, merge_seams, rearrange};
-use super::topology::{Run, Seam};
+use super::arrange::{Rearrangement, map_seam, merge_seams};
+use super::topology::{Links, Matrix, Run, Seam};
 use super::{Bridge, Direction, Net, Planes, Real, Shape, Topology, each};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use std::ops::Range;
 
 /// The rows, or columns, that are replicated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -42,16 +41,16 @@ impl Net<'_> {
         replication: [Replication; 2],
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        let old = self.shape();
-        let shape = Shape::new(rows, columns)?;
+        // An error names both numbers.
+        Shape::new(rows, columns)?;
         let row_starts = starts(self.topology(), Direction::Down, rows, replication[0], "rows")?;
         let column_starts = starts(self.topology(), Direction::Right, columns, replication[1], "columns")?;
         let mut topology = self.topology().rows_replicated(&row_starts)?;
-        if columns > old.columns() {
+        if columns > self.shape().columns() {
             topology = topology.along(Direction::Right, |topology| topology.rows_replicated(&column_starts))?;
         }
-        let selection = IndexSelection { shape, rows: sources(&row_starts)?, columns: sources(&column_starts)? };
-        let mut net = Net::new(rearrange(self.coordinates(), &selection, job)?, topology);
+        let map = Rearrangement::Selection { rows: &sources(&row_starts)?, columns: &sources(&column_starts)? };
+        let mut net = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
             let bridge = bridge.moved(|i| row_starts[i as usize], |j| column_starts[j as usize]);
             alloc::push(net.bridges_mut(), bridge)?;
@@ -78,11 +77,8 @@ impl Net<'_> {
         let count = axis.extent(self.shape()).0;
         let mut needed = alloc::filled(false, count)?;
         for bridge in self.bridges() {
-            if bridge.direction == axis {
-                needed[bridge.at as usize] = true;
-            } else {
-                needed[bridge.start as usize] = true;
-            }
+            let line = if bridge.direction == axis { bridge.at } else { bridge.start };
+            needed[line as usize] = true;
         }
         let mut found = Vec::new();
         for (i, &needed) in needed.iter().enumerate().skip(1) {
@@ -105,8 +101,7 @@ impl Net<'_> {
         }
         let kept = complement(axis.extent(self.shape()).0, removed)?;
         let topology = self.topology().along(axis, |topology| topology.rows_kept(&kept))?;
-        let selection = IndexSelection::along(axis, topology.shape(), alloc::copied(&kept)?)?;
-        let mut net = Net::new(rearrange(self.coordinates(), &selection, job)?, topology);
+        let mut net = self.with_lines(axis, &kept, topology, job)?;
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
             let bridge = match axis {
@@ -118,6 +113,19 @@ impl Net<'_> {
             }
         }
         Ok(net)
+    }
+
+    /// The nodes of a list of rows (`Down`) or columns with a topology of theirs; no bridges.
+    pub(crate) fn with_lines(
+        &self,
+        axis: Direction,
+        lines: &[u32],
+        topology: Topology,
+        job: &Job<'_>,
+    ) -> Result<Net<'static>> {
+        let all = alloc::collect((0..axis.extent(topology.shape()).1).map(|i| i as u32))?;
+        let (rows, columns) = axis.ordered(lines, &all);
+        self.rearranged(&Rearrangement::Selection { rows, columns }, topology, job)
     }
 }
 
@@ -237,23 +245,14 @@ impl Topology {
             return Ok(self.clone());
         }
         let shape = Shape::new(rows, old.columns())?;
-        let mut links = LinkCollector::new(shape);
-        let mut done = Ok(());
-        let mut add = |links: &mut LinkCollector, i: u32, j: usize, vertical: u32| {
-            if done.is_ok() {
-                done = links.add(2 * shape.node(i as usize, j) + vertical);
-            }
-        };
-        self.each_contracted(|link| {
+        let mut links = Matrix::empty(shape)?;
+        self.contracted().for_each(|link| {
             let (i, j) = old.place(link / 2);
-            if link % 2 == 0 {
-                (starts[i]..starts[i + 1]).for_each(|i| add(&mut links, i, j, 0));
-            } else {
-                add(&mut links, starts[i + 1] - 1, j, 1);
-            }
+            // A vertical link starts at the last copy.
+            let copies = if link % 2 == 0 { starts[i]..starts[i + 1] } else { starts[i + 1] - 1..starts[i + 1] };
+            copies.for_each(|i| links.set(2 * shape.node(i as usize, j) + link % 2, true));
         });
-        done?;
-        copies(starts)?.into_iter().try_for_each(|i| links.add_row_down(i as usize - 1))?;
+        copies(starts)?.into_iter().for_each(|i| links.contract_row_down(shape, i as usize - 1));
         let mut seams = Vec::new();
         for &seam in self.seams() {
             if let Some(seam) = along_rows(seam, starts) {
@@ -262,7 +261,7 @@ impl Topology {
                 map_seam(seam, |(i, j)| Some((i64::from(starts[i as usize]), j)), &mut seams)?;
             }
         }
-        Topology::assembled(shape, links.links(), seams, self.is_reversed())
+        Ok(Topology::assembled(shape, Links::Matrix(links), seams, self.is_reversed()))
     }
 
     /// The topology of the rows of a list, which is in order and has at least two; the others are
@@ -272,17 +271,17 @@ impl Topology {
         let old = self.shape();
         let (h, w) = (old.rows(), old.columns());
         let shape = Shape::new(kept.len(), w)?;
-        let mut links = LinkCollector::new(shape);
+        let mut links = Matrix::empty(shape)?;
         for (new, &i) in kept.iter().enumerate() {
             let i = i as usize;
             // The rows up to the next that is kept.
             let end = kept.get(new + 1).map_or(h + kept[0] as usize, |&next| next as usize);
             for j in 0..w {
                 if self.contracts(old.horizontal_link(i, j)) {
-                    links.add(shape.horizontal_link(new, j))?;
+                    links.set(shape.horizontal_link(new, j), true);
                 }
                 if (i..end).all(|i| self.contracts(old.vertical_link(i % h, j))) {
-                    links.add(shape.vertical_link(new, j))?;
+                    links.set(shape.vertical_link(new, j), true);
                 }
             }
         }
@@ -291,7 +290,7 @@ impl Topology {
         for &seam in self.seams() {
             map_seam(seam, |(i, j)| Some((place(i), j)), &mut seams)?;
         }
-        Topology::assembled(shape, links.links(), merge_seams(&seams)?, self.is_reversed())
+        Ok(Topology::assembled(shape, Links::Matrix(links), merge_seams(&seams)?, self.is_reversed()))
     }
 }
 
@@ -322,44 +321,5 @@ impl<T: Real> Planes<'_, T> {
                 matrix.chunks(stride).all(|row| bytemuck::bytes_of(&row[i]) == bytemuck::bytes_of(&row[i - 1]))
             }
         })
-    }
-}
-
-/// A selection of rows and columns: new row i is old row `rows[i]`, and likewise columns.
-pub(crate) struct IndexSelection {
-    pub(crate) shape: Shape,
-    pub(crate) rows: Vec<u32>,
-    pub(crate) columns: Vec<u32>,
-}
-
-impl IndexSelection {
-    /// A selection of rows (`Down`) or columns, for a new net of `shape`; all of the others.
-    pub(crate) fn along(axis: Direction, shape: Shape, selected: Vec<u32>) -> Result<Self> {
-        let all = alloc::collect((0..axis.extent(shape).1).map(|i| i as u32))?;
-        Ok(match axis {
-            Direction::Down => IndexSelection { shape, rows: selected, columns: all },
-            Direction::Right => IndexSelection { shape, rows: all, columns: selected },
-        })
-    }
-}
-
-impl Rearrangement for IndexSelection {
-    fn shape(&self) -> Shape {
-        self.shape
-    }
-
-    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
-        let columns = self.shape.columns();
-        // Columns in runs: whole rows where none is dropped or repeated.
-        for (&i, to) in self.rows[rows].iter().zip(to.chunks_exact_mut(columns)) {
-            let mut from = &from[i as usize * stride..];
-            from = &from[..from.len().min(stride)];
-            let mut done = 0;
-            for run in self.columns.chunk_by(|a, b| a + 1 == *b) {
-                let first = run[0] as usize;
-                to[done..done + run.len()].copy_from_slice(&from[first..first + run.len()]);
-                done += run.len();
-            }
-        }
     }
 }

@@ -3,7 +3,7 @@
 //! but suspicious. O(nodes), and a sort of the findings.
 
 use super::coincidence::{check_tolerance, coincide, coincident_links};
-use super::topology::{Links, star_links};
+use super::topology::star_links;
 use super::{Classes, Net, Shape, Topology};
 use crate::alloc;
 use crate::error::Result;
@@ -68,13 +68,8 @@ impl Net<'_> {
             let [a, b] = nodes.map(|node| self.position(node));
             !coincide(a, b, tolerance) && (a.is_finite() || b.is_finite())
         };
-        let mut check_link = |link| match shape.ends(link) {
-            ends if apart(ends) => add(FindingKind::LinkApart, link, ends),
-            _ => Ok(()),
-        };
-        match topology.links() {
-            Links::Sides(sides) => sides.links(shape).try_for_each(&mut check_link)?,
-            Links::Matrix(matrix) => matrix.links().try_for_each(&mut check_link)?,
+        for link in topology.contracted().filter(|&link| apart(shape.ends(link))) {
+            add(FindingKind::LinkApart, link, shape.ends(link))?;
         }
         for (number, seam) in (0..).zip(topology.seams()) {
             for pair in seam.pairs(shape).filter(|&pair| apart(pair)) {

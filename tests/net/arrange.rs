@@ -4,7 +4,7 @@ use crate::nets::{Surface, any_topology, job, numbered, same, sphere, torus};
 use glam::DVec3;
 use gusset::Error;
 use gusset::mesh::Scalar;
-use gusset::net::{Classes, Net};
+use gusset::net::{Classes, Direction, Net};
 use proptest::prelude::*;
 
 /// The classes of a net as a partition of places, which `place` takes to places of another net.
@@ -31,7 +31,7 @@ proptest! {
     fn exchanges_are_their_own_inverses(topology in any_topology(2..7, 2..7)) {
         let net = numbered(topology, Scalar::F32);
         let (h, w) = (net.shape().rows(), net.shape().columns());
-        let (rows, columns) = (net.flipped_rows(&job()).unwrap(), net.flipped_columns(&job()).unwrap());
+        let (rows, columns) = (net.flipped(Direction::Down, &job()).unwrap(), net.flipped(Direction::Right, &job()).unwrap());
         let turned = net.transposed(&job()).unwrap();
         for (other, place) in [
             (&rows, Box::new(move |i, j| (h - 1 - i, j)) as Box<dyn Fn(usize, usize) -> (usize, usize)>),
@@ -47,8 +47,8 @@ proptest! {
             prop_assert_eq!(partition(&net, place), partition(other, |i, j| (i, j)));
             prop_assert!(other.topology().is_reversed() != net.topology().is_reversed());
         }
-        prop_assert!(same(&rows.flipped_rows(&job()).unwrap(), &net));
-        prop_assert!(same(&columns.flipped_columns(&job()).unwrap(), &net));
+        prop_assert!(same(&rows.flipped(Direction::Down, &job()).unwrap(), &net));
+        prop_assert!(same(&columns.flipped(Direction::Right, &job()).unwrap(), &net));
         prop_assert!(same(&turned.transposed(&job()).unwrap(), &net));
         let once = net.turned(1, &job()).unwrap();
         prop_assert_eq!(bits(once.get(0, 0)), bits(net.get(0, w - 1)));
@@ -106,7 +106,7 @@ fn volumes_keep_their_sign() {
         let volume = Surface::of(&net).volume(&net);
         assert!(volume > 1.0);
         let turned = [1, 2, 3].map(|quarters| net.turned(quarters, &job()).unwrap());
-        let others = [net.transposed(&job()), net.flipped_rows(&job()), net.flipped_columns(&job())];
+        let others = [net.transposed(&job()), net.flipped(Direction::Down, &job()), net.flipped(Direction::Right, &job())];
         for other in turned.into_iter().chain(others.into_iter().map(Result::unwrap)) {
             assert!((Surface::of(&other).volume(&other) - volume).abs() < 1e-12 * volume);
             assert!(other.topology().sides().is_some(), "no matrix where there was none");

@@ -220,7 +220,7 @@ fn refusals() {
     let refused = |a: &Net<'_>, b: &Net<'_>, options: &JoinOptions| concatenate(a, b, options, &job()).unwrap_err();
     assert_eq!(refused(&a, &b, &strict), Error::SidesDiffer { a: 5, b: 6 });
     assert_eq!(refused(&a, &sphere(5, 9, Scalar::F64, DVec3::ZERO), &strict), Error::MixedScalars);
-    assert_eq!(refused(&a, &a.flipped_rows(&job()).unwrap(), &strict), Error::NetsOpposed);
+    assert_eq!(refused(&a, &a.flipped(Direction::Down, &job()).unwrap(), &strict), Error::NetsOpposed);
     let twist = JoinOptions { twist: 2, ..JoinOptions::new(Direction::Right) };
     assert_eq!(refused(&a, &a, &twist), Error::OptionOutOfRange { option: "twist", value: 2.0 });
     let weld = JoinOptions { mode: BridgeMode::Weld, tolerance: f64::NAN, ..strict };

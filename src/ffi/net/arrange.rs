@@ -141,10 +141,8 @@ pub unsafe extern "C" fn gusset_net_flip_create(
     flipped: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, flipped, "flipped", |job| {
-        Ok(gusset_net::new(match choice(direction)? {
-            Direction::Right => read(net)?.flipped_columns(job)?,
-            Direction::Down => read(net)?.flipped_rows(job)?,
-        }))
+        let direction: Direction = choice(direction)?;
+        Ok(gusset_net::new(read(net)?.flipped(direction, job)?))
     })
 }
 

@@ -13,9 +13,9 @@ mod topology;
 
 pub(crate) use matrices::{Rearrangement, build_planes, rearrange};
 pub(crate) use seams::{map_seam, merge_seams};
-pub(crate) use topology::{LinkCollector, closed_rows};
+pub(crate) use topology::closed_rows;
 
-use super::{Bridge, Direction, Net, Real, Shape, Topology};
+use super::{Bridge, Direction, Net, Shape, Topology};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -37,11 +37,12 @@ impl Net<'_> {
                 return Err(Error::OptionOutOfRange { option, value: range.end.max(range.start) as f64 });
             }
         }
-        let shape = Shape::new(rows.len(), columns.len())?;
+        // An error names both numbers.
+        Shape::new(rows.len(), columns.len())?;
         let topology = topology_part(self.topology(), &rows, &columns)?;
         topology.check_crossings()?;
-        let place = Part { shape, row: rows.start, column: columns.start };
-        let mut part = Net::new(rearrange(self.coordinates(), &place, job)?, topology);
+        let map = Rearrangement::Part { row: rows.start, column: columns.start };
+        let mut part = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
             if let Some(bridge) = bridge.within(&rows, &columns) {
                 alloc::push(part.bridges_mut(), bridge)?;
@@ -55,27 +56,22 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn transposed(&self, job: &Job<'_>) -> Result<Net<'static>> {
-        let map = Transposed(self.shape().transposed());
+        let mut net = self.rearranged(&Rearrangement::Transposed, self.topology().transposed()?, job)?;
         let transpose = |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.unadapted() };
-        self.mapped(&map, self.topology().transposed()?, transpose, job)
+        *net.bridges_mut() = alloc::collect(self.bridges().iter().map(transpose))?;
+        Ok(net)
     }
 
-    /// The last row first.
+    /// The last row (`Down`) or column first.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn flipped_rows(&self, job: &Job<'_>) -> Result<Net<'static>> {
-        let flip = |bridge: &Bridge| bridge.flipped(Direction::Down, self.shape());
-        self.mapped(&FlippedRows(self.shape()), self.topology().flipped_rows()?, flip, job)
-    }
-
-    /// The last column first.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn flipped_columns(&self, job: &Job<'_>) -> Result<Net<'static>> {
-        let flip = |bridge: &Bridge| bridge.flipped(Direction::Right, self.shape());
-        self.mapped(&FlippedColumns(self.shape()), self.topology().flipped_columns()?, flip, job)
+    pub fn flipped(&self, axis: Direction, job: &Job<'_>) -> Result<Net<'static>> {
+        let topology = self.topology().along(axis, Topology::flipped_rows)?;
+        let mut net = self.rearranged(&Rearrangement::Flipped(axis), topology, job)?;
+        let flip = |bridge: &Bridge| bridge.flipped(axis, self.shape());
+        *net.bridges_mut() = alloc::collect(self.bridges().iter().map(flip))?;
+        Ok(net)
     }
 
     /// The net rotated by quarter turns, anticlockwise as the matrix is written down: after one,
@@ -84,42 +80,39 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn turned(&self, quarters: i32, job: &Job<'_>) -> Result<Net<'static>> {
+        let (first, second) = (&job.part(0.0, 0.5), &job.part(0.5, 1.0));
         match quarters.rem_euclid(4) {
             0 => self.copied(),
-            1 => self.transposed(&job.part(0.0, 0.5))?.flipped_rows(&job.part(0.5, 1.0)),
-            2 => self.flipped_rows(&job.part(0.0, 0.5))?.flipped_columns(&job.part(0.5, 1.0)),
-            _ => self.transposed(&job.part(0.0, 0.5))?.flipped_columns(&job.part(0.5, 1.0)),
+            1 => self.transposed(first)?.flipped(Direction::Down, second),
+            2 => self.flipped(Direction::Down, first)?.flipped(Direction::Right, second),
+            _ => self.transposed(first)?.flipped(Direction::Right, second),
         }
     }
 
-    fn mapped(
+    /// The nodes under a rearrangement with a topology of theirs; no bridges.
+    pub(crate) fn rearranged(
         &self,
-        map: &impl Rearrangement,
+        map: &Rearrangement<'_>,
         topology: Topology,
-        bridge: impl Fn(&Bridge) -> Bridge,
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        let mut net = Net::new(rearrange(self.coordinates(), map, job)?, topology);
-        *net.bridges_mut() = alloc::collect(self.bridges().iter().map(bridge))?;
-        Ok(net)
+        Ok(Net::new(rearrange(self.coordinates(), topology.shape(), map, job)?, topology))
     }
 }
 
 /// The topology within a rectangle; crossed cells are not looked for.
 fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
-    let cut = |topology: Topology, range: &Range<usize>, count: usize| -> Result<Topology> {
-        if range.len() == count {
-            return Ok(topology);
+    let cut = |topology: &Topology, range: &Range<usize>| -> Result<Topology> {
+        match range.len() == topology.shape().rows() {
+            true => Ok(topology.clone()),
+            false => Ok(topology.rows_cut(std::slice::from_ref(range))?.swap_remove(0)),
         }
-        let mut parts = topology.rows_cut(std::slice::from_ref(range))?;
-        Ok(parts.swap_remove(0))
     };
-    let shape = topology.shape();
-    let topology = cut(topology.clone(), rows, shape.rows())?;
-    if columns.len() == shape.columns() {
+    let topology = cut(topology, rows)?;
+    if columns.len() == topology.shape().columns() {
         return Ok(topology);
     }
-    topology.along(Direction::Right, |topology| cut(topology.clone(), columns, shape.columns()))
+    topology.along(Direction::Right, |topology| cut(topology, columns))
 }
 
 impl Bridge {
@@ -141,10 +134,7 @@ impl Bridge {
 
     /// The part of the bridge within a rectangle, if a cell of it is.
     pub(crate) fn within(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
-        let (across, along) = match self.direction {
-            Direction::Right => (columns, rows),
-            Direction::Down => (rows, columns),
-        };
+        let (across, along) = self.direction.ordered(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
         let at = self.at as usize;
         if at <= across.start || at >= across.end || end < start + 2 {
@@ -154,81 +144,5 @@ impl Bridge {
         let bridge = if whole { self.clone() } else { self.unadapted() };
         let (start, end) = ((start - along.start) as u32, (end - along.start) as u32);
         Some(Bridge { at: (at - across.start) as u32, start, end, ..bridge })
-    }
-}
-
-/// The rectangle of a net from (row, column) on.
-pub(crate) struct Part {
-    pub(crate) shape: Shape,
-    pub(crate) row: usize,
-    pub(crate) column: usize,
-}
-
-impl Rearrangement for Part {
-    fn shape(&self) -> Shape {
-        self.shape
-    }
-
-    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
-        let columns = self.shape.columns();
-        for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
-            to.copy_from_slice(&from[(self.row + i) * stride + self.column..][..columns]);
-        }
-    }
-}
-
-struct FlippedRows(Shape);
-
-impl Rearrangement for FlippedRows {
-    fn shape(&self) -> Shape {
-        self.0
-    }
-
-    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
-        let columns = self.0.columns();
-        for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
-            to.copy_from_slice(&from[(self.0.rows() - 1 - i) * stride..][..columns]);
-        }
-    }
-}
-
-struct FlippedColumns(Shape);
-
-impl Rearrangement for FlippedColumns {
-    fn shape(&self) -> Shape {
-        self.0
-    }
-
-    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
-        let columns = self.0.columns();
-        for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
-            let from = &from[i * stride..][..columns];
-            to.iter_mut().zip(from.iter().rev()).for_each(|(to, from)| *to = *from);
-        }
-    }
-}
-
-struct Transposed(Shape);
-
-/// Side of a square tile that fits in the cache together with its image.
-const TILE: usize = 16;
-
-impl Rearrangement for Transposed {
-    fn shape(&self) -> Shape {
-        self.0
-    }
-
-    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
-        let columns = self.0.columns();
-        for (tile, to) in to.chunks_mut(TILE * columns).enumerate() {
-            let first = rows.start + tile * TILE;
-            let height = to.len() / columns;
-            for left in (0..columns).step_by(TILE) {
-                for j in left..columns.min(left + TILE) {
-                    let from = &from[j * stride + first..][..height];
-                    from.iter().enumerate().for_each(|(i, &value)| to[i * columns + j] = value);
-                }
-            }
-        }
     }
 }

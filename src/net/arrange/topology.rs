@@ -9,41 +9,6 @@ use crate::net::topology::{Links, Matrix, Run, Seam, Sides};
 use crate::net::{Direction, Shape, Topology};
 use std::ops::Range;
 
-/// Collects contracted links; allocates a matrix with the first.
-pub(crate) struct LinkCollector {
-    shape: Shape,
-    matrix: Option<Matrix>,
-}
-
-impl LinkCollector {
-    pub(crate) fn new(shape: Shape) -> Self {
-        LinkCollector { shape, matrix: None }
-    }
-
-    pub(crate) fn add(&mut self, link: u32) -> Result<()> {
-        self.matrix()?.set(link, true);
-        Ok(())
-    }
-
-    /// All links from row i to the next.
-    pub(crate) fn add_row_down(&mut self, i: usize) -> Result<()> {
-        let columns = self.shape.columns();
-        self.matrix()?.contract_down(i * columns..(i + 1) * columns);
-        Ok(())
-    }
-
-    fn matrix(&mut self) -> Result<&mut Matrix> {
-        Ok(match &mut self.matrix {
-            Some(matrix) => matrix,
-            empty => empty.insert(Matrix::empty(self.shape)?),
-        })
-    }
-
-    pub(crate) fn links(self) -> Links {
-        self.matrix.map_or(Links::Sides(Sides::SHEET), Links::Matrix)
-    }
-}
-
 impl Topology {
     /// The image under an exchange of rows and columns or a reversal of either, given the images of
     /// sides, links and runs. The face orientation is reversed, as every such map reverses it.
@@ -56,15 +21,11 @@ impl Topology {
     ) -> Result<Self> {
         let links = match self.links() {
             Links::Sides(old) => Links::Sides(sides(*old)),
-            Links::Matrix(old) => {
-                let mut matrix = Matrix::empty(shape)?;
-                old.links().for_each(|old| matrix.set(link(old), true));
-                Links::Matrix(matrix)
-            }
+            Links::Matrix(old) => Links::Matrix(Matrix::of_links(shape, old.links().map(link))?),
         };
         let seam = |seam: &Seam| Seam { a: run(seam.a), b: run(seam.b), count: seam.count };
         let seams = alloc::collect(self.seams().iter().map(seam))?;
-        Topology::assembled(shape, links, seams, !self.is_reversed())
+        Ok(Topology::assembled(shape, links, seams, !self.is_reversed()))
     }
 
     /// Rows and columns exchanged.
@@ -94,11 +55,6 @@ impl Topology {
         self.mapped(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
     }
 
-    /// The last column first.
-    pub(crate) fn flipped_columns(&self) -> Result<Self> {
-        self.along(Direction::Right, Topology::flipped_rows)
-    }
-
     /// Applies a map of rows to the rows (`Down`) or, by way of the transposed topology, to the
     /// columns.
     pub(crate) fn along(&self, axis: Direction, map: impl FnOnce(&Topology) -> Result<Topology>) -> Result<Self> {
@@ -125,45 +81,33 @@ impl Topology {
         let (old, whole) = (self.shape(), rows.len() == self.shape().rows());
         let shape = Shape::new(rows.len(), old.columns())?;
         let first = old.horizontal_link(rows.start, 0);
-        let mut links = LinkCollector::new(shape);
-        let mut kept_sides = Sides::SHEET;
-        match self.links() {
-            Links::Sides(sides) => {
-                kept_sides = Sides {
-                    columns_closed: sides.columns_closed && whole,
-                    pole_top: sides.pole_top && rows.start == 0,
-                    pole_bottom: sides.pole_bottom && rows.end == old.rows(),
-                    ..*sides
-                };
-            }
+        let mut links = match self.links() {
+            Links::Sides(sides) => Links::Sides(Sides {
+                columns_closed: sides.columns_closed && whole,
+                pole_top: sides.pole_top && rows.start == 0,
+                pole_bottom: sides.pole_bottom && rows.end == old.rows(),
+                ..*sides
+            }),
             Links::Matrix(matrix) => {
                 let last_row = shape.horizontal_link(rows.len() - 1, 0);
-                for link in matrix.links_in(first..first + 2 * shape.node_count() as u32) {
-                    let link = link - first;
-                    // A link down from the last row leaves the part, unless it closes all rows.
-                    if link < last_row || link % 2 == 0 || whole {
-                        links.add(link)?;
-                    }
-                }
+                let within = matrix.links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
+                // A link down from the last row leaves the part, unless it closes all rows.
+                let kept = within.filter(|&link| link < last_row || link % 2 == 0 || whole);
+                Links::Matrix(Matrix::of_links(shape, kept)?)
             }
-        }
+        };
         let mut kept = Vec::new();
         for &seam in seams {
             match closed_columns(shape, seam) {
                 Some(columns) => {
-                    if kept_sides != Sides::SHEET {
-                        let sides = std::mem::replace(&mut kept_sides, Sides::SHEET);
-                        sides.links(shape).try_for_each(|link| links.add(link))?;
-                    }
-                    for j in columns {
-                        links.add(shape.vertical_link(rows.len() - 1, j as usize))?;
-                    }
+                    let mut matrix = links.into_matrix(shape)?;
+                    columns.for_each(|j| matrix.set(shape.vertical_link(rows.len() - 1, j as usize), true));
+                    links = Links::Matrix(matrix);
                 }
                 None => alloc::push(&mut kept, seam)?,
             }
         }
-        let links = if kept_sides == Sides::SHEET { links.links() } else { Links::Sides(kept_sides) };
-        Topology::assembled(shape, links, kept, self.is_reversed())
+        Ok(Topology::assembled(shape, links, kept, self.is_reversed()))
     }
 
     /// The seams within each range, in its own row numbers.

@@ -364,13 +364,10 @@ impl Grid {
         let closed = Topology::new(shape, Links::Sides(sides), &seams)?;
         // Nodes of one vertex that are not glued yet: a surface that touches itself there.
         let mut sets = DisjointSets::new(shape.node_count())?;
-        closed.each_contracted(|link| {
-            let [a, b] = shape.ends(link);
+        let links = closed.contracted().map(|link| shape.ends(link));
+        for [a, b] in links.chain(seams.iter().flat_map(|seam| seam.pairs(shape))) {
             sets.union(a, b);
-        });
-        seams.iter().flat_map(|seam| seam.pairs(shape)).for_each(|[a, b]| {
-            sets.union(a, b);
-        });
+        }
         let mut first = alloc::filled(NONE, vertex_count)?;
         let mut touches = false;
         for (node, &vertex) in (0..).zip(vertices) {

@@ -1,87 +1,58 @@
 //! Adapting a net before it is joined, flipped, replicated and rotated in this order, and undoing
 //! it.
 //!
-//! Invariant: [`restored`] inverts [`AdaptedNet::new`] bit for bit. If the gluing was not edited
+//! Invariant: [`restored`] inverts [`adapted`] bit for bit. If the gluing was not edited
 //! since, the topology is the recorded one. O(nodes).
 
 use super::JoinOptions;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::arrange::{closed_rows, map_seam, merge_seams, rearrange};
+use crate::net::arrange::{closed_rows, map_seam, merge_seams};
 use crate::net::bridge::Adaptation;
-use crate::net::reformat::{IndexSelection, copies, starts, starts_of_copies};
+use crate::net::reformat::{copies, starts, starts_of_copies};
 use crate::net::topology::{Links, Matrix};
 use crate::net::{Bridge, Direction, Net, Planes, Real, Replication, Topology, each};
 use std::sync::Arc;
 
-/// A net as it is joined: the given one, or an adapted copy.
-pub(super) enum AdaptedNet<'n, 'a> {
-    Unchanged(&'n Net<'a>),
-    Copy(Box<(Net<'static>, Arc<Adaptation>)>),
-}
+/// An adapted copy of a net, and the record of what was done.
+pub(super) type AdaptedNet = (Net<'static>, Arc<Adaptation>);
 
-impl<'n, 'a> AdaptedNet<'n, 'a> {
-    /// `flipped`: its face orientation is opposite to that of the others. `along`: the nodes of the
-    /// side.
-    pub(super) fn new(
-        net: &'n Net<'a>,
-        flipped: bool,
-        along: usize,
-        twist: u32,
-        options: &JoinOptions,
-    ) -> Result<Self> {
-        let (direction, job) = (options.direction, Job::default());
-        let nodes = direction.extent(net.shape()).1;
-        if flipped && !options.turn {
-            return Err(Error::NetsOpposed);
-        }
-        if !flipped && nodes == along && twist == 0 {
-            return Ok(AdaptedNet::Unchanged(net));
-        }
-        let mut made = if flipped { flipped_along(net, direction, &job)? } else { net.copied()? };
-        let mut added = Vec::new();
-        if nodes != along {
-            let replication = options.equalise.unwrap_or_default();
-            let axis = direction.transposed();
-            added = copies(&starts(made.topology(), axis, along, replication, "nodes of a side")?)?;
-            let none = Replication::Last;
-            let shape = made.shape();
-            made = match direction {
-                Direction::Right => made.reformatted(along, shape.columns(), [replication, none], &job)?,
-                Direction::Down => made.reformatted(shape.rows(), along, [none, replication], &job)?,
-            };
-        }
-        if twist > 0 {
-            made = rotated(&made, direction, twist, &job)?;
-        }
-        let bridges = alloc::collect(net.bridges().iter().cloned())?;
-        let (joined, topology) = (made.shape(), net.topology().clone());
-        let adaptation = Arc::new(Adaptation { joined, flipped, copies: added, twist, topology, bridges });
-        Ok(AdaptedNet::Copy(Box::new((made, adaptation))))
+/// A net as it is joined: an adapted copy, or `None` for the net itself. `flipped`: its face
+/// orientation is opposite to that of the others. `along`: the nodes of the side.
+pub(super) fn adapted(
+    net: &Net<'_>,
+    flipped: bool,
+    along: usize,
+    twist: u32,
+    options: &JoinOptions,
+    job: &Job<'_>,
+) -> Result<Option<AdaptedNet>> {
+    let (direction, axis) = (options.direction, options.direction.transposed());
+    if flipped && !options.turn {
+        return Err(Error::NetsOpposed);
     }
-
-    pub(super) fn net(&self) -> &Net<'a> {
-        match self {
-            AdaptedNet::Unchanged(net) => net,
-            AdaptedNet::Copy(copy) => &copy.0,
-        }
+    let (across, nodes) = direction.extent(net.shape());
+    if !flipped && nodes == along && twist == 0 {
+        return Ok(None);
     }
-
-    pub(super) fn adaptation(&self) -> Option<Arc<Adaptation>> {
-        match self {
-            AdaptedNet::Unchanged(_) => None,
-            AdaptedNet::Copy(copy) => Some(Arc::clone(&copy.1)),
-        }
+    // Along the side, so that the order in the direction stays.
+    let mut made = if flipped { net.flipped(axis, &job.share(0, 3))? } else { net.copied()? };
+    let mut added = Vec::new();
+    if nodes != along {
+        let replication = options.equalise.unwrap_or_default();
+        added = copies(&starts(made.topology(), axis, along, replication, "nodes of a side")?)?;
+        let (rows, columns) = axis.ordered(along, across);
+        let replications = axis.ordered(replication, Replication::Last);
+        made = made.reformatted(rows, columns, replications.into(), &job.share(1, 3))?;
     }
-}
-
-/// The net flipped along the side that is joined, so that the order in the direction stays.
-fn flipped_along(net: &Net<'_>, direction: Direction, job: &Job<'_>) -> Result<Net<'static>> {
-    match direction {
-        Direction::Right => net.flipped_rows(job),
-        Direction::Down => net.flipped_columns(job),
+    if twist > 0 {
+        made = rotated(&made, direction, twist, &job.share(2, 3))?;
     }
+    let bridges = alloc::collect(net.bridges().iter().cloned())?;
+    let (joined, topology) = (made.shape(), net.topology().clone());
+    let adaptation = Adaptation { joined, flipped, copies: added, twist, topology, bridges };
+    Ok(Some((made, Arc::new(adaptation))))
 }
 
 /// Undoes the adaptation of a net, if it still has the size that it was joined with. An unedited
@@ -90,9 +61,10 @@ pub(super) fn restored(
     net: Net<'static>,
     adaptation: Option<&Adaptation>,
     direction: Direction,
+    job: &Job<'_>,
 ) -> Result<Net<'static>> {
     let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined == net.shape()) else { return Ok(net) };
-    let (axis, job) = (direction.transposed(), Job::default());
+    let axis = direction.transposed();
     // A net that was mirrored since has the same gluing in the opposite orientation.
     let adapted = adaptation.adapted_topology(direction)?;
     let unedited = net.topology().clone().with_reversed(adapted.is_reversed()) == adapted;
@@ -100,11 +72,11 @@ pub(super) fn restored(
     let mut net = net;
     if adaptation.twist > 0 {
         let around = axis.extent(net.shape()).0 as u32 - 1;
-        net = rotated(&net, direction, around - adaptation.twist % around, &job)?;
+        net = rotated(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
     }
-    net = net.without_lines(axis, &adaptation.copies, &job)?;
+    net = net.without_lines(axis, &adaptation.copies, &job.share(1, 3))?;
     if adaptation.flipped {
-        net = flipped_along(&net, direction, &job)?;
+        net = net.flipped(axis, &job.share(2, 3))?;
     }
     if unedited {
         let reversed = net.topology().is_reversed();
@@ -144,8 +116,7 @@ fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Re
     each!(net.coordinates(), planes => check_closed(planes, axis))?;
     let topology = net.topology().along(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
-    let selection = IndexSelection::along(axis, shape, lines)?;
-    let mut made = Net::new(rearrange(net.coordinates(), &selection, job)?, topology);
+    let mut made = net.with_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.
     for bridge in net.bridges() {
         if bridge.direction == direction {
@@ -162,7 +133,7 @@ fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Re
 fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> {
     let (count, along) = axis.extent(planes.shape());
     for k in 0..along {
-        let [(p, q), (r, s)] = [axis.place(0, k), axis.place(count - 1, k)];
+        let [(p, q), (r, s)] = [axis.ordered(0, k), axis.ordered(count - 1, k)];
         let stride = planes.stride();
         let same =
             |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);
@@ -180,7 +151,7 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
     let around = shape.rows() - 1;
     let place = |i: usize| (i % around + around - by) % around;
     let mut matrix = Matrix::empty(shape)?;
-    topology.each_contracted(|link| {
+    topology.contracted().for_each(|link| {
         let (i, j) = shape.place(link / 2);
         match (link % 2, i == around) {
             // The last row is the first: a link along either is one along their common image.
@@ -209,5 +180,5 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
         }
         None => true,
     });
-    Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed())
+    Ok(Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed()))
 }

@@ -22,8 +22,9 @@ use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::geom::scale::distance;
 use crate::job::Job;
-use adapt::AdaptedNet;
+use adapt::{AdaptedNet, adapted};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// Joins two nets. O(nodes).
 ///
@@ -68,59 +69,64 @@ pub(crate) fn join_mirrored(
         along = along.max(b);
     }
     joined_shape(nets.iter().map(|net| net.shape()), options.direction, along)?;
-    let mut adapted = alloc::with_capacity(nets.len())?;
+    let (mut copies, fitting) = (alloc::with_capacity(nets.len())?, job.part(0.0, 0.3));
     let reversed = first.topology().is_reversed() != mirrored[0];
     for (k, (net, &mirrored)) in nets.iter().zip(mirrored).enumerate() {
+        let part = fitting.share(k, nets.len());
         if k % 256 == 0 {
-            job.step(0.3 * k as f64 / nets.len() as f64, "fitting nets")?;
+            part.step(0.0, "fitting nets")?;
         }
         let flip = (net.topology().is_reversed() != mirrored) != reversed;
-        adapted.push(AdaptedNet::new(net, flip, along, if k == 0 { 0 } else { options.twist }, options)?);
+        let twist = if k == 0 { 0 } else { options.twist };
+        copies.push(adapted(net, flip, along, twist, options, &part)?);
     }
+    let fitted = nets.iter().zip(&copies).map(|(&net, copy)| copy.as_ref().map_or(net, |(copy, _)| copy));
+    let nets: Vec<&Net<'_>> = alloc::collect(fitted)?;
     if options.mode == BridgeMode::Weld {
-        adapted.windows(2).try_for_each(|pair| {
-            check_coincident(pair[0].net(), pair[1].net(), options.direction, options.tolerance)
-        })?;
+        nets.windows(2)
+            .try_for_each(|pair| check_coincident(pair[0], pair[1], options.direction, options.tolerance))?;
     }
-    let nets: Vec<&Net<'_>> = alloc::collect(adapted.iter().map(AdaptedNet::net))?;
     let topology = topology::join(&nets, options.direction, options.mode == BridgeMode::Weld)?;
     let coordinates = matrices::join(&nets, options.direction, topology.shape(), &job.part(0.3, 1.0))?;
     let mut net = Net::new(coordinates, topology.with_reversed(reversed));
-    add_bridges(&mut net, &adapted, options)?;
+    add_bridges(&mut net, &nets, &copies, options)?;
     Ok(net)
 }
 
 /// The shape of nets joined along sides of `along` nodes.
 fn joined_shape(shapes: impl Iterator<Item = Shape>, direction: Direction, along: usize) -> Result<Shape> {
     let across = shapes.map(|shape| direction.extent(shape).0).fold(0, usize::saturating_add);
-    let (rows, columns) = direction.place(across, along);
+    let (rows, columns) = direction.ordered(across, along);
     Shape::new(rows, columns)
 }
 
 /// The nets' own bridges and those between them, in the order in which joining them one by one
-/// would make them.
-fn add_bridges(net: &mut Net<'_>, adapted: &[AdaptedNet<'_, '_>], options: &JoinOptions) -> Result<()> {
+/// would make them. `copies`: the nets that were adapted.
+fn add_bridges(
+    net: &mut Net<'_>,
+    nets: &[&Net<'_>],
+    copies: &[Option<AdaptedNet>],
+    options: &JoinOptions,
+) -> Result<()> {
     let direction = options.direction;
     let along = direction.extent(net.shape()).1 as u32;
-    let own: usize = adapted.iter().map(|part| part.net().bridges().len()).sum();
-    alloc::reserve(net.bridges_mut(), own + adapted.len() - 1)?;
+    let record = |k: usize| copies[k].as_ref().map(|(_, record)| Arc::clone(record));
     let mut at = 0;
-    for (k, part) in adapted.iter().enumerate() {
-        for bridge in part.net().bridges() {
+    for (k, part) in nets.iter().enumerate() {
+        for bridge in part.bridges() {
             let bridge = bridge.shifted(direction, at);
             alloc::push(net.bridges_mut(), Bridge { nesting: bridge.nesting.saturating_add(1), ..bridge })?;
         }
-        if let Some(before) = k.checked_sub(1).and_then(|k| adapted.get(k)) {
-            let kind = topology::bridge_kind(before.net().topology(), part.net().topology(), direction)?;
-            // The record of a net is with the bridge before it, that of the first net with the
-            // bridge after it.
-            let first = if k == 1 { before.adaptation() } else { None };
+        if k > 0 {
+            let kind = topology::bridge_kind(nets[k - 1].topology(), part.topology(), direction);
             let mut bridge = Bridge::new(direction, at, along, kind, options.mode);
             bridge.properties = options.properties;
-            bridge.adaptations = [first, part.adaptation()];
+            // The record of a net is with the bridge before it, that of the first net with the
+            // bridge after it.
+            bridge.adaptations = [if k == 1 { record(0) } else { None }, record(k)];
             alloc::push(net.bridges_mut(), bridge)?;
         }
-        at += direction.extent(part.net().shape()).0 as u32;
+        at += direction.extent(part.shape()).0 as u32;
     }
     Ok(())
 }
@@ -143,7 +149,7 @@ fn check_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f
     let (across, along) = direction.extent(a.shape());
     for k in 0..along {
         let node = |net: &Net<'_>, i: usize| {
-            let (i, j) = direction.place(i, k);
+            let (i, j) = direction.ordered(i, k);
             net.get(i, j)
         };
         check_pair(node(a, across - 1), node(b, 0), k as u32, tolerance)?;

@@ -7,7 +7,7 @@ use super::adapt::restored;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
-use crate::net::arrange::{Part, rearrange};
+use crate::net::arrange::Rearrangement;
 use crate::net::{Bridge, BridgeMode, Direction, Net, Topology};
 use std::ops::Range;
 
@@ -24,12 +24,11 @@ impl Net<'_> {
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
-        let mut parts = cut(self, bridge.direction, &[bridge.at as usize], &[index], job)?;
-        let second = parts.pop().ok_or(no_such)?;
-        let first = parts.pop().ok_or(no_such)?;
-        let [a, b] = &bridge.adaptations;
-        let [a, b] = [a, b].map(Option::as_deref);
-        Ok([restored(first, a, bridge.direction)?, restored(second, b, bridge.direction)?])
+        let parts = cut(self, bridge.direction, &[bridge.at as usize], &[index], &job.part(0.0, 0.5))?;
+        let [first, second] = <[_; 2]>::try_from(parts).map_err(|_| no_such)?;
+        let [a, b] = bridge.adaptations.each_ref().map(Option::as_deref);
+        let first = restored(first, a, bridge.direction, &job.part(0.5, 0.75))?;
+        Ok([first, restored(second, b, bridge.direction, &job.part(0.75, 1.0))?])
     }
 
     /// The nets between the last bridges of a direction that run from side to side, all at once:
@@ -48,8 +47,8 @@ impl Net<'_> {
         indices.sort_by_key(|&index| self.bridges()[index].at);
         indices.dedup_by_key(|index| self.bridges()[*index].at);
         let cuts: Vec<usize> = alloc::collect(indices.iter().map(|&index| self.bridges()[index].at as usize))?;
-        let parts = cut(self, direction, &cuts, &indices, job)?;
-        let mut nets = alloc::with_capacity(parts.len())?;
+        let parts = cut(self, direction, &cuts, &indices, &job.part(0.0, 0.5))?;
+        let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.part(0.5, 1.0));
         for (k, part) in parts.into_iter().enumerate() {
             // The record of a net is with the bridge before it, that of the first net with the
             // bridge after it.
@@ -57,7 +56,7 @@ impl Net<'_> {
                 0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
                 _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),
             };
-            nets.push(restored(part, adaptation, direction)?);
+            nets.push(restored(part, adaptation, direction, &job.share(k, count))?);
         }
         Ok(nets)
     }
@@ -90,24 +89,20 @@ fn cut(
     };
     let welded = removed.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
     let crossed = crossed(net.topology(), direction, &ranges)?;
-    let mut bridges = bridges_cut(net, direction, &ranges, removed)?.into_iter();
+    let bridges = bridges_cut(net, direction, &ranges, removed)?;
     let mut parts = alloc::with_capacity(ranges.len())?;
-    for (k, (range, topology)) in ranges.iter().zip(topologies).enumerate() {
-        if k % 256 == 0 {
-            job.step(k as f64 / ranges.len() as f64, "splitting nets")?;
-        }
+    for (k, ((range, topology), bridges)) in ranges.iter().zip(topologies).zip(bridges).enumerate() {
         if welded || crossed[k] {
             topology.check_crossings()?;
         }
-        let (row, column) = direction.place(range.start, 0);
-        let place = Part { shape: topology.shape(), row, column };
-        let mut part = Net::new(rearrange(net.coordinates(), &place, &Job::default())?, topology);
-        *part.bridges_mut() = bridges.next().unwrap_or_default();
+        let (row, column) = direction.ordered(range.start, 0);
+        let map = Rearrangement::Part { row, column };
+        let mut part = net.rearranged(&map, topology, &job.share(k, ranges.len()))?;
+        *part.bridges_mut() = bridges;
         let innermost = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
         part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= innermost);
         parts.push(part);
     }
-    job.step(1.0, "splitting nets")?;
     Ok(parts)
 }
 
@@ -116,7 +111,7 @@ fn crossed(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -
     let mut crossed = alloc::filled(false, ranges.len())?;
     for seam in topology.seams() {
         let range = |(i, j): (i64, i64)| {
-            let at = if direction == Direction::Down { i } else { j };
+            let (at, _) = direction.ordered(i, j);
             ranges.partition_point(|range| range.end as i64 <= at)
         };
         let ends = [seam.a, seam.b].map(|run| [range(run.place(0)), range(run.place(seam.count - 1))]);
@@ -150,11 +145,8 @@ fn bridges_cut(
         let from = ranges.partition_point(|range| range.end <= low);
         for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
         {
-            let within = match direction {
-                Direction::Down => bridge.within(range, &all),
-                Direction::Right => bridge.within(&all, range),
-            };
-            if let Some(bridge) = within {
+            let (rows, columns) = direction.ordered(range, &all);
+            if let Some(bridge) = bridge.within(rows, columns) {
                 alloc::push(bridges, bridge)?;
             }
         }

@@ -5,7 +5,6 @@
 
 use crate::alloc;
 use crate::error::Result;
-use crate::net::arrange::LinkCollector;
 use crate::net::topology::{Links, Matrix, Run, Seam, Sides};
 use crate::net::{Bridge, BridgeKind, Direction, Net, Shape, Topology};
 use std::borrow::Cow;
@@ -43,12 +42,19 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
         topology.sides().is_some_and(|sides| Sides { columns_closed: false, ..sides } == plain)
     };
     let all_plain = !weld && topologies.iter().all(is_plain);
-    let mut links = LinkCollector::new(shape);
+    let mut links = if all_plain { None } else { Some(Matrix::empty(shape)?) };
     let mut seams = Vec::new();
     let mut first = 0;
     for (k, topology) in topologies.iter().enumerate() {
-        if !all_plain {
-            add_links(topology, first, &mut links)?;
+        if let Some(links) = &mut links {
+            let own = topology.shape();
+            let (shift, last) = (shape.horizontal_link(first, 0), own.horizontal_link(own.rows() - 1, 0));
+            // Those that close columns become seams.
+            let kept = topology.contracted().filter(|link| *link < last || link % 2 == 0);
+            kept.for_each(|link| links.set(shift + link, true));
+            if weld && k + 1 < topologies.len() {
+                links.contract_row_down(shape, first + own.rows() - 1);
+            }
         }
         add_closing_seams(topology, first, &mut seams)?;
         for seam in topology.seams() {
@@ -56,25 +62,9 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
             alloc::push(&mut seams, Seam { a: down(seam.a), b: down(seam.b), ..*seam })?;
         }
         first += topology.shape().rows();
-        if weld && k + 1 < topologies.len() {
-            (0..columns).try_for_each(|j| links.add(shape.vertical_link(first - 1, j)))?;
-        }
     }
-    let links = if all_plain { Links::Sides(plain) } else { links.links() };
-    Topology::assembled(shape, links, seams, reversed)
-}
-
-/// The links of a net that starts at row `first`, but for those that close its columns.
-fn add_links(topology: &Topology, first: usize, links: &mut LinkCollector) -> Result<()> {
-    let shape = topology.shape();
-    let (shift, last) = (shape.horizontal_link(first, 0), shape.horizontal_link(shape.rows() - 1, 0));
-    let mut done = Ok(());
-    topology.each_contracted(|link| {
-        if done.is_ok() && (link < last || link % 2 == 0) {
-            done = links.add(shift + link);
-        }
-    });
-    done
+    let links = links.map_or(Links::Sides(plain), Links::Matrix);
+    Ok(Topology::assembled(shape, links, seams, reversed))
 }
 
 /// The links that close columns, as seams: one for each run of them.
@@ -109,20 +99,19 @@ pub(super) fn welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result
         matrix.set(bridge.link(shape, k), weld);
     }
     let seams = alloc::copied(topology.seams())?;
-    let topology = Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed())?;
+    let topology = Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed());
     topology.check_crossings()?;
     Ok(topology)
 }
 
 /// The form of the bridge between two nets.
-pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> Result<BridgeKind> {
+pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> BridgeKind {
     let last = direction.extent(a.shape()).0 - 1;
-    let sides = [SideKind::new(a, direction, last), SideKind::new(b, direction, 0)];
-    Ok(match sides {
+    match [SideKind::new(a, direction, last), SideKind::new(b, direction, 0)] {
         [SideKind::Point, SideKind::Point] => BridgeKind::Thread,
         [SideKind::Open, _] | [_, SideKind::Open] => BridgeKind::Ribbon,
         _ => BridgeKind::Tube,
-    })
+    }
 }
 
 /// True if a seam glues a whole side to nodes that contracted links make a point: the side of a net
@@ -132,7 +121,7 @@ fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bo
     let along = direction.extent(shape).1;
     let is_side = |run: Run| {
         let ends = [run.place(0), run.place(along as u32 - 1)];
-        let [p, q] = ends.map(|(i, j)| if direction == Direction::Down { (i, j) } else { (j, i) });
+        let [p, q] = ends.map(|(i, j)| direction.ordered(i, j));
         p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
     };
     let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.contracts(link));

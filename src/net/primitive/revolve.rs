@@ -39,7 +39,7 @@ fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
         }
         // A contracted row reduces its cells to triangles, or wires between two such rows: none is
         // crossed.
-        Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)?
+        Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)
     } else {
         Topology::of_sides(shape, sides)
     };

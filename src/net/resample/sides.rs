@@ -3,9 +3,8 @@
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::arrange::rearrange;
+use crate::net::arrange::{Rearrangement, rearrange};
 use crate::net::field::snap;
-use crate::net::reformat::IndexSelection;
 use crate::net::{Coordinates, Net, Shape, Sides, Topology};
 
 /// The sides of a net with no other gluing and no bridges; else [`Error::GluedInside`].
@@ -45,6 +44,6 @@ pub(super) fn selected(
 ) -> Result<Coordinates<'static>> {
     let indices = |list: &[usize]| alloc::collect(list.iter().map(|&k| k as u32));
     let shape = Shape::new(rows.len(), columns.len())?;
-    let selection = IndexSelection { shape, rows: indices(rows)?, columns: indices(columns)? };
-    rearrange(net.coordinates(), &selection, job)
+    let map = Rearrangement::Selection { rows: &indices(rows)?, columns: &indices(columns)? };
+    rearrange(net.coordinates(), shape, &map, job)
 }

@@ -30,8 +30,13 @@ impl Matrix {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn of_sides(shape: Shape, sides: Sides) -> Result<Self> {
+        Matrix::of_links(shape, sides.links(shape))
+    }
+
+    /// Some links contracted.
+    pub(crate) fn of_links(shape: Shape, links: impl Iterator<Item = u32>) -> Result<Self> {
         let mut matrix = Matrix::empty(shape)?;
-        sides.links(shape).for_each(|link| matrix.set(link, true));
+        links.for_each(|link| matrix.set(link, true));
         Ok(matrix)
     }
 
@@ -76,10 +81,10 @@ impl Matrix {
         set_bits(&self.words, 0)
     }
 
-    /// Contracts the vertical links of a range of nodes.
-    pub(crate) fn contract_down(&mut self, nodes: Range<usize>) {
+    /// Contracts the links from row i to the next.
+    pub(crate) fn contract_row_down(&mut self, shape: Shape, i: usize) {
         const VERTICAL: u64 = 0xAAAA_AAAA_AAAA_AAAA;
-        let (start, end) = (2 * nodes.start, 2 * nodes.end);
+        let [start, end] = [i, i + 1].map(|i| 2 * i * shape.columns());
         for at in start / WORD..end.div_ceil(WORD) {
             let from = u64::MAX << start.saturating_sub(at * WORD).min(WORD - 1);
             let to = u64::MAX >> ((at + 1) * WORD).saturating_sub(end).min(WORD - 1);
@@ -149,7 +154,7 @@ impl Matrix {
     }
 
     /// The sides that contract the same links, if any do.
-    pub(super) fn as_sides(&self, shape: Shape) -> Result<Option<Sides>> {
+    pub(super) fn as_sides(&self, shape: Shape) -> Option<Sides> {
         let (h, w) = (shape.rows(), shape.columns());
         let sides = Sides {
             rows_closed: self.get(shape.horizontal_link(0, w - 1)),
@@ -166,7 +171,7 @@ impl Matrix {
             expected += 1;
             self.get(link)
         });
-        Ok((all && expected == ones).then_some(sides))
+        (all && expected == ones).then_some(sides)
     }
 
     /// The bytes of [`Matrix::from_bytes`].

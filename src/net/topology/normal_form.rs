@@ -15,17 +15,18 @@ impl Topology {
     /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
     pub fn new(shape: Shape, links: Links, seams: &[Seam]) -> Result<Self> {
         seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
-        let mut topology = Topology { shape, links, seams: Vec::new(), reversed: false };
-        for &seam in seams {
-            topology.add_seam(seam)?;
+        let (mut links, mut kept) = (links, Vec::new());
+        for &seam in seams.iter().filter(|seam| !seam.pairs(shape).all(|[a, b]| a == b)) {
+            let link = |pair: [u32; 2]| shape.links_between(pair).next();
+            if seam.pairs(shape).all(|pair| link(pair).is_some()) {
+                let mut matrix = links.into_matrix(shape)?;
+                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
+                links = Links::Matrix(matrix);
+            } else {
+                alloc::push(&mut kept, seam)?;
+            }
         }
-        topology.seams.sort_unstable();
-        topology.seams.dedup();
-        if let Links::Matrix(matrix) = &topology.links
-            && let Some(sides) = matrix.as_sides(shape)?
-        {
-            topology.links = Links::Sides(sides);
-        }
+        let topology = Topology::assembled(shape, links, kept, false);
         topology.check_crossings()?;
         Ok(topology)
     }
@@ -41,7 +42,7 @@ impl Topology {
             return Ok(None);
         }
         if let Links::Matrix(matrix) = &links
-            && matrix.as_sides(shape)?.is_some()
+            && matrix.as_sides(shape).is_some()
         {
             return Ok(None);
         }
@@ -60,35 +61,13 @@ impl Topology {
     pub fn saturated(&self) -> Result<Self> {
         let table = Classes::of(self)?.table()?;
         let matrix = Matrix::of_table(self.shape, &table)?;
-        let links = match matrix.as_sides(self.shape)? {
-            Some(sides) => Links::Sides(sides),
-            None => Links::Matrix(matrix),
-        };
+        let links = Links::Matrix(matrix).normal(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
             let pieces = Classes::of(&saturated)?.table()?;
             saturated.seams = canonical_seams::seams(self.shape, &table, &pieces)?;
         }
         Ok(saturated)
-    }
-
-    /// Adds a seam in its canonical form: as links, if each pair of nodes is joined by one.
-    fn add_seam(&mut self, seam: Seam) -> Result<()> {
-        let shape = self.shape;
-        if seam.pairs(shape).all(|[a, b]| a == b) {
-            return Ok(());
-        }
-        let link = |pair: [u32; 2]| shape.links_between(pair).next();
-        if seam.pairs(shape).all(|pair| link(pair).is_some()) {
-            if let Links::Sides(sides) = self.links {
-                self.links = Links::Matrix(Matrix::of_sides(shape, sides)?);
-            }
-            if let Links::Matrix(matrix) = &mut self.links {
-                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
-            }
-            return Ok(());
-        }
-        alloc::push(&mut self.seams, seam.canonical())
     }
 
     /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.

@@ -14,6 +14,24 @@ pub enum Links {
     Matrix(Matrix),
 }
 
+impl Links {
+    /// As sides, if these contract the same links.
+    pub(super) fn normal(self, shape: Shape) -> Self {
+        match self {
+            Links::Matrix(matrix) => matrix.as_sides(shape).map_or(Links::Matrix(matrix), Links::Sides),
+            sides => sides,
+        }
+    }
+
+    /// The links as a matrix.
+    pub(crate) fn into_matrix(self, shape: Shape) -> Result<Matrix> {
+        match self {
+            Links::Sides(sides) => Matrix::of_sides(shape, sides),
+            Links::Matrix(matrix) => Ok(matrix),
+        }
+    }
+}
+
 /// The gluing of a net: its contracted links and its seams.
 ///
 /// Kept in normal form: links that sides can express are sides, seams that links can express are
@@ -50,26 +68,20 @@ impl Topology {
     /// From links and seams that cannot cross a cell, as they come from valid topologies: unlike
     /// [`Topology::new`] this does not check, and a seam stays one even where links could express
     /// it. O(contracted links + pairs of seams).
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Result<Self> {
+    pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Self {
         seams.iter_mut().for_each(|seam| *seam = seam.canonical());
         seams.sort_unstable();
         seams.dedup();
-        let links = match links {
-            Links::Matrix(matrix) => matrix.as_sides(shape)?.map_or(Links::Matrix(matrix), Links::Sides),
-            sides => sides,
-        };
-        Ok(Topology { shape, links, seams, reversed })
+        Topology { shape, links: links.normal(shape), seams, reversed }
     }
 
-    /// Calls `visit` with every link that is contracted by name, in no particular order.
-    pub(crate) fn each_contracted(&self, visit: impl FnMut(u32)) {
-        match &self.links {
-            Links::Sides(sides) => sides.links(self.shape).for_each(visit),
-            Links::Matrix(matrix) => matrix.links().for_each(visit),
-        }
+    /// The links that are contracted by name, in no particular order.
+    pub(crate) fn contracted(&self) -> impl Iterator<Item = u32> {
+        let (sides, matrix) = match &self.links {
+            Links::Sides(sides) => (Some(sides.links(self.shape)), None),
+            Links::Matrix(matrix) => (None, Some(matrix.links())),
+        };
+        sides.into_iter().flatten().chain(matrix.into_iter().flatten())
     }
 
     /// The size of the net.
