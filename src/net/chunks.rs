@@ -32,6 +32,21 @@ impl ChunkLayout {
             ChunkLayout { length: columns, stride, lines: (BLOCK / stride).max(1) }
         }
     }
+
+    /// Calls `work` for the chunks of consecutive lines, of which line `first` is the first.
+    fn for_each_chunk<T: Real>(
+        &self,
+        matrices: [&mut [T]; 3],
+        first: usize,
+        max: usize,
+        mut work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
+    ) -> Result<()> {
+        zip3(matrices.map(|matrix| matrix.chunks_mut(self.stride))).zip(first..).try_for_each(|(rows, line)| {
+            let (start, length) = (line * self.length, rows[0].len().min(self.length));
+            let mut chunks = zip3(rows.map(|row| row[..length].chunks_mut(max))).enumerate();
+            chunks.try_for_each(|(k, chunk)| work(start + k * max, chunk))
+        })
+    }
 }
 
 /// The elements of three iterators in step.
@@ -48,14 +63,10 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     max: usize,
     work: impl Fn(usize, [&mut [T]; 3]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let ChunkLayout { length, stride, lines } = ChunkLayout::of(planes);
-    let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride)));
+    let layout = ChunkLayout::of(planes);
+    let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
     let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
-        zip3(matrices.map(|matrix| matrix.chunks_mut(stride))).enumerate().try_for_each(|(line, rows)| {
-            let (first, length) = ((block * lines + line) * length, rows[0].len().min(length));
-            let mut chunks = zip3(rows.map(|row| row[..length].chunks_mut(max))).enumerate();
-            chunks.try_for_each(|(k, chunk)| work(first + k * max, chunk))
-        })
+        layout.for_each_chunk(matrices, block * layout.lines, max, &work)
     });
     results.into_iter().collect()
 }
@@ -64,32 +75,9 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
 /// error.
 pub(crate) fn for_each_chunk_in_order<T: Real>(
     planes: &mut Planes<'_, T>,
-    mut work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
+    work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
 ) -> Result<()> {
-    let ChunkLayout { length, stride, .. } = ChunkLayout::of(planes);
-    zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(stride))).enumerate().try_for_each(|(line, rows)| {
-        let (first, length) = (line * length, rows[0].len().min(length));
-        let mut chunks = zip3(rows.map(|row| row[..length].chunks_mut(4 * CHUNK))).enumerate();
-        chunks.try_for_each(|(k, chunk)| work(first + k * 4 * CHUNK, chunk))
-    })
-}
-
-/// As [`for_each_chunk_mut`], read-only, [`CHUNK`] nodes at a time.
-pub(crate) fn for_each_chunk<T: Real>(
-    planes: &Planes<'_, T>,
-    threads: usize,
-    work: impl Fn(usize, [&[T]; 3]) -> Result<()> + Sync,
-) -> Result<()> {
-    let ChunkLayout { length, stride, lines } = ChunkLayout::of(planes);
-    let blocks = zip3(planes.matrices().map(|matrix| matrix.chunks(lines * stride)));
-    let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
-        zip3(matrices.map(|matrix| matrix.chunks(stride))).enumerate().try_for_each(|(line, rows)| {
-            let (first, length) = ((block * lines + line) * length, rows[0].len().min(length));
-            let mut chunks = zip3(rows.map(|row| row[..length].chunks(CHUNK))).enumerate();
-            chunks.try_for_each(|(k, chunk)| work(first + k * CHUNK, chunk))
-        })
-    });
-    results.into_iter().collect()
+    ChunkLayout::of(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * CHUNK, work)
 }
 
 /// The results of `work` for each row of `width` values, in order, computed in parallel;

@@ -4,7 +4,7 @@
 //! A missing node, with a coordinate that is NaN or infinite, coincides with none. Rows are
 //! screened axis by axis before distances are computed. O(nodes).
 
-use super::{Coordinates, Planes, Real, each};
+use super::{Planes, Real};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use glam::DVec3;
@@ -22,16 +22,7 @@ pub(super) fn coincide(a: DVec3, b: DVec3, tolerance: f64) -> bool {
 
 /// Calls `visit` with each link whose ends coincide: those of each row in order, closing links
 /// included unless they join neighbours. O(nodes).
-pub(super) fn coincident_links(
-    coordinates: &Coordinates<'_>,
-    tolerance: f64,
-    job: &Job<'_>,
-    visit: impl FnMut(u32) -> Result<()>,
-) -> Result<()> {
-    each!(coordinates, planes => coincident_links_of(planes, tolerance, job, visit))
-}
-
-fn coincident_links_of<T: Real>(
+pub(super) fn coincident_links<T: Real>(
     planes: &Planes<'_, T>,
     tolerance: f64,
     job: &Job<'_>,

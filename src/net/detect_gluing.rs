@@ -8,7 +8,7 @@
 
 use super::coincidence::{check_tolerance, coincide, coincident_links};
 use super::topology::{Links, Matrix, Run, Seam, Topology};
-use super::{Classes, Coordinates, Shape};
+use super::{Classes, Coordinates, Shape, each};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -31,12 +31,12 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
     check_tolerance(tolerance)?;
     let shape = coordinates.shape();
     let mut matrix = Matrix::empty(shape)?;
-    coincident_links(coordinates, tolerance, &job.part(0.0, 0.5), |link| {
+    each!(coordinates, planes => coincident_links(planes, tolerance, &job.part(0.0, 0.5), |link| {
         if shape.is_inner(link) {
             matrix.set(link, true);
         }
         Ok(())
-    })?;
+    }))?;
     let near = Topology::new(shape, Links::Matrix(matrix), &[])?;
     let classes = Classes::of(&near)?;
     let rim = Rim { shape, coordinates, tolerance };

@@ -221,10 +221,6 @@ impl<'a> Net<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn copied(&self) -> Result<Net<'static>> {
-        Ok(Net {
-            coordinates: self.coordinates.copied()?,
-            topology: self.topology.copied()?,
-            bridges: alloc::collect(self.bridges.iter().cloned())?,
-        })
+        self.converted(self.coordinates.scalar())
     }
 }

@@ -4,7 +4,7 @@
 
 use super::coincidence::{check_tolerance, coincide, coincident_links};
 use super::topology::star_links;
-use super::{Classes, Net, Shape, Topology};
+use super::{Classes, Net, Shape, Topology, each};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -79,9 +79,9 @@ impl Net<'_> {
         for link in loops(topology, &classes)? {
             add(FindingKind::Loop, link, shape.ends(link))?;
         }
-        coincident_links(self.coordinates(), tolerance, job, |link| {
+        each!(self.coordinates(), planes => coincident_links(planes, tolerance, job, |link| {
             if classes.contracts(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
-        })?;
+        }))?;
         for link in few_nodes(topology) {
             add(FindingKind::FewNodes, link, shape.ends(link))?;
         }

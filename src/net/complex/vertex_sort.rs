@@ -1,8 +1,8 @@
 //! Sorting of items by vertex: a counting sort where there are many, comparison sorts elsewhere.
 //! O(items + vertices) with few items at each vertex, as on nets but for poles.
 
-use crate::alloc;
 use crate::error::Result;
+use crate::sort::Buckets;
 
 /// Sorts items whose order compares vertices, all below `count`, first.
 pub(super) fn sort<T: Ord + Copy>(items: &mut Vec<T>, count: usize, vertex: impl Fn(&T) -> u32) -> Result<()> {
@@ -10,25 +10,8 @@ pub(super) fn sort<T: Ord + Copy>(items: &mut Vec<T>, count: usize, vertex: impl
         items.sort_unstable();
         return Ok(());
     }
-    // Where the items of each vertex start; afterwards, where they end.
-    let mut places: Vec<u32> = alloc::zeroed(count + 1)?;
-    for item in items.iter() {
-        places[vertex(item) as usize + 1] += 1;
-    }
-    for v in 0..count {
-        places[v + 1] += places[v];
-    }
-    let mut sorted = alloc::copied(items)?;
-    for item in items.iter() {
-        let place = &mut places[vertex(item) as usize];
-        sorted[*place as usize] = *item;
-        *place += 1;
-    }
-    let mut start = 0;
-    for &end in &places[..count] {
-        sorted[start..end as usize].sort_unstable();
-        start = end as usize;
-    }
-    *items = sorted;
+    let mut sorted = Buckets::new(count, items[0], items.iter().map(|item| (vertex(item) as usize, *item)))?;
+    (0..count).for_each(|v| sorted.get_mut(v).sort_unstable());
+    *items = sorted.into_parts().1;
     Ok(())
 }

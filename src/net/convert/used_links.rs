@@ -11,16 +11,14 @@ use std::collections::HashSet;
 
 /// The edges with at least one glued end.
 pub(super) struct UsedLinks {
-    /// For each class whether it has several nodes.
+    /// For each node whether its class has others.
     is_glued: Vec<bool>,
-    /// The edges of the net's links, in order.
-    links: Vec<[u32; 2]>,
-    /// The diagonals chosen so far.
-    diagonals: HashSet<[u32; 2]>,
+    /// The edges of the net's links, and the diagonals chosen so far.
+    edges: HashSet<[u32; 2]>,
 }
 
 impl UsedLinks {
-    /// The edges of the links. O(nodes), and a sort of the edges.
+    /// The edges of the links. O(nodes).
     pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
         job.part(0.0, 0.3).ranges(stage, classes.len(), |range| {
@@ -29,38 +27,35 @@ impl UsedLinks {
             }
             Ok(())
         })?;
-        let mut links = Vec::new();
+        let mut used = UsedLinks { is_glued, edges: HashSet::new() };
         job.part(0.3, 1.0).ranges(stage, 2 * classes.len(), |range| {
             for link in range.map(|link| link as u32).filter(|&link| shape.is_inner(link)) {
                 let ends = shape.ends(link);
-                if ends.iter().any(|&node| is_glued[node as usize]) {
-                    alloc::push(&mut links, sorted_pair(ends.map(|node| classes[node as usize])))?;
+                if used.has_glued_end(ends) {
+                    used.add(ends.map(|node| classes[node as usize]))?;
                 }
             }
             Ok(())
         })?;
-        links.sort_unstable();
-        links.dedup();
-        Ok(UsedLinks { is_glued, links, diagonals: HashSet::new() })
+        Ok(used)
     }
 
     /// True if two classes are joined by an edge.
     pub(super) fn contains(&self, ends: [u32; 2]) -> bool {
-        let edge = sorted_pair(ends);
-        self.has_glued_end(ends) && (self.links.binary_search(&edge).is_ok() || self.diagonals.contains(&edge))
+        self.has_glued_end(ends) && self.edges.contains(&sorted_pair(ends))
     }
 
-    /// Adds a diagonal.
+    /// Adds an edge between two classes.
     pub(super) fn add(&mut self, ends: [u32; 2]) -> Result<()> {
         if self.has_glued_end(ends) {
-            let bytes = size_of::<[u32; 2]>() as u64 * (self.diagonals.len() as u64 + 1);
-            self.diagonals.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
-            self.diagonals.insert(sorted_pair(ends));
+            let bytes = size_of::<[u32; 2]>() as u64 * (self.edges.len() as u64 + 1);
+            self.edges.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+            self.edges.insert(sorted_pair(ends));
         }
         Ok(())
     }
 
     fn has_glued_end(&self, ends: [u32; 2]) -> bool {
-        ends.iter().any(|&class| self.is_glued[class as usize])
+        ends.iter().any(|&node| self.is_glued[node as usize])
     }
 }

@@ -33,7 +33,7 @@ pub fn deform(net: &mut Net<'_>, steps: &[Step<'_>], job: &Job<'_>) -> Result<()
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
         if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_total()) {
-            chunks::for_each_chunk(planes, job.threads(), |first, rows| check(steps, first, rows))?;
+            chunks::for_each_chunk_mut(planes, job.threads(), CHUNK, |first, rows| check(steps, first, &rows))?;
             job.step(0.5, "deform")?;
         }
         apply(planes, steps, job.threads())
@@ -46,7 +46,7 @@ fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize
     }
     chunks::for_each_chunk_mut(planes, threads, CHUNK, |_, rows| {
         let mut scratch = [[0.0; CHUNK]; 3];
-        let moved = mapped(steps, [&*rows[0], &*rows[1], &*rows[2]], &mut scratch);
+        let moved = mapped(steps, &rows, &mut scratch);
         for (row, moved) in rows.into_iter().zip(moved) {
             row.iter_mut().zip(moved).for_each(|(to, &mut from)| *to = T::of(from));
         }
@@ -55,7 +55,7 @@ fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize
 }
 
 /// [`Error::FieldUndefined`] for the first finite node of a chunk whose image is not finite.
-fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: [&[T]; 3]) -> Result<()> {
+fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
     let mut scratch = [[0.0; CHUNK]; 3];
     let [x, y, z] = mapped(steps, rows, &mut scratch);
     let undefined = (0..x.len()).find(|&k| {
@@ -67,12 +67,12 @@ fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: [&[T]; 3]) -> Result<(
 }
 
 /// The nodes of a chunk, in double precision, after all fields.
-fn mapped<'a, T: Real>(steps: &[Step<'_>], rows: [&[T]; 3], scratch: &'a mut [[f64; CHUNK]; 3]) -> Points<'a> {
+fn mapped<'a, T: Real>(steps: &[Step<'_>], rows: &[&mut [T]; 3], scratch: &'a mut [[f64; CHUNK]; 3]) -> Points<'a> {
     let count = rows[0].len();
     let [x, y, z] = scratch;
     let [x, y, z] = [&mut x[..count], &mut y[..count], &mut z[..count]];
     for (to, from) in [&mut *x, &mut *y, &mut *z].into_iter().zip(rows) {
-        to.iter_mut().zip(from).for_each(|(to, &from)| *to = from.into());
+        to.iter_mut().zip(from.iter()).for_each(|(to, &from)| *to = from.into());
     }
     for step in steps.iter().filter(|step| step.strength != 0.0) {
         step.field.map(step.strength, [&mut *x, &mut *y, &mut *z]);

@@ -43,13 +43,13 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
 
 /// [`Error::FieldUndefined`] for the first node that overflows. Nodes are checked only if the map
 /// is so large that nodes of common size may overflow.
-fn check<T: Real>(planes: &Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
+fn check<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
     let bound = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::MAX.sqrt() + d.abs();
     if affine.rows().into_iter().all(|row| bound(row) <= T::MAX) {
         return Ok(());
     }
     let rows = affine.rows().map(|row| row.map(T::of));
-    chunks::for_each_chunk(planes, threads, |first, [x, y, z]| {
+    chunks::for_each_chunk_mut(planes, threads, chunks::CHUNK, |first, [x, y, z]| {
         let overflows = |k: usize| {
             let node = [x[k], y[k], z[k]];
             let moved = rows.map(|[a, b, c, d]| a * node[0] + b * node[1] + c * node[2] + d);
