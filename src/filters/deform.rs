@@ -4,7 +4,7 @@ use super::data::with_positions;
 use super::extent::rounded;
 use super::prelude::*;
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
-use crate::net::field::{Bend, Field, Shear, Spherify, Taper, Twist};
+use crate::net::field::{Field, bend, shear, spherify, taper, twist};
 use crate::net::transform::Axis;
 use std::f64::consts::PI;
 
@@ -58,11 +58,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         return Ok(vec![Output::Mesh(copied(mesh, job)?)]);
     }
     let field: Box<dyn Field> = match values.place("field") {
-        0 => Box::new(Twist::new(axis, amount, 0.0)?),
-        1 => Box::new(Taper::new(axis, amount, 0.0)?),
-        2 => Box::new(Bend::new(axis, amount, lowest(mesh, axis), f64::INFINITY)?),
-        3 => Box::new(Shear::new(axis, next, amount)?),
-        _ => Box::new(Spherify::new(DVec3::ZERO, amount.abs())?),
+        0 => Box::new(twist(axis, amount, 0.0)?),
+        1 => Box::new(taper(axis, amount, 0.0)?),
+        2 => Box::new(bend(axis, amount, lowest(mesh, axis), f64::INFINITY)?),
+        3 => Box::new(shear(axis, next, amount)?),
+        _ => Box::new(spherify(DVec3::ZERO, amount.abs())?),
     };
     Ok(vec![Output::Mesh(moved(mesh, field.as_ref(), strength, job)?)])
 }

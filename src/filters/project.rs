@@ -2,7 +2,7 @@
 
 use super::deform::moved;
 use super::prelude::*;
-use crate::net::field::Projection;
+use crate::net::field::{Field, parallel_projection, perspective_projection};
 
 pub(super) const FILTER: Filter = Filter {
     id: "project",
@@ -42,20 +42,20 @@ fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (normal, distance) = values.plane("plane")?;
     let point = distance * normal;
-    let field = match values.place("along") {
-        0 => Projection::parallel(point, normal, normal)?,
+    let field: Box<dyn Field> = match values.place("along") {
+        0 => Box::new(parallel_projection(point, normal, normal)?),
         1 => {
             let direction = values.direction("direction")?;
             require_height("direction", normal.dot(direction), 1.0)?;
-            Projection::parallel(point, normal, direction)?
+            Box::new(parallel_projection(point, normal, direction)?)
         }
         _ => {
             let eye = values.vector("eye");
             require_height("eye", normal.dot(eye) - distance, eye.length() + distance.abs())?;
-            Projection::perspective(eye, point, normal)?
+            Box::new(perspective_projection(eye, point, normal)?)
         }
     };
-    Ok(vec![Output::Mesh(moved(inputs[0].mesh()?, &field, values.number("strength"), job)?)])
+    Ok(vec![Output::Mesh(moved(inputs[0].mesh()?, field.as_ref(), values.number("strength"), job)?)])
 }
 
 /// [`Error::OptionOutOfRange`] for a height above the plane that vanishes within rounding.

@@ -31,7 +31,7 @@ fn a_determinant_of_zero_need_not_glue() {
 #[test]
 fn a_determinant_that_is_not_zero_can_glue() {
     let net = sheet(9, 9, Scalar::F64);
-    let wrap = CylinderWrap::new(Axis::Z, 8.0 / TAU).unwrap();
+    let wrap = field::cylinder_wrap(Axis::Z, 8.0 / TAU).unwrap();
     // Rolled up about z, the sheet's rows are arcs at different distances.
     let stand = Affine::rotation(DVec3::X, TAU / 4.0, DVec3::ZERO, Sense::RightHanded).unwrap();
     let steps = [whole(&stand), whole(&wrap)];
@@ -54,7 +54,7 @@ fn a_determinant_that_is_not_zero_can_glue() {
     // With the unit pitch of the study's case the determinant is the pitch.
     let unit = Affine::stretching(DVec3::new(TAU / 8.0, 1.0, 1.0)).unwrap();
     let point = DVec3::new(3.0, 0.0, 0.0);
-    let det = jacobian(point, 1.0, &[whole(&unit), whole(&CylinderWrap::new(Axis::Z, 1.0).unwrap())]).determinant();
+    let det = jacobian(point, 1.0, &[whole(&unit), whole(&field::cylinder_wrap(Axis::Z, 1.0).unwrap())]).determinant();
     assert!((det - TAU / 8.0).abs() < 1e-8);
 }
 
@@ -104,8 +104,8 @@ fn glued_links_that_come_apart_are_torn() {
 #[test]
 fn smooth_deformations_are_soft_and_areas_grow_as_they_should() {
     for net in [sphere(17, 33, Scalar::F32), torus(17, 33, Scalar::F64), sheet(17, 33, Scalar::F64)] {
-        let twist = Twist::new(Axis::Z, 0.3, 0.0).unwrap();
-        let bend = Bend::new(Axis::X, 0.02, -1.0, 40.0).unwrap();
+        let twist = field::twist(Axis::Z, 0.3, 0.0).unwrap();
+        let bend = field::bend(Axis::X, 0.02, -1.0, 40.0).unwrap();
         let found = analyse_field(&net, &[whole(&twist), whole(&bend)], 1e-6, &Job::default()).unwrap();
         assert!(found.is_soft(), "{:?}", net.topology().sides());
         let scale = Affine::scaling(-3.0).unwrap();
@@ -258,7 +258,7 @@ fn determinants_that_are_rounding_are_no_folds() {
         let net = sheet(17, 17, scalar);
         for (point, normal) in [(DVec3::ZERO, normal), (DVec3::new(1e3, -7e2, 5.0), normal), (DVec3::ZERO, DVec3::ONE)]
         {
-            let project = Projection::parallel(point, normal, normal).unwrap();
+            let project = field::parallel_projection(point, normal, normal).unwrap();
             let found = analyse_field(&net, &[whole(&project)], 1e-9, &Job::default()).unwrap();
             assert!(found.is_soft() && found.determinants.iter().all(|&det| det == 0.0));
             assert!(found.cells.iter().all(|&ratio| ratio > 0.0));

@@ -4,9 +4,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
-use gusset::net::field::{
-    Bend, CylinderWrap, Field, Lattice, Projection, Shear, Spherify, Step, Taper, TorusWrap, Twist, deform, displace,
-};
+use gusset::net::field::{self, Field, Lattice, Step, deform, displace};
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::net::{Classes, Net};
@@ -80,16 +78,16 @@ fn fields() {
         (0..27).map(|k| 0.1 * DVec3::new(f64::from(k % 5), f64::from(k % 7), f64::from(k % 3))).collect();
     let eye = DVec3::new(0.0, 0.0, 9.0);
     let fields: Vec<(&str, Box<dyn Field>)> = vec![
-        ("twist", Box::new(Twist::new(Axis::Z, 0.7, 0.1).unwrap())),
-        ("taper", Box::new(Taper::new(Axis::X, 0.3, 0.0).unwrap())),
-        ("bend", Box::new(Bend::new(Axis::Y, 0.4, -0.5, 1.0).unwrap())),
-        ("shear", Box::new(Shear::new(Axis::X, Axis::Z, 0.3).unwrap())),
-        ("spherify", Box::new(Spherify::new(DVec3::new(0.01, 0.02, 0.03), 2.0).unwrap())),
-        ("cylinder wrap", Box::new(CylinderWrap::new(Axis::Z, 0.8).unwrap())),
-        ("torus wrap", Box::new(TorusWrap::new(Axis::Z, 2.0, 0.5).unwrap())),
+        ("twist", Box::new(field::twist(Axis::Z, 0.7, 0.1).unwrap())),
+        ("taper", Box::new(field::taper(Axis::X, 0.3, 0.0).unwrap())),
+        ("bend", Box::new(field::bend(Axis::Y, 0.4, -0.5, 1.0).unwrap())),
+        ("shear", Box::new(field::shear(Axis::X, Axis::Z, 0.3).unwrap())),
+        ("spherify", Box::new(field::spherify(DVec3::new(0.01, 0.02, 0.03), 2.0).unwrap())),
+        ("cylinder wrap", Box::new(field::cylinder_wrap(Axis::Z, 0.8).unwrap())),
+        ("torus wrap", Box::new(field::torus_wrap(Axis::Z, 2.0, 0.5).unwrap())),
         ("lattice", Box::new(Lattice::new(DVec3::splat(-3.0), DVec3::splat(3.0), [3, 3, 3], &offsets).unwrap())),
-        ("perspective", Box::new(Projection::perspective(eye, DVec3::ZERO, DVec3::Z).unwrap())),
-        ("parallel", Box::new(Projection::parallel(DVec3::ZERO, DVec3::Z, DVec3::new(0.1, 0.2, 1.0)).unwrap())),
+        ("perspective", Box::new(field::perspective_projection(eye, DVec3::ZERO, DVec3::Z).unwrap())),
+        ("parallel", Box::new(field::parallel_projection(DVec3::ZERO, DVec3::Z, DVec3::new(0.1, 0.2, 1.0)).unwrap())),
     ];
     for net in shapes() {
         for (what, field) in &fields {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use gusset::job::Progress;
 use gusset::mesh::Scalar;
 use gusset::net::analyse::jacobian;
-use gusset::net::field::*;
+use gusset::net::field::{self, *};
 use gusset::net::transform::{Affine, Axis, Sense};
 use gusset::net::{Net, Sides, Topology};
 use gusset::{Error, Job};
@@ -37,15 +37,15 @@ fn all_fields() -> Vec<(&'static str, Box<dyn Field>)> {
     let lattice = Lattice::new(DVec3::splat(-5.0), DVec3::splat(5.0), [3, 2, 4], &offsets).unwrap();
     vec![
         ("affine", Box::new(Affine::rotation(DVec3::ONE, 0.7, DVec3::X, Sense::RightHanded).unwrap())),
-        ("twist", Box::new(Twist::new(Axis::Z, 0.8, 0.1).unwrap())),
-        ("taper", Box::new(Taper::new(Axis::X, 0.1, -0.3).unwrap())),
-        ("bend", Box::new(Bend::new(Axis::Y, 0.15, -1.0, 2.0).unwrap())),
-        ("shear", Box::new(Shear::new(Axis::X, Axis::Z, 0.3).unwrap())),
-        ("spherify", Box::new(Spherify::new(DVec3::new(0.1, 0.2, 0.3), 2.0).unwrap())),
-        ("cylinder", Box::new(CylinderWrap::new(Axis::Z, 2.0).unwrap())),
-        ("torus", Box::new(TorusWrap::new(Axis::X, 9.0, 6.0).unwrap())),
+        ("twist", Box::new(field::twist(Axis::Z, 0.8, 0.1).unwrap())),
+        ("taper", Box::new(field::taper(Axis::X, 0.1, -0.3).unwrap())),
+        ("bend", Box::new(field::bend(Axis::Y, 0.15, -1.0, 2.0).unwrap())),
+        ("shear", Box::new(field::shear(Axis::X, Axis::Z, 0.3).unwrap())),
+        ("spherify", Box::new(field::spherify(DVec3::new(0.1, 0.2, 0.3), 2.0).unwrap())),
+        ("cylinder", Box::new(field::cylinder_wrap(Axis::Z, 2.0).unwrap())),
+        ("torus", Box::new(field::torus_wrap(Axis::X, 9.0, 6.0).unwrap())),
         ("lattice", Box::new(lattice)),
-        ("perspective", Box::new(Projection::perspective(DVec3::new(0.0, 0.0, 9.0), DVec3::ZERO, DVec3::Z).unwrap())),
+        ("perspective", Box::new(field::perspective_projection(DVec3::new(0.0, 0.0, 9.0), DVec3::ZERO, DVec3::Z).unwrap())),
     ]
 }
 
@@ -110,36 +110,36 @@ fn twists_tapers_shears_and_wraps_have_the_volumes_that_their_formulas_say() {
         let det = |field: &dyn Field| jacobian(p, 0.1, &[whole(field)]).determinant();
         let close = |a: f64, b: f64| (a - b).abs() < 1e-7 * (1.0 + b.abs());
         for (axis, w) in [(Axis::X, p.x), (Axis::Y, p.y), (Axis::Z, p.z)] {
-            assert!(close(det(&Twist::new(axis, 0.7, 0.2).unwrap()), 1.0));
-            assert!(close(det(&Taper::new(axis, 0.2, -0.1).unwrap()), (1.0 + 0.2 * (w + 0.1)).powi(2)));
+            assert!(close(det(&field::twist(axis, 0.7, 0.2).unwrap()), 1.0));
+            assert!(close(det(&field::taper(axis, 0.2, -0.1).unwrap()), (1.0 + 0.2 * (w + 0.1)).powi(2)));
             // Lengths grow with the distance from the centre of curvature, which lies on the next
             // axis.
             let u = [p.y, p.z, p.x][axis.index()];
-            let bent = det(&Bend::new(axis, 0.3, -9.0, f64::INFINITY).unwrap());
+            let bent = det(&field::bend(axis, 0.3, -9.0, f64::INFINITY).unwrap());
             assert!(close(bent, 1.0 - 0.3 * u), "{axis:?} {bent}");
             let v = [p.z, p.x, p.y][axis.index()];
-            assert!(close(det(&CylinderWrap::new(axis, 3.0).unwrap()), (3.0 + v) / 3.0));
+            assert!(close(det(&field::cylinder_wrap(axis, 3.0).unwrap()), (3.0 + v) / 3.0));
             let ratio = (5.0 + (2.0 + w) * (v / 2.0).cos()) / 5.0 * (2.0 + w) / 2.0;
-            assert!(close(det(&TorusWrap::new(axis, 5.0, 2.0).unwrap()), ratio));
+            assert!(close(det(&field::torus_wrap(axis, 5.0, 2.0).unwrap()), ratio));
         }
-        assert!(close(det(&Shear::new(Axis::Y, Axis::X, 0.7).unwrap()), 1.0));
+        assert!(close(det(&field::shear(Axis::Y, Axis::X, 0.7).unwrap()), 1.0));
         let ratio = 2.0 / p.length();
-        assert!(close(det(&Spherify::new(DVec3::ZERO, 2.0).unwrap()), 0.0 * ratio), "all of a ray is one point");
+        assert!(close(det(&field::spherify(DVec3::ZERO, 2.0).unwrap()), 0.0 * ratio), "all of a ray is one point");
     }
 }
 
 #[test]
 fn a_twist_turns_and_a_bend_keeps_the_length_of_its_axis() {
-    let twist = Twist::new(Axis::Z, PI / 2.0, 1.0).unwrap();
+    let twist = field::twist(Axis::Z, PI / 2.0, 1.0).unwrap();
     assert!(at(&twist, 1.0, DVec3::new(1.0, 0.0, 2.0)).distance(DVec3::new(0.0, 1.0, 2.0)) < 1e-15);
     assert!(at(&twist, 0.5, DVec3::new(1.0, 0.0, 3.0)).distance(DVec3::new(0.0, 1.0, 3.0)) < 1e-15);
     assert!(
-        at(&Twist::new(Axis::X, PI / 2.0, 0.0).unwrap(), 1.0, DVec3::new(1.0, 1.0, 0.0))
+        at(&field::twist(Axis::X, PI / 2.0, 0.0).unwrap(), 1.0, DVec3::new(1.0, 1.0, 0.0))
             .distance(DVec3::new(1.0, 0.0, 1.0))
             < 1e-15
     );
     // A bend to a half turn, from z = 1 to z = 1 + pi.
-    let bend = Bend::new(Axis::Z, 1.0, 1.0, 1.0 + PI).unwrap();
+    let bend = field::bend(Axis::Z, 1.0, 1.0, 1.0 + PI).unwrap();
     let axis = |w: f64| at(&bend, 1.0, DVec3::new(0.0, 0.0, w));
     assert_eq!(axis(0.5), DVec3::new(0.0, 0.0, 0.5));
     assert!(axis(1.0 + PI / 2.0).distance(DVec3::new(1.0, 0.0, 2.0)) < 1e-15);
@@ -147,7 +147,7 @@ fn a_twist_turns_and_a_bend_keeps_the_length_of_its_axis() {
     assert!(axis(2.0 + PI).distance(DVec3::new(2.0, 0.0, 0.0)) < 1e-15, "straight on");
     // A quarter turn, and on in the direction that it has then; beside the axis, the same from the
     // arc beside it.
-    let quarter = Bend::new(Axis::Z, 1.0, 1.0, 1.0 + PI / 2.0).unwrap();
+    let quarter = field::bend(Axis::Z, 1.0, 1.0, 1.0 + PI / 2.0).unwrap();
     let end = 1.0 + PI / 2.0 + 2.0;
     assert!(at(&quarter, 1.0, DVec3::new(0.0, 7.0, end)).distance(DVec3::new(3.0, 7.0, 2.0)) < 1e-15);
     assert!(at(&quarter, 1.0, DVec3::new(0.5, 0.0, end)).distance(DVec3::new(3.0, 0.0, 1.5)) < 1e-15);
@@ -188,16 +188,16 @@ fn projections_put_points_on_the_plane_along_the_lines_they_should() {
     for _ in 0..200 {
         let (q, n, d, eye, p) =
             (random.vector(), random.vector(), random.vector(), 5.0 * random.vector(), random.vector());
-        let parallel = at(&Projection::parallel(q, n, d).unwrap(), 1.0, p);
+        let parallel = at(&field::parallel_projection(q, n, d).unwrap(), 1.0, p);
         let scale = 1.0 / n.dot(d).abs();
         assert!((parallel - q).dot(n).abs() < 1e-13 * scale && (parallel - p).cross(d).length() < 1e-13 * scale);
-        let seen = at(&Projection::perspective(eye, q, n).unwrap(), 1.0, p);
+        let seen = at(&field::perspective_projection(eye, q, n).unwrap(), 1.0, p);
         let scale = 1.0 / n.dot(p - eye).abs();
         assert!((seen - q).dot(n).abs() < 1e-12 * scale.max(1.0), "on the plane");
         assert!((seen - eye).cross(p - eye).length() < 1e-11 * scale.max(1.0), "on the ray");
     }
-    assert!(Projection::parallel(DVec3::ZERO, DVec3::Z, DVec3::X).is_err());
-    assert!(Projection::perspective(DVec3::X, DVec3::ZERO, DVec3::Z).is_err());
+    assert!(field::parallel_projection(DVec3::ZERO, DVec3::Z, DVec3::X).is_err());
+    assert!(field::perspective_projection(DVec3::X, DVec3::ZERO, DVec3::Z).is_err());
 }
 
 #[test]
@@ -206,12 +206,12 @@ fn where_a_field_is_undefined_the_node_is_named_and_nothing_changes() {
     let mut net = sheet(90, 70, Scalar::F32);
     net.coordinates_mut().set(2, 1, DVec3::NAN);
     let before = bits(&net);
-    let project = Projection::perspective(DVec3::new(0.5, 3.0, 7.0), DVec3::ZERO, DVec3::Y).unwrap();
+    let project = field::perspective_projection(DVec3::new(0.5, 3.0, 7.0), DVec3::ZERO, DVec3::Y).unwrap();
     let shift = Affine::translation(DVec3::new(1.0, 0.0, 0.0)).unwrap();
     let steps = [whole(&shift), whole(&project)];
     assert_eq!(deform(&mut net, &steps, &Job::default()), Err(Error::FieldUndefined { node: 3 * 70 }));
     assert_eq!(bits(&net), before);
-    let spherify = Spherify::new(DVec3::new(5.0, 80.0, 0.0), 1.0).unwrap();
+    let spherify = field::spherify(DVec3::new(5.0, 80.0, 0.0), 1.0).unwrap();
     assert_eq!(
         deform(&mut net, &[whole(&spherify)], &Job::default()),
         Err(Error::FieldUndefined { node: 80 * 70 + 5 })
@@ -224,7 +224,7 @@ fn where_a_field_is_undefined_the_node_is_named_and_nothing_changes() {
 #[test]
 fn gaps_between_rows_are_left_alone() {
     let net = torus(301, 117, Scalar::F64);
-    let twist = Twist::new(Axis::Y, 0.5, 0.0).unwrap();
+    let twist = field::twist(Axis::Y, 0.5, 0.0).unwrap();
     let mut expected = net.copied().unwrap();
     deform(&mut expected, &[whole(&twist)], &Job::default()).unwrap();
     let mut gapped = Gapped::of(&net, 5);
@@ -301,7 +301,7 @@ fn displacement_along_normals_makes_a_larger_sphere() {
 fn a_sheet_rolls_up_to_a_torus() {
     let mut net = sheet(13, 25, Scalar::F64);
     let fit = Affine::stretching(DVec3::new(TAU * 3.0 / 24.0, TAU / 12.0, 1.0)).unwrap();
-    deform(&mut net, &[whole(&fit), whole(&TorusWrap::new(Axis::Z, 3.0, 1.0).unwrap())], &Job::default()).unwrap();
+    deform(&mut net, &[whole(&fit), whole(&field::torus_wrap(Axis::Z, 3.0, 1.0).unwrap())], &Job::default()).unwrap();
     net.set_topology(Topology::of_sides(net.shape(), Sides::TORUS));
     let expected: Net<'_> = torus(13, 25, Scalar::F64);
     for i in 0..13 {
@@ -336,13 +336,13 @@ fn projections_through_an_eye_are_as_exact_far_from_the_origin() {
     let offset = DVec3::new(5e5 + 0.3, 5e6 + 0.7, 123.4);
     let normal = DVec3::new(0.3, 0.5, 1.0).normalize();
     let eye = offset + 50.1 * normal;
-    let project = Projection::perspective(eye, offset, normal).unwrap();
+    let project = field::perspective_projection(eye, offset, normal).unwrap();
     let p = offset + DVec3::new(3.3, 7.1, 3.3);
     let expected = eye + (p - eye) * (normal.dot(offset - eye) / normal.dot(p - eye));
     assert!(at(&project, 1.0, p).distance(expected) < 1e-8);
     assert!(normal.dot(at(&project, 1.0, p) - offset).abs() < 1e-8, "on the plane");
     assert!(at(&project, 0.25, p).distance(p + 0.25 * (expected - p)) < 1e-8, "a part of the straight way");
-    assert!(Projection::perspective(DVec3::NAN, offset, normal).is_err());
+    assert!(field::perspective_projection(DVec3::NAN, offset, normal).is_err());
 }
 
 #[test]
@@ -352,11 +352,11 @@ fn what_overflows_the_type_of_the_net_is_undefined() {
     let mut net = sheet(4, 5, Scalar::F32);
     net.coordinates_mut().set(2, 3, DVec3::new(3.0, 2.0, 1.0 - f64::from(f32::EPSILON) / 2.0));
     let before = bits(&net);
-    let project = Projection::perspective(DVec3::Z, DVec3::new(0.0, 0.0, -1e35), DVec3::Z).unwrap();
+    let project = field::perspective_projection(DVec3::Z, DVec3::new(0.0, 0.0, -1e35), DVec3::Z).unwrap();
     assert_eq!(deform(&mut net, &[whole(&project)], &Job::default()), Err(Error::FieldUndefined { node: 13 }));
     assert_eq!(bits(&net), before);
     // Squares of distances that are no numbers do no harm.
-    let spherify = Spherify::new(DVec3::ZERO, 2.0).unwrap();
+    let spherify = field::spherify(DVec3::ZERO, 2.0).unwrap();
     for length in [1e155, 1e300, 1e-170, 1e-300] {
         let moved = at(&spherify, 1.0, length * DVec3::new(3.0, 0.0, -4.0));
         assert!(moved.distance(DVec3::new(1.2, 0.0, -1.6)) < 1e-15, "{length} {moved}");

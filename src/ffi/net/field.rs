@@ -145,19 +145,19 @@ impl gusset_field {
         let (v, about) = (&self.values, || choice(self.axis));
         Ok(match self.kind {
             GUSSET_FIELD_AFFINE => Box::new(matrix(v)?),
-            GUSSET_FIELD_TWIST => Box::new(Twist::new(about()?, v[0], v[1])?),
-            GUSSET_FIELD_TAPER => Box::new(Taper::new(about()?, v[0], v[1])?),
-            GUSSET_FIELD_BEND => Box::new(Bend::new(about()?, v[0], v[1], v[2])?),
-            GUSSET_FIELD_SHEAR => Box::new(Shear::new(about()?, choice(self.other_axis)?, v[0])?),
-            GUSSET_FIELD_SPHERIFY => Box::new(Spherify::new(vector(v), v[3])?),
-            GUSSET_FIELD_CYLINDER_WRAP => Box::new(CylinderWrap::new(about()?, v[0])?),
-            GUSSET_FIELD_TORUS_WRAP => Box::new(TorusWrap::new(about()?, v[0], v[1])?),
+            GUSSET_FIELD_TWIST => Box::new(twist(about()?, v[0], v[1])?),
+            GUSSET_FIELD_TAPER => Box::new(taper(about()?, v[0], v[1])?),
+            GUSSET_FIELD_BEND => Box::new(bend(about()?, v[0], v[1], v[2])?),
+            GUSSET_FIELD_SHEAR => Box::new(shear(about()?, choice(self.other_axis)?, v[0])?),
+            GUSSET_FIELD_SPHERIFY => Box::new(spherify(vector(v), v[3])?),
+            GUSSET_FIELD_CYLINDER_WRAP => Box::new(cylinder_wrap(about()?, v[0])?),
+            GUSSET_FIELD_TORUS_WRAP => Box::new(torus_wrap(about()?, v[0], v[1])?),
             GUSSET_FIELD_LATTICE => Box::new(self.lattice()?),
             GUSSET_FIELD_PROJECTION => {
-                Box::new(Projection::new([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?)
+                Box::new(projection([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?)
             }
-            GUSSET_FIELD_PARALLEL => Box::new(Projection::parallel(vector(v), vector(&v[3..]), vector(&v[6..]))?),
-            GUSSET_FIELD_PERSPECTIVE => Box::new(Projection::perspective(vector(v), vector(&v[3..]), vector(&v[6..]))?),
+            GUSSET_FIELD_PARALLEL => Box::new(parallel_projection(vector(v), vector(&v[3..]), vector(&v[6..]))?),
+            GUSSET_FIELD_PERSPECTIVE => Box::new(perspective_projection(vector(v), vector(&v[3..]), vector(&v[6..]))?),
             other => return Err(Failure::unknown("kind", other.into())),
         })
     }

@@ -21,6 +21,26 @@ pub trait Field: Sync {
     }
 }
 
+/// A function of strength and points is a field that is total.
+impl<F: Fn(f64, Points<'_>) + Sync> Field for F {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        self(strength, points);
+    }
+}
+
+/// A field that is not total.
+pub(super) struct Partial<F>(pub(super) F);
+
+impl<F: Field> Field for Partial<F> {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        self.0.map(strength, points);
+    }
+
+    fn is_total(&self) -> bool {
+        false
+    }
+}
+
 /// Applies `map` to each point, for maps that call functions and so do not vectorise.
 pub(super) fn each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     apply_to(x, y, z, map);

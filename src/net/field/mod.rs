@@ -3,10 +3,10 @@
 //!
 //! * [`Field`]: a map of space that can be applied in part. [`deform`]: chains of fields in one
 //!   pass.
-//! * [`Twist`], [`Taper`], [`Bend`], [`Shear`]: shaping. [`Spherify`], [`CylinderWrap`],
-//!   [`TorusWrap`]: sheets onto surfaces.
-//! * [`Lattice`]: free-form. [`Projection`]: parallel, perspective, any 4 x 4 matrix. [`displace`]:
-//!   along the normals.
+//! * [`twist`], [`taper`], [`bend`], [`shear`]: shaping. [`spherify`], [`cylinder_wrap`],
+//!   [`torus_wrap`]: sheets onto surfaces.
+//! * [`Lattice`]: free-form. [`projection()`]: any 4 x 4 matrix, parallel, perspective.
+//!   [`displace`]: along the normals.
 //! * [`Timed`]: the strength of a field as a function of time.
 //!
 //! Invariant: a field maps each point independently, so that nodes of equal bits, such as glued
@@ -24,8 +24,8 @@ mod wrap;
 pub use deform::{Step, deform};
 pub use lattice::Lattice;
 pub use map::{Field, Points};
-pub use projection::Projection;
-pub use shaping::{Bend, Shear, Taper, Twist};
+pub use projection::{parallel_projection, perspective_projection, projection};
+pub use shaping::{bend, shear, taper, twist};
 pub use surface::{RowsMut, deform_rows, displace, snap};
 pub use timed::{Easing, Timed};
-pub use wrap::{CylinderWrap, Spherify, TorusWrap};
+pub use wrap::{cylinder_wrap, spherify, torus_wrap};
