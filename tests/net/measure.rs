@@ -124,7 +124,7 @@ fn moments_of_a_box_are_those_of_mechanics() {
         let volume = size.element_product();
         let sq = size * size;
         let diagonal = volume / 12.0 * DVec3::new(sq.y + sq.z, sq.z + sq.x, sq.x + sq.y);
-        let r: DMat3 = turn.linear();
+        let r: DMat3 = DMat3::from_cols_array_2d(&turn.rows().map(|[a, b, c, _]| [a, b, c])).transpose();
         let expected = r * DMat3::from_diagonal(diagonal) * r.transpose();
         assert!((found.volume - volume).abs() < 1e-11 * volume);
         assert!(found.centroid.distance(place.apply(size / 2.0)) < 1e-11);

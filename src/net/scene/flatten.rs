@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::net::chunks::zip3;
 use crate::net::join::{JoinOptions, join_mirrored, starts};
-use crate::net::transform::Affine;
+use crate::net::transform::mirrors;
 use crate::net::{Direction, Net, Planes, Real, each};
 use crate::par;
 use glam::{DAffine3, DVec3};
@@ -47,18 +47,14 @@ impl Scene {
         for instance in &instances {
             nets.push(self.net(instance.entry)?);
         }
-        let mirrors = |instance: &Instance| {
-            let DAffine3 { matrix3, translation } = instance.world;
-            let rows = [0, 1, 2].map(|k| matrix3.row(k).extend(translation[k]).to_array());
-            Affine::new(rows).is_ok_and(|affine| affine.mirrors())
-        };
-        let mirrored = alloc::collect(instances.iter().map(mirrors))?;
+        let is_mirrored = |instance: &Instance| instance.world.is_finite() && mirrors(instance.world.matrix3);
+        let mirrored = alloc::collect(instances.iter().map(is_mirrored))?;
         let options = JoinOptions { turn: true, ..*options };
         let mut net = join_mirrored(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
             let starts = starts(nets.iter().map(|net| net.shape()), options.direction)?;
             let world = |k: usize| instances[k].world;
-            each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job)?);
+            each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job));
         }
         job.step(1.0, "nodes")?;
         Ok(Flattened { net, instances })
@@ -95,7 +91,7 @@ fn transform<T: Real>(
     starts: &[usize],
     world: impl Fn(usize) -> DAffine3 + Sync,
     job: &Job<'_>,
-) -> Result<()> {
+) {
     let shape = planes.shape();
     let (rows, columns) = (shape.rows(), shape.columns());
     let height = (BLOCK / columns).clamp(1, rows);
@@ -115,7 +111,6 @@ fn transform<T: Real>(
             }
         }
     });
-    Ok(())
 }
 
 fn move_nodes<T: Real>(x: &mut [T], y: &mut [T], z: &mut [T], map: DAffine3) {

@@ -1,7 +1,7 @@
 //! Affine maps: Deryagin's T, R, S and C ("Spatial operations"), and all others. O(1).
 
 use crate::error::{Error, Result};
-use glam::{DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 /// An axis of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -41,25 +41,22 @@ pub enum Sense {
     AsPrinted,
 }
 
-/// An affine map: three rows of a 3 x 3 matrix and a displacement.
+/// An affine map of finite numbers: a 3 x 3 matrix and a displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Affine {
-    rows: [[f64; 4]; 3],
-}
+pub struct Affine(DAffine3);
 
 impl Affine {
     /// The identity.
-    pub const IDENTITY: Affine = Affine { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
+    pub const IDENTITY: Affine = Affine(DAffine3::IDENTITY);
 
     /// Any map: (x, y, z) goes to `rows` times (x, y, z, 1).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite.
     pub fn new(rows: [[f64; 4]; 3]) -> Result<Self> {
-        match rows.into_iter().flatten().find(|value| !value.is_finite()) {
-            Some(value) => Err(Error::OptionOutOfRange { option: "matrix", value }),
-            None => Ok(Affine { rows }),
-        }
+        let [x, y, z] = rows.map(|[a, b, c, _]| DVec3::new(a, b, c));
+        let displacement = DVec3::from_array(rows.map(|row| row[3]));
+        Self::of(DMat3::from_cols(x, y, z).transpose(), displacement)
     }
 
     /// The paper's T(c): a translation.
@@ -121,11 +118,11 @@ impl Affine {
     }
 
     fn of(linear: DMat3, displacement: DVec3) -> Result<Self> {
-        let rows = [0, 1, 2].map(|k| {
-            let row = linear.row(k);
-            [row.x, row.y, row.z, displacement[k]]
-        });
-        Self::new(rows)
+        let map = Affine(DAffine3::from_mat3_translation(linear, displacement));
+        match map.rows().as_flattened().iter().find(|value| !value.is_finite()) {
+            Some(&value) => Err(Error::OptionOutOfRange { option: "matrix", value }),
+            None => Ok(map),
+        }
     }
 
     /// The composition: this map, then another.
@@ -133,46 +130,41 @@ impl Affine {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the product overflows.
     pub fn then(&self, next: &Affine) -> Result<Self> {
-        Self::of(next.linear() * self.linear(), next.linear() * self.displacement() + next.displacement())
+        let DAffine3 { matrix3, translation } = next.0 * self.0;
+        Self::of(matrix3, translation)
     }
 
     /// The rows.
     pub fn rows(&self) -> [[f64; 4]; 3] {
-        self.rows
-    }
-
-    /// The matrix without the displacement.
-    pub fn linear(&self) -> DMat3 {
-        let [x, y, z] = self.rows.map(|[a, b, c, _]| DVec3::new(a, b, c));
-        DMat3::from_cols(x, y, z).transpose()
-    }
-
-    /// The image of the origin.
-    pub fn displacement(&self) -> DVec3 {
-        DVec3::from_array(self.rows.map(|row| row[3]))
+        [0, 1, 2].map(|k| self.0.matrix3.row(k).extend(self.0.translation[k]).to_array())
     }
 
     /// The ratio of volumes; negative if the map mirrors.
     pub fn determinant(&self) -> f64 {
-        self.linear().determinant()
+        self.0.matrix3.determinant()
     }
 
     /// True if the map reverses orientation, even where the ratio of volumes overflows or
     /// underflows.
     pub fn mirrors(&self) -> bool {
-        // Rows, then columns, are scaled by powers of two, which is exact and keeps the sign.
-        let scaled = |vector: DVec3| {
-            let (_, exponent) = libm::frexp(vector.abs().max_element());
-            DVec3::from_array(vector.to_array().map(|value| libm::ldexp(value, -exponent)))
-        };
-        let [x, y, z] = self.rows.map(|[a, b, c, _]| scaled(DVec3::new(a, b, c)));
-        let columns = DMat3::from_cols(x, y, z).transpose();
-        let [x, y, z] = [columns.x_axis, columns.y_axis, columns.z_axis].map(scaled);
-        DMat3::from_cols(x, y, z).determinant() < 0.0
+        mirrors(self.0.matrix3)
     }
 
     /// The image of a point.
     pub fn apply(&self, point: DVec3) -> DVec3 {
-        self.linear() * point + self.displacement()
+        self.0.transform_point3(point)
     }
+}
+
+/// True if a matrix reverses orientation.
+pub(crate) fn mirrors(matrix: DMat3) -> bool {
+    // Rows, then columns, are scaled by powers of two, which is exact and keeps the sign.
+    let scaled = |vector: DVec3| {
+        let (_, exponent) = libm::frexp(vector.abs().max_element());
+        DVec3::from_array(vector.to_array().map(|value| libm::ldexp(value, -exponent)))
+    };
+    let [x, y, z] = [0, 1, 2].map(|k| scaled(matrix.row(k)));
+    let columns = DMat3::from_cols(x, y, z).transpose();
+    let [x, y, z] = [columns.x_axis, columns.y_axis, columns.z_axis].map(scaled);
+    DMat3::from_cols(x, y, z).determinant() < 0.0
 }

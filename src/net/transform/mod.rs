@@ -8,6 +8,7 @@
 
 mod affine;
 
+pub(crate) use affine::mirrors;
 pub use affine::{Affine, Axis, Sense};
 
 use super::chunks;
