@@ -38,36 +38,27 @@ pub trait Real:
 
 mod sealed {
     pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
 }
 
-impl Real for f32 {
-    const SCALAR: Scalar = Scalar::F32;
-    const MAX: f64 = f32::MAX as f64;
+macro_rules! real {
+    ($($scalar:ident: $tag:ident),+) => {$(
+        impl sealed::Sealed for $scalar {}
 
-    #[inline(always)]
-    fn of(value: f64) -> Self {
-        value as f32
-    }
+        impl Real for $scalar {
+            const SCALAR: Scalar = Scalar::$tag;
+            const MAX: f64 = $scalar::MAX as f64;
 
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                value as $scalar
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+        }
+    )+};
 }
 
-impl Real for f64 {
-    const SCALAR: Scalar = Scalar::F64;
-    const MAX: f64 = f64::MAX;
-
-    #[inline(always)]
-    fn of(value: f64) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-}
+real! { f32: F32, f64: F64 }

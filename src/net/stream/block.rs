@@ -38,8 +38,6 @@ impl Duplicates {
         let mut duplicates = Duplicates::none(topology.shape());
         let pairs = &mut duplicates.pairs;
         Classes::of(topology)?.each_glued(|node, first| alloc::push(pairs, [node, first]))?;
-        pairs.sort_unstable();
-        pairs.dedup();
         Ok(duplicates)
     }
 
@@ -67,12 +65,9 @@ impl Duplicates {
 
     /// Gives the duplicates of some rows the coordinates of the nodes that they repeat.
     pub(super) fn restore<T: Bits>(&self, planes: &mut Planes<'_, T>, rows: Range<usize>) {
-        for i in rows {
-            let matrices = planes.matrices_mut();
-            let w = self.shape.columns();
-            for matrix in matrices {
-                self.in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]);
-            }
+        let w = self.shape.columns();
+        for matrix in planes.matrices_mut() {
+            rows.clone().for_each(|i| self.in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]));
         }
     }
 }

@@ -132,13 +132,10 @@ impl Coder for Decoder<'_> {
             return 0;
         }
         let (byte, shift) = ((self.at / 8) as usize, (self.at % 8) as u32);
-        let window = match self.bits.get(byte..byte + 8) {
-            Some(bytes) => bytes,
-            None => return self.bits_at_end(count),
+        let Some(window) = self.bits.get(byte..).and_then(|rest| rest.first_chunk()) else {
+            return self.bits_at_end(count);
         };
-        let mut eight = [0; 8];
-        eight.copy_from_slice(window);
-        let mut value = u64::from_le_bytes(eight) >> shift;
+        let mut value = u64::from_le_bytes(*window) >> shift;
         if shift + count > 64 {
             value |= u64::from(self.bits.get(byte + 8).copied().unwrap_or(0)) << (64 - shift);
         }

@@ -106,44 +106,33 @@ impl StreamInfo {
         if flags > 1 || order > 5 || reserved != [0; 3] || zero != 0 || !(1..=rows).contains(&rows_per_block) {
             return Err(from.bad("a field has no such value"));
         }
+        let numbers = [from.u64()?, from.u64()?, from.u64()?];
+        let step = [from.f64()?, from.f64()?, from.f64()?];
+        let quantised = matches!(mode, Mode::Quantised { .. });
+        let (origin, missing) = if quantised { (numbers.map(f64::from_bits), [0; 3]) } else { ([0.0; 3], numbers) };
+        let is_grid = |axis: usize| step[axis] > 0.0 && step[axis].is_finite() && origin[axis].abs() <= f64::MAX / 4.0;
+        if quantised && !(0..3).all(is_grid) {
+            return Err(from.bad("a step or an origin is no number that it can be"));
+        }
+        if !quantised && step != [0.0; 3] {
+            return Err(from.bad("a field has no such value"));
+        }
         let mut info = StreamInfo {
             shape,
             scalar,
             mode,
             rows_per_block: rows_per_block as usize,
-            origin: [0.0; 3],
-            step: [0.0; 3],
+            origin,
+            step,
             prelude_size: 0,
             folded: flags == 1,
-            missing: [0; 3],
+            missing,
             order,
             structure_size,
             checksum,
         };
-        info.read_numbers(from)?;
         info.prelude_size = info.prelude().ok_or_else(|| from.bad("a size is too large"))?;
         Ok(info)
-    }
-
-    fn read_numbers(&mut self, from: &mut Reader<'_>) -> Result<()> {
-        for axis in 0..3 {
-            self.missing[axis] = from.u64()?;
-        }
-        for axis in 0..3 {
-            self.step[axis] = from.f64()?;
-        }
-        if let Mode::Quantised { .. } = self.mode {
-            self.origin = std::mem::take(&mut self.missing).map(f64::from_bits);
-            let good = |axis: usize| {
-                self.step[axis] > 0.0 && self.step[axis].is_finite() && self.origin[axis].abs() <= f64::MAX / 4.0
-            };
-            if !(0..3).all(good) {
-                return Err(from.bad("a step or an origin is no number that it can be"));
-            }
-        } else if self.step != [0.0; 3] {
-            return Err(from.bad("a field has no such value"));
-        }
-        Ok(())
     }
 
     /// The bytes of the header.

@@ -22,60 +22,39 @@ pub(super) trait Bits: Real {
     const MISSING: Self;
 }
 
-impl Bits for f32 {
-    const MISSING: Self = f32::NAN;
+macro_rules! bits {
+    ($($scalar:ident: $whole:ident),+) => {$(
+        impl Bits for $scalar {
+            const MISSING: Self = $scalar::NAN;
 
-    #[inline(always)]
-    fn level(self) -> i64 {
-        let bits = self.to_bits() as i32;
-        i64::from(bits ^ ((bits >> 31) & i32::MAX))
-    }
+            #[inline(always)]
+            fn level(self) -> i64 {
+                let bits = self.to_bits() as $whole;
+                (bits ^ ((bits >> ($whole::BITS - 1)) & $whole::MAX)).into()
+            }
 
-    #[inline(always)]
-    fn of_level(level: i64) -> Option<Self> {
-        let level = i32::try_from(level).ok()?;
-        Some(f32::from_bits((level ^ ((level >> 31) & i32::MAX)) as u32))
-    }
+            #[inline(always)]
+            fn of_level(level: i64) -> Option<Self> {
+                let level = $whole::try_from(level).ok()?;
+                Some($scalar::from_bits((level ^ ((level >> ($whole::BITS - 1)) & $whole::MAX)) as _))
+            }
 
-    #[inline(always)]
-    fn write(self, to: &mut [u8]) {
-        to.copy_from_slice(&self.to_bits().to_le_bytes());
-    }
+            #[inline(always)]
+            fn write(self, to: &mut [u8]) {
+                to.copy_from_slice(&self.to_le_bytes());
+            }
 
-    #[inline(always)]
-    fn read(from: &[u8]) -> Self {
-        let mut bytes = [0; 4];
-        bytes.copy_from_slice(from);
-        f32::from_bits(u32::from_le_bytes(bytes))
-    }
+            #[inline(always)]
+            fn read(from: &[u8]) -> Self {
+                let mut bytes = [0; Self::SIZE];
+                bytes.copy_from_slice(from);
+                $scalar::from_le_bytes(bytes)
+            }
+        }
+    )+};
 }
 
-impl Bits for f64 {
-    const MISSING: Self = f64::NAN;
-
-    #[inline(always)]
-    fn level(self) -> i64 {
-        let bits = self.to_bits() as i64;
-        bits ^ ((bits >> 63) & i64::MAX)
-    }
-
-    #[inline(always)]
-    fn of_level(level: i64) -> Option<Self> {
-        Some(f64::from_bits((level ^ ((level >> 63) & i64::MAX)) as u64))
-    }
-
-    #[inline(always)]
-    fn write(self, to: &mut [u8]) {
-        to.copy_from_slice(&self.to_bits().to_le_bytes());
-    }
-
-    #[inline(always)]
-    fn read(from: &[u8]) -> Self {
-        let mut bytes = [0; 8];
-        bytes.copy_from_slice(from);
-        f64::from_bits(u64::from_le_bytes(bytes))
-    }
-}
+bits! { f32: i32, f64: i64 }
 
 /// A map between numbers and levels.
 pub(super) trait Levels<T>: Sync {

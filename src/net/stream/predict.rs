@@ -112,17 +112,9 @@ impl Line {
         }
         let [n, nw, ne, _, nn, nee, nww] = Self::weights(i, predictor);
         let columns = base.len();
-        let (north, north2) = (&self.north[..], &self.north2[..]);
-        let (a, b, c) = (
-            &north[MARGIN_BEFORE..][..columns],
-            &north[MARGIN_BEFORE - 1..][..columns],
-            &north[MARGIN_BEFORE + 1..][..columns],
-        );
-        let (d, e, f) = (
-            &north2[MARGIN_BEFORE..][..columns],
-            &north[MARGIN_BEFORE + 2..][..columns],
-            &north[MARGIN_BEFORE - 2..][..columns],
-        );
+        let north = |k: isize| &self.north[MARGIN_BEFORE.wrapping_add_signed(k)..][..columns];
+        let [a, b, c, e, f] = [0, -1, 1, 2, -2].map(north);
+        let d = &self.north2[MARGIN_BEFORE..][..columns];
         for j in 0..columns {
             base[j] = ((n * a[j] + nw * b[j]) + (ne * c[j] + nee * e[j])) + (nww * f[j] + nn * d[j]);
         }

@@ -34,11 +34,8 @@ pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool)
     let mut grid = UniformLevels { origin: low, step: std::array::from_fn(step), last };
     for axis in 0..3 {
         if let Some((origin, step)) = intrinsic_step(planes, axis, grid.step[axis])? {
-            let finer = UniformLevels {
-                origin: std::array::from_fn(|k| if k == axis { origin } else { grid.origin[k] }),
-                step: std::array::from_fn(|k| if k == axis { step } else { grid.step[k] }),
-                last,
-            };
+            let mut finer = grid;
+            (finer.origin[axis], finer.step[axis]) = (origin, step);
             if is_exact_enough(planes, axis, &finer, grid.step[axis] / 2.0) {
                 grid = finer;
             }

@@ -11,8 +11,9 @@ use super::{raw, structure};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::net::arrange::{Rearrangement, rearrange};
 use crate::net::chunks::zip3;
-use crate::net::{Bridge, Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
+use crate::net::{Bridge, Coordinates, Net, Planes, Shape, Sides, Topology, each};
 use crate::par;
 use std::ops::Range;
 
@@ -46,10 +47,7 @@ impl Prelude {
         let table = from.raw(info.table_size() as usize)?;
         let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
         if checksum(checked) != info.checksum {
-            return Err(Error::BadStream {
-                what: "the checksum of gluing and table is wrong",
-                byte: HEADER_SIZE as u64,
-            });
+            return Err(Error::BadStream { what: "the checksum of gluing and table is wrong", byte: HEADER_SIZE as u64 });
         }
         let padding = info.prelude_size - table_at - info.table_size();
         if from.raw(padding as usize)?.iter().any(|&byte| byte != 0) {
@@ -242,12 +240,8 @@ impl StreamDecoder {
 
     /// The number of complete rows.
     pub fn rows_done(&self) -> usize {
-        self.state.as_ref().map_or(
-            0,
-            |(prelude, _)| {
-                if self.next == 0 { 0 } else { prelude.info.block_rows(self.next - 1).end }
-            },
-        )
+        let last = self.next.checked_sub(1);
+        self.info().zip(last).map_or(0, |(info, last)| info.block_rows(last).end)
     }
 
     /// The coordinates; incomplete rows are undefined.
@@ -264,12 +258,8 @@ impl StreamDecoder {
             return Err(Error::NetTooSmall { rows: 0, columns: 0 });
         };
         let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
-        let mut part = Coordinates::zeroed(shape, prelude.info.scalar)?;
-        match (&mut part, coordinates) {
-            (Coordinates::F32(to), Coordinates::F32(from)) => copy_rows(to, from),
-            (Coordinates::F64(to), Coordinates::F64(from)) => copy_rows(to, from),
-            _ => {}
-        }
+        let whole = Rearrangement::Part { row: 0, column: 0 };
+        let part = rearrange(coordinates, shape, &whole, &Job::default())?;
         Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
     }
 
@@ -286,13 +276,5 @@ impl StreamDecoder {
         let (prelude, coordinates) = whole.ok_or(Error::BadStream { what: "it is cut off", byte: end })?;
         *self = StreamDecoder::new(self.node_limit);
         Ok(prelude.into_net(coordinates))
-    }
-}
-
-/// The first rows of matrices.
-fn copy_rows<T: Real>(to: &mut Planes<'_, T>, from: &Planes<'_, T>) {
-    for (to, from) in to.matrices_mut().into_iter().zip(from.matrices()) {
-        let count = to.len();
-        to.copy_from_slice(&from[..count]);
     }
 }
