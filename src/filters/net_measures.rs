@@ -2,7 +2,7 @@
 
 use super::prelude::*;
 use super::quads::{self, CATEGORY};
-use crate::net::complex::{Cells, Complex};
+use crate::net::complex::Complex;
 use crate::net::measure::{measure, moments, planarity};
 
 pub(super) const FILTER: Filter = Filter {
@@ -21,7 +21,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
     let measures = measure(&net, &job.part(0.4, 0.5))?;
     let plane = planarity(&net, values.number("planarity"), &job.part(0.5, 0.6))?;
-    let complex = Complex::of(&net, Cells::All, &job.part(0.6, 0.8))?;
+    let complex = Complex::of_topology(net.topology(), &job.part(0.6, 0.8))?;
     let show = |p: DVec3| format!("({} {} {})", p.x, p.y, p.z);
     let sided = if complex.orientable { "two-sided" } else { "one-sided" };
     let mut text = format!(

@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::closure::{BoxKind, Cuboid};
-use crate::net::complex::{Cells, Complex};
+use crate::net::complex::Complex;
 use crate::net::primitive::{Primitive, Request};
 
 /// The range of the numbers of rows and columns.
@@ -84,7 +84,7 @@ fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output
         }
         error => error,
     })?;
-    let complex = Complex::of(&net, Cells::All, &job.part(0.5, 0.7))?;
+    let complex = Complex::of_topology(net.topology(), &job.part(0.5, 0.7))?;
     let mesh = quads::mesh(&net, values, &job.part(0.7, 1.0))?;
     let text = format!(
         "{} vertices, {} edges, {} quads, {} triangles\nEuler characteristic {}, {} boundary loops\n",

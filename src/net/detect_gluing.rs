@@ -219,7 +219,7 @@ impl Pairing {
 /// Runs of consecutive numbers modulo n, as first number and count.
 fn cyclic_runs(line: &[(usize, usize)], n: usize) -> impl Iterator<Item = (usize, usize)> {
     let wraps = line.len() < n && line[0].1 == 0 && line[line.len() - 1].1 == n - 1;
-    let runs = || line.chunk_by(|a, b| a.1 + 1 == b.1).map(|run| (run[0].1, run.len()));
+    let runs = move || line.chunk_by(|a, b| a.1 + 1 == b.1).map(|run| (run[0].1, run.len()));
     let head = if wraps { runs().next().map_or(0, |run| run.1) } else { 0 };
     let count = runs().count();
     let joined = move |(at, (start, len)): (usize, (usize, usize))| match at {
@@ -227,5 +227,5 @@ fn cyclic_runs(line: &[(usize, usize)], n: usize) -> impl Iterator<Item = (usize
         at if wraps && at + 1 == count => Some((start, len + head)),
         _ => Some((start, len)),
     };
-    line.chunk_by(|a, b| a.1 + 1 == b.1).map(|run| (run[0].1, run.len())).enumerate().filter_map(joined)
+    runs().enumerate().filter_map(joined)
 }

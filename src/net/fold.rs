@@ -65,7 +65,7 @@ struct FoldSearch<'a, A, B> {
 impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     fn is_folded_in_row(&self, i: usize) -> bool {
         (0..self.shape.columns() - 1)
-            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.is_folded(pair) == Some(true)))
+            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.test(pair) == FoldTest::Folded))
     }
 
     /// Cell (i, j) with its neighbours to the east and south, also across a closed side.
@@ -86,15 +86,13 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             .map(move |(next, link, _)| ([shape.cell(i, j), shape.cell(next.0, next.1)], link))
     }
 
-    /// True if two cells are folded onto each other and were not before; `None` if undecided.
-    fn is_folded(&self, (cells, link): Pair) -> Option<bool> {
+    /// The test of two cells: folded onto each other now, and not before.
+    fn test(&self, (cells, link): Pair) -> FoldTest {
         let cells = cells.map(|cell| self.shape.cell_place(cell));
+        let before = || at_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
         match at_link(self.new, link, cells, self.tolerance, 1.0) {
-            FoldTest::Folded => {
-                Some(at_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded)
-            }
-            FoldTest::Unfolded => Some(false),
-            FoldTest::Undecided => None,
+            FoldTest::Folded if before() != FoldTest::Unfolded => FoldTest::Unfolded,
+            now => now,
         }
     }
 
@@ -118,12 +116,10 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
         for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
             let [a, b] = pair.0;
             step(a, 0.0)?;
-            match self.is_folded(pair) {
-                Some(true) => alloc::push(&mut folded, [a, b])?,
-                Some(false) => {
-                    sets.union(a, b, false);
-                }
-                None => {}
+            match self.test(pair) {
+                FoldTest::Folded => alloc::push(&mut folded, [a, b])?,
+                FoldTest::Unfolded => _ = sets.union(a, b, false),
+                FoldTest::Undecided => {}
             }
         }
         let mut at_ends = Vec::new();

@@ -4,7 +4,7 @@ use crate::complexes::{Dice, Oracle, pairs};
 use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
-use gusset::net::complex::{Cells, Complex};
+use gusset::net::complex::Complex;
 use gusset::net::convert::MeshOptions;
 use gusset::net::topology::{Gluing, Links, Matrix, Run};
 use gusset::net::{Bridge, BridgeKind, BridgeMode, Direction, Net, Seam, Shape, Sides, Topology, closure};
@@ -55,14 +55,14 @@ fn random_gluings_with_missing_nodes() {
         let pairs = pairs(&topology);
         let reversed = dice.below(2) == 1;
         let mut net = flat(topology);
-        let all = Complex::of(&net, Cells::All, &Job::default()).unwrap();
+        let all = Complex::of_topology(net.topology(), &Job::default()).unwrap();
         Oracle::new(shape, &pairs, |_, _| true).check(&all);
         assert_eq!(Complex::of_topology(net.topology(), &Job::default()).unwrap(), all);
         for _ in 0..dice.below(1 + shape.node_count() as u64 / 4) {
             let (i, j) = shape.place(dice.below(shape.node_count() as u64) as u32);
             net.coordinates_mut().set(i, j, DVec3::new(f64::NAN, 0.0, 0.0));
         }
-        let present = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
+        let present = Complex::of(&net, &Job::default()).unwrap();
         let oracle = Oracle::new(shape, &pairs, |i, j| net.is_present(i, j));
         oracle.check(&present);
         // The mesh has the same cells, even if of glued nodes only some are missing.
@@ -89,7 +89,7 @@ fn holes_of_a_plane_have_loops_of_their_own() {
     for (i, j) in [(2, 2), (5, 5), (7, 7)] {
         net.coordinates_mut().set(i, j, DVec3::splat(f64::INFINITY));
     }
-    let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
+    let complex = Complex::of(&net, &Job::default()).unwrap();
     assert_eq!((complex.quads, complex.components), (99 - 12, 1));
     // Round a hole the boundary follows the faces: at the common node of the two it turns from the
     // one to the other.
@@ -112,17 +112,17 @@ fn a_thread_is_one_wire() {
     }
     let mut net = flat(Topology::new(shape, Links::Matrix(matrix), &[]).unwrap());
     net.bridges_mut().push(Bridge::new(Direction::Down, h as u32, w as u32, BridgeKind::Thread, BridgeMode::Keep));
-    let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
+    let complex = Complex::of(&net, &Job::default()).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (3, 1));
     assert_eq!(complex.wires, [[shape.node(h - 1, 0), shape.node(h, 0)]]);
     assert_eq!(complex.digons, w as u64 - 1);
     assert!(complex.is_closed() && complex.genus().is_none());
     // Hidden: two spheres.
     net.bridges_mut()[0].mode = BridgeMode::Hide;
-    let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
+    let complex = Complex::of(&net, &Job::default()).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (4, 2));
     assert_eq!((complex.wires.len(), complex.genus()), (0, Some(0)));
-    assert_eq!(Complex::of(&net, Cells::All, &Job::default()).unwrap().wires.len(), 1);
+    assert_eq!(Complex::of_topology(net.topology(), &Job::default()).unwrap().wires.len(), 1);
 }
 
 #[test]
@@ -143,7 +143,7 @@ fn three_sheets_at_one_edge() {
 fn a_pole_survives_its_first_node() {
     let mut net = flat(Topology::of_sides(Shape::new(5, 6).unwrap(), Sides::TWO_POLES));
     net.coordinates_mut().set(0, 0, DVec3::NAN);
-    let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
+    let complex = Complex::of(&net, &Job::default()).unwrap();
     let made = net.to_mesh(&MeshOptions::default(), &Job::default()).unwrap();
     assert_eq!((complex.faces(), made.mesh.face_count()), (19, 19));
     let pole = made.vertex_of_node[0];

@@ -3,7 +3,7 @@
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
-use crate::net::complex::{Cells, Complex};
+use crate::net::complex::Complex;
 
 /// Which cells count.
 pub type gusset_net_cells = u32;
@@ -23,11 +23,7 @@ pub const GUSSET_NET_ORIENTABLE: u32 = 8;
 
 /// The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the
 /// net.
-pub struct gusset_net_complex {
-    complex: Complex,
-    /// 1 for each chain of the boundary that is open.
-    open: Vec<u32>,
-}
+pub struct gusset_net_complex(Complex);
 
 /// Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are
 /// given by their smallest nodes, edges as pairs of them, one pair after the other, in order.
@@ -84,8 +80,6 @@ pub struct gusset_net_complex_view {
 
 versioned! { gusset_net_complex_view: 216 }
 
-c_enum! { cells: Cells { GUSSET_NET_CELLS_ALL => All, GUSSET_NET_CELLS_PRESENT => Present } }
-
 /// Finds out what surface a net is once glued nodes are one.
 ///
 /// What it finds is no error.
@@ -107,9 +101,12 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     complex: *mut *mut gusset_net_complex,
 ) -> gusset_status {
     create(context, complex, "complex", |job| {
-        let cells = choice(cells)?;
-        let complex = Complex::of(read(net)?, cells, job)?;
-        Ok(gusset_net_complex { open: complex.boundary.open_flags()?, complex })
+        let net = read(net)?;
+        Ok(gusset_net_complex(match cells {
+            GUSSET_NET_CELLS_ALL => Complex::of_topology(net.topology(), job)?,
+            GUSSET_NET_CELLS_PRESENT => Complex::of(net, job)?,
+            other => return Err(Failure::unknown("cells", other.into())),
+        }))
     })
 }
 
@@ -126,7 +123,7 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
     complex: *const gusset_net_complex,
     report: *mut gusset_net_complex_view,
 ) -> gusset_status {
-    lend!(complex, report, |gusset_net_complex { complex: c, open }| {
+    lend!(complex, report, |gusset_net_complex(c)| {
         let bit = |set, bit| if set { bit } else { 0 };
         gusset_net_complex_view {
             struct_size: 0,
@@ -148,7 +145,7 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
             reserved: 0,
             boundary_offsets: gusset_indices::lend(c.boundary.offsets()),
             boundary_nodes: gusset_indices::lend(c.boundary.nodes()),
-            boundary_open: gusset_indices::lend(open),
+            boundary_open: gusset_indices::lend(c.boundary.open()),
             wires: gusset_indices::lend(c.wires.as_flattened()),
             branches: gusset_indices::lend(c.branches.as_flattened()),
             pinches: gusset_indices::lend(&c.pinches),

@@ -19,7 +19,7 @@ pub(super) type FanEnds = [u32; 3];
 pub struct Boundary {
     offsets: Vec<u32>,
     nodes: Vec<u32>,
-    open: Vec<bool>,
+    open: Vec<u32>,
 }
 
 impl Boundary {
@@ -40,17 +40,17 @@ impl Boundary {
 
     /// True if chain k is open.
     pub fn is_open(&self, k: usize) -> bool {
-        self.open[k]
+        self.open[k] != 0
     }
 
     /// 1 for each open chain, 0 for the others.
-    pub(crate) fn open_flags(&self) -> Result<Vec<u32>> {
-        alloc::collect(self.open.iter().map(|&open| open.into()))
+    pub fn open(&self) -> &[u32] {
+        &self.open
     }
 
     /// The number of edges of chain k.
     pub fn edge_count(&self, k: usize) -> usize {
-        self.get(k).len() - usize::from(self.open[k])
+        self.get(k).len() - self.open[k] as usize
     }
 
     /// All chains.
@@ -91,9 +91,9 @@ impl Boundary {
                 match partners[at ^ 1] as usize {
                     next if next == at ^ 1 => {
                         alloc::push(&mut boundary.nodes, edges[at / 2][1 - at % 2])?;
-                        break alloc::push(&mut boundary.open, true)?;
+                        break alloc::push(&mut boundary.open, 1)?;
                     }
-                    next if next == end => break alloc::push(&mut boundary.open, false)?,
+                    next if next == end => break alloc::push(&mut boundary.open, 0)?,
                     next => at = next,
                 }
             }

@@ -26,16 +26,6 @@ use crate::job::Job;
 use presence::Presence;
 use row_scan::RowScan;
 
-/// The cells that count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Cells {
-    /// All.
-    #[default]
-    All,
-    /// Those that exist: see [`Net::is_present`].
-    Present,
-}
-
 impl Complex {
     /// The complex of all cells of a topology.
     ///
@@ -47,18 +37,14 @@ impl Complex {
         Complex::new(topology, &Presence::ALL, job)
     }
 
-    /// The complex of a net.
+    /// The complex of the cells of a net that exist: see [`Net::is_present`].
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face),
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
     /// [`Error::Cancelled`](crate::Error::Cancelled).
-    pub fn of(net: &Net<'_>, cells: Cells, job: &Job<'_>) -> Result<Self> {
-        let presence = match cells {
-            Cells::All => Presence::ALL,
-            Cells::Present => Presence::of(net)?,
-        };
-        Complex::new(net.topology(), &presence, job)
+    pub fn of(net: &Net<'_>, job: &Job<'_>) -> Result<Self> {
+        Complex::new(net.topology(), &Presence::of(net)?, job)
     }
 
     fn new(topology: &Topology, presence: &Presence, job: &Job<'_>) -> Result<Self> {

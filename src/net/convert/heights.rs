@@ -1,8 +1,7 @@
-//! Nets of height fields, and of organised points such as range images. O(nodes).
+//! Nets of height fields. O(nodes).
 
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::mesh::{Positions, Scalar};
 use crate::net::arrange::build_planes;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
 use glam::DVec3;
@@ -80,47 +79,6 @@ where
 /// The height, or NaN if it is missing.
 fn height(value: f64, no_data: Option<f64>) -> f64 {
     if value.is_finite() && no_data != Some(value) { value } else { f64::NAN }
-}
-
-/// The net of organised points, such as a range image: position i * columns + j is node (i, j). A
-/// position with a coordinate that is NaN, infinite or `no_data` is a missing node. O(nodes).
-///
-/// # Errors
-/// [`Error::ArrayTooShort`] for fewer positions than nodes, [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
-pub fn net_of_points(
-    shape: Shape,
-    points: &Positions<'_>,
-    no_data: Option<f64>,
-    job: &Job<'_>,
-) -> Result<Net<'static>> {
-    let count = shape.node_count();
-    if points.len() < count {
-        let size = points.scalar().position_size();
-        let (needed, given) = ((count * size) as u64, (points.len() * size) as u64);
-        return Err(Error::ArrayTooShort { what: "positions", needed, given });
-    }
-    let coordinates = match points.scalar() {
-        Scalar::F32 => Coordinates::F32(organised(shape, points, no_data, job)?),
-        Scalar::F64 => Coordinates::F64(organised(shape, points, no_data, job)?),
-    };
-    Ok(Net::new(coordinates, Topology::of_sides(shape, Sides::SHEET)))
-}
-
-fn organised<T: Real>(
-    shape: Shape,
-    points: &Positions<'_>,
-    no_data: Option<f64>,
-    job: &Job<'_>,
-) -> Result<Planes<'static, T>> {
-    let no_data = no_data.map(|value| T::of(value).into());
-    build_planes(shape, job, |axis, rows, to: &mut [T]| {
-        for (node, to) in (shape.node(rows.start, 0)..).zip(to) {
-            let p = points.get(node);
-            let missing = no_data.is_some_and(|value| p.to_array().contains(&value));
-            *to = T::of(if missing { f64::NAN } else { p[axis] });
-        }
-    })
 }
 
 impl Net<'_> {

@@ -1,8 +1,8 @@
-//! Conversion: nets to polygon meshes and back, and nets from height fields and range images.
+//! Conversion: nets to polygon meshes and back, and nets from height fields.
 //!
 //! `mesh` makes meshes, `texture` their texture coordinates, `wires` the edges without faces,
 //! `used_links` the edges that diagonals must avoid; `grid` finds the rows and columns of a mesh of
-//! quads; `heights` reads images.
+//! quads; `heights` reads height fields.
 
 mod grid;
 mod heights;
@@ -12,6 +12,6 @@ mod used_links;
 mod wires;
 
 pub use grid::{GridNet, net_of_grid};
-pub use heights::{Heights, net_of_heights, net_of_points};
+pub use heights::{Heights, net_of_heights};
 pub use mesh::{Diagonal, MeshOptions, NetMesh};
 pub use texture::Texture;

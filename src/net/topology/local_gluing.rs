@@ -83,17 +83,6 @@ impl GluingType {
             _ => "c(1,2)",
         }
     }
-
-    /// The number of nodes that become one (the paper's order of the node); two classes of two for
-    /// c(2,1).
-    pub fn node_order(self) -> usize {
-        match self.0 {
-            0 | 1 | 13 | 14 | 16 | 17 => 2,
-            2..=7 => 3,
-            8..=11 | 15 => 4,
-            _ => 5,
-        }
-    }
 }
 
 /// The links of node (i, j): east, south, west, north, round the sides of the net.
