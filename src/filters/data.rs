@@ -160,24 +160,17 @@ impl Curves {
     /// # Errors
     /// [`Error::BadOffsets`], [`Error::NotFinite`] with a place among all points.
     pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
-        let value = |entry: usize| self.offsets.get(entry).copied().unwrap_or(0);
-        let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
-        if let Some(entry) = self.points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
-            let value = self.points[entry].into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::NotFinite { element: Element::Point, index: entry as u64, value });
+        // Without offsets there are no curves either.
+        if self.offsets.is_empty() && self.points.is_empty() {
+            return Ok(Vec::new());
         }
-        if self.offsets.first().is_some_and(|&start| start != 0) {
-            return Err(bad(0));
+        if let Some((index, point)) = self.points.iter().enumerate().find(|(_, point)| !DVec3::from(**point).is_finite()) {
+            let value = point.iter().copied().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+            return Err(Error::NotFinite { element: Element::Point, index: index as u64, value });
         }
-        let mut each = alloc::with_capacity(self.offsets.len().saturating_sub(1))?;
-        for (c, ends) in self.offsets.windows(2).enumerate() {
-            let points = self.points.get(ends[0] as usize..ends[1] as usize).ok_or(bad(c + 1))?;
-            each.push((points, self.closed.get(c).copied().unwrap_or(false)));
-        }
-        if self.points.len() != self.offsets.last().map_or(0, |&end| end as usize) {
-            return Err(bad(self.offsets.len().saturating_sub(1)));
-        }
-        Ok(each)
+        self.check()?;
+        let curves = self.offsets.windows(2).zip(&self.closed);
+        alloc::collect(curves.map(|(ends, &closed)| (&self.points[ends[0] as usize..ends[1] as usize], closed)))
     }
 }
 

@@ -93,13 +93,8 @@ pub(super) fn moved(mesh: &MeshView<'_>, field: &dyn Field, strength: f64, job: 
 
 /// The smallest coordinate along an axis.
 fn lowest(mesh: &MeshView<'_>, axis: Axis) -> f64 {
-    let along = |point: DVec3| match axis {
-        Axis::X => point.x,
-        Axis::Y => point.y,
-        Axis::Z => point.z,
-    };
     let positions = mesh.positions();
-    let all = (0..positions.len()).map(|v| along(positions.get(v as u32)));
+    let all = (0..positions.len()).map(|v| positions.get(v as u32)[axis.index()]);
     Some(all.fold(f64::INFINITY, f64::min)).filter(|low| low.is_finite()).unwrap_or(0.0)
 }
 

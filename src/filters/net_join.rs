@@ -46,8 +46,7 @@ choices! {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mut nets: Vec<Net<'static>> = alloc::with_capacity(inputs.len())?;
     for (k, input) in inputs.iter().enumerate() {
-        let part = job.part(0.5 * k as f64 / inputs.len() as f64, 0.5 * (k + 1) as f64 / inputs.len() as f64);
-        nets.push(quads::net(input.mesh()?, &part)?);
+        nets.push(quads::net(input.mesh()?, &job.part(0.0, 0.5).share(k, inputs.len()))?);
     }
     let options = JoinOptions {
         mode: values.choice("bridge", BridgeMode::CHOICES),

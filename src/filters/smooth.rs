@@ -1,10 +1,11 @@
 //! Common parts of filters of smooth surfaces: the surface through the vertices of a quad grid.
 
 use super::prelude::*;
+use crate::error::Element;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
 use crate::surface::contour::PointSpacing;
-use crate::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
+use crate::surface::{Closest, Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
 
 pub(super) const CATEGORY: &str = "Smooth surfaces";
 pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";
@@ -64,6 +65,25 @@ pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) 
     let (vertices, faces) = (made.places.len(), made.mesh.face_count());
     let text = format!("{vertices} vertices, {faces} faces, at most {:.1e} from the surface\n", made.deviation);
     Ok((made.mesh, text))
+}
+
+/// The nearest points of all queries, which are elements of that kind.
+pub(super) fn nearest(
+    surface: &Surface<'_>,
+    queries: &[DVec3],
+    element: Element,
+    job: &Job<'_>,
+) -> Result<Vec<Closest>> {
+    let not_finite = |index: u64, value: f64| Error::NotFinite { element, index, value };
+    let found = surface.closest_all(queries, f64::INFINITY, job).map_err(|error| match error {
+        Error::NotFinite { index, value, .. } => not_finite(index, value),
+        error => error,
+    })?;
+    let mut nearest = alloc::with_capacity(queries.len())?;
+    for (index, found) in (0..).zip(found) {
+        nearest.push(found.ok_or(not_finite(index, queries[index as usize].element_sum()))?);
+    }
+    Ok(nearest)
 }
 
 /// Paths as polylines.

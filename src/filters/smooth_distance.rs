@@ -5,9 +5,7 @@ use super::prelude::*;
 use super::report::distances;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Element;
-use crate::mesh::{MeshView, PositionBuffer};
-use crate::par;
-use crate::surface::Surface;
+use crate::mesh::PositionBuffer;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_distance",
@@ -25,47 +23,15 @@ pub(super) const FILTER: Filter = Filter {
     ..Filter::new(TWO_MESHES, TO_MESH_TEXT, run)
 };
 
-/// Vertices that are looked at between two chances to cancel, and by a thread at a time.
-const ROUND: usize = 1 << 12;
-const TAKEN: usize = 1 << 9;
-
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let surface = smooth::surface(inputs[1].mesh()?, values, &job.part(0.0, 0.3))?;
-    let nearest = nearest(mesh, &surface, &job.part(0.3, 1.0))?;
+    let positions = mesh.positions();
+    let from = alloc::collect((0..positions.len()).map(|v| positions.get(v as u32)))?;
+    let nearest = smooth::nearest(&surface, &from, Element::Vertex, &job.part(0.3, 1.0))?;
     let strength = values.number("strength");
-    let positions = mesh.positions();
-    let from = |v: usize| positions.get(v as u32);
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
-    moved.extend(nearest.iter().enumerate().map(|(v, &to)| from(v).lerp(to, strength)))?;
-    let lengths = nearest.iter().enumerate().map(|(v, &to)| from(v).distance(to));
-    let text = distances("vertices", lengths);
+    moved.extend(from.iter().zip(&nearest).map(|(from, to)| from.lerp(to.point, strength)))?;
+    let text = distances("vertices", from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
     Ok(vec![Output::Mesh(with_positions(mesh, moved)?), Output::Text(text)])
-}
-
-/// The nearest points of all vertices.
-fn nearest(mesh: &MeshView<'_>, surface: &Surface<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
-    let positions = mesh.positions();
-    let mut nearest = alloc::with_capacity(positions.len())?;
-    while nearest.len() < positions.len() {
-        let first = nearest.len();
-        job.step(first as f64 / positions.len() as f64, "nearest points")?;
-        let parts = par::chunks(job.threads(), ROUND.min(positions.len() - first), TAKEN, |range| {
-            let closest = |v: usize| {
-                let query = positions.get((first + v) as u32);
-                let bad = Error::NotFinite {
-                    element: Element::Vertex,
-                    index: (first + v) as u64,
-                    value: query.element_sum(),
-                };
-                let found = if query.is_finite() { surface.closest(query, f64::INFINITY) } else { None };
-                found.map(|found| found.point).ok_or(bad)
-            };
-            range.map(closest).collect::<Result<Vec<_>>>()
-        });
-        for part in parts {
-            nearest.extend(part?);
-        }
-    }
-    Ok(nearest)
 }

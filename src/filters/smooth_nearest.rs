@@ -16,30 +16,17 @@ pub(super) const FILTER: Filter = Filter {
     ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
 };
 
-/// Points that are looked at between two chances to cancel, at most.
-const ROUND: usize = 1 << 12;
-
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[1].curves()?;
     given.each()?;
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
     let queries = alloc::collect(given.points.iter().map(|&point| DVec3::from(point)))?;
-    let (mut ways, mut all) = (Curves::none(), alloc::with_capacity(queries.len())?);
-    let mut unproven = 0;
-    let job = job.part(0.4, 1.0);
-    for (k, round) in queries.chunks(ROUND).enumerate() {
-        let end = |k: usize| (k * ROUND).min(queries.len()) as f64 / queries.len() as f64;
-        let found = surface.closest_all(round, f64::INFINITY, &job.part(end(k), end(k + 1)))?;
-        for (n, (&query, found)) in round.iter().zip(found).enumerate() {
-            let bad =
-                Error::NotFinite { element: Element::Query, index: (k * ROUND + n) as u64, value: query.element_sum() };
-            let found = found.ok_or(bad)?;
-            ways.add([query, found.point].into_iter(), false)?;
-            all.push(found.distance);
-            unproven += usize::from(!found.proven);
-        }
+    let nearest = smooth::nearest(&surface, &queries, Element::Query, &job.part(0.4, 1.0))?;
+    let mut ways = Curves::none();
+    for (&query, nearest) in queries.iter().zip(&nearest) {
+        ways.add([query, nearest.point].into_iter(), false)?;
     }
-    let mut text = distances("points", all.into_iter());
-    text += &format!("{unproven} without proof\n");
-    Ok(vec![Output::Curves(ways), Output::Text(text)])
+    let unproven = nearest.iter().filter(|nearest| !nearest.proven).count();
+    let text = distances("points", nearest.iter().map(|nearest| nearest.distance));
+    Ok(vec![Output::Curves(ways), Output::Text(text + &format!("{unproven} without proof\n"))])
 }
