@@ -34,8 +34,7 @@ struct Found {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.3))?;
     let mut found = Found { places: Curves::none(), text: String::new(), overlaps: 0, undecided: 0 };
-    let boxes = curves.iter().map(|curve| curve.view().bounding_box().ok());
-    let boxes = alloc::collect(boxes.collect::<Vec<_>>().into_iter())?;
+    let boxes = alloc::collect(curves.iter().map(|curve| curve.view().bounding_box().ok()))?;
     let (within, count) = (values.number("within"), curves.len());
     for i in 0..count {
         let job = job.part(0.3, 1.0).share(i, count);

@@ -15,6 +15,11 @@ pub(crate) const CHUNK: usize = 1024;
 /// Nodes that one thread takes at a time, approximately.
 pub(crate) const BLOCK: usize = 1 << 15;
 
+/// The lines of a block, of `width` nodes each.
+pub(crate) fn lines_per_block(width: usize) -> usize {
+    (BLOCK / width).max(1)
+}
+
 /// The layout of blocks: `lines` lines each, of `length` numbers `stride` apart.
 struct ChunkLayout {
     length: usize,
@@ -29,7 +34,7 @@ impl ChunkLayout {
         if stride == columns {
             ChunkLayout { length: BLOCK, stride: BLOCK, lines: 1 }
         } else {
-            ChunkLayout { length: columns, stride, lines: (BLOCK / stride).max(1) }
+            ChunkLayout { length: columns, stride, lines: lines_per_block(stride) }
         }
     }
 
@@ -88,7 +93,7 @@ pub(crate) fn map_rows<V: Send, R: Send>(
     (job, stage): (&Job<'_>, &'static str),
     work: impl Fn(usize, &mut [V]) -> R + Sync,
 ) -> Result<impl Iterator<Item = R>> {
-    let lines = (BLOCK / width).max(1);
+    let lines = lines_per_block(width);
     let blocks = par::map_cancellable(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
         let rows = values.chunks_mut(width).enumerate();
         rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()

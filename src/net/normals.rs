@@ -8,7 +8,7 @@
 //!
 //! Invariant: nodes of one class get the same bits. O(nodes), and memory for the glued nodes only.
 
-use super::chunks::zip3;
+use super::chunks::{lines_per_block, zip3};
 use super::hidden_cells::HiddenCells;
 use super::shape::corner_places;
 use super::topology::{Groups, Reduced};
@@ -20,9 +20,6 @@ use crate::job::Job;
 use crate::par;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
-
-/// Nodes that one thread takes at a time, approximately.
-const BLOCK: usize = 1 << 15;
 
 /// Classes that one thread takes at a time.
 const CLASSES_PER_TASK: usize = 1 << 10;
@@ -184,7 +181,7 @@ impl VectorSum {
 /// of nodes without a normal for each block.
 fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
-    let lines = (BLOCK / stride).max(1);
+    let lines = lines_per_block(stride);
     let blocks = zip3(out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride)));
     par::map_cancellable(job, STAGE, blocks.enumerate(), |(block, matrices)| {
         let rows = zip3(matrices.map(|matrix| matrix.chunks_mut(stride))).enumerate();

@@ -129,21 +129,14 @@ impl Shape {
 
     /// [`Error::NoSuch`] unless the node exists.
     pub(crate) fn check_node(self, node: u32) -> Result<()> {
-        if (node as usize) < self.node_count() {
-            Ok(())
-        } else {
-            Err(Error::NoSuch { element: Element::Node, index: node.into() })
-        }
+        let exists = (node as usize) < self.node_count();
+        exists.then_some(()).ok_or(Error::NoSuch { element: Element::Node, index: node.into() })
     }
 
     /// [`Shape::cell_place`], or [`Error::NoSuch`].
     pub(crate) fn checked_cell_place(self, cell: u32) -> Result<(usize, usize)> {
         let exists = (cell as usize) < self.cell_count();
-        if exists {
-            Ok(self.cell_place(cell))
-        } else {
-            Err(Error::NoSuch { element: Element::Cell, index: cell.into() })
-        }
+        exists.then(|| self.cell_place(cell)).ok_or(Error::NoSuch { element: Element::Cell, index: cell.into() })
     }
 }
 

@@ -72,7 +72,7 @@ impl Cuboid {
         let shape = self.shape()?;
         let (h, w) = (shape.rows(), shape.columns());
         let mut matrix = Matrix::of_sides(shape, Sides::TUBE)?;
-        for i in (0..h).filter(|&i| i == 0 || self.level(i) == self.level(i - 1) || self.is_cap_row(i)) {
+        for i in (0..h).filter(|&i| i == 0 || self.level(i) == self.level(i - 1) || self.depth(i) > 0) {
             for j in 0..w {
                 let here = self.place(i, j);
                 if j + 1 < w && here == self.place(i, j + 1) {
@@ -88,10 +88,6 @@ impl Cuboid {
         let seams = [seam(0), seam(h as u32 - 1)];
         let seams = if self.kind == BoxKind::Cross { &seams[..] } else { &[] };
         Topology::new(shape, Links::Matrix(matrix), seams)
-    }
-
-    fn is_cap_row(&self, i: usize) -> bool {
-        self.depth(i) > 0
     }
 
     /// The number of rows between row i and the lateral faces.

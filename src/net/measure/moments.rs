@@ -3,9 +3,10 @@
 //! The flux through each bilinear patch is integrated by the 3 x 3 product Gauss rule, which is
 //! exact: the integrands have degree at most 4 in each parameter. O(nodes).
 
-use super::sums::{origin, rows_at_once};
+use super::sums::origin;
 use crate::error::Result;
 use crate::job::Job;
+use crate::net::chunks::lines_per_block;
 use crate::net::hidden_cells::HiddenCells;
 use crate::net::{Net, each};
 use crate::par;
@@ -44,7 +45,8 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
             if points.iter().all(|point| point.is_finite()) { sums.add(patch(points)) } else { sums }
         })
     };
-    let parts = par::chunks_cancellable(job, "moments", net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
+    let (rows, lines) = (net.shape().rows() - 1, lines_per_block(net.shape().columns() - 1));
+    let parts = par::chunks_cancellable(job, "moments", rows, lines, |rows| {
         rows.map(row).fold(Integrals::default(), Integrals::add)
     })?;
     let total = parts.into_iter().fold(Integrals::default(), Integrals::add);

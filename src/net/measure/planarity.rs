@@ -43,10 +43,8 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     })?
     .for_each(drop);
     let existing = || cells.iter().enumerate().filter(|(_, value)| !value.is_nan());
-    let worst = existing().fold(None, |worst: Option<(f64, u32)>, (cell, &value)| match worst {
-        Some((max, _)) if max >= value => worst,
-        _ => Some((value, cell as u32)),
-    });
+    let worst = existing().reduce(|worst, next| if next.1 > worst.1 { next } else { worst });
+    let worst = worst.map(|(cell, &value)| (value, cell as u32));
     let mean = existing().map(|(_, value)| value).sum::<f64>() / existing().count() as f64;
     let above = existing().filter(|&(_, &value)| value > tolerance).count() as u64;
     Ok(Planarity { cells, worst, mean, above })

@@ -4,14 +4,12 @@
 use crate::error::Result;
 use crate::geom::Aabb;
 use crate::job::Job;
+use crate::net::chunks::lines_per_block;
 use crate::net::hidden_cells::HiddenCells;
-use crate::net::{Net, Planes, Real, Shape, each};
+use crate::net::{Net, Planes, Real, each};
 use crate::par;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
-
-/// Nodes that one thread takes at a time, approximately.
-const BLOCK: usize = 1 << 15;
 
 /// Cells, or nodes, that are computed before they are summed.
 const CHUNK: usize = 64;
@@ -46,8 +44,8 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let origin = origin(net);
     let total = each!(net.coordinates(), planes => {
         let hidden = HiddenCells::of(net)?;
-        let (count, part) = (net.shape().rows() - 1, job.part(0.0, 0.7));
-        let parts = par::chunks_cancellable(&part, "measure", count, rows_at_once(net.shape()), |rows| {
+        let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
+        let parts = par::chunks_cancellable(&part, "measure", rows - 1, lines_per_block(columns - 1), |rows| {
             rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
         })?;
         parts.into_iter().fold(Sums::default(), Sums::add)
@@ -68,11 +66,6 @@ pub(super) fn origin(net: &Net<'_>) -> DVec3 {
     let shape = net.shape();
     let nodes = (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
     nodes.map(|(i, j)| net.get(i, j)).find(|point| point.is_finite()).unwrap_or(DVec3::ZERO)
-}
-
-/// Rows of cells that are one thread's work at a time.
-pub(super) fn rows_at_once(shape: Shape) -> usize {
-    (BLOCK / (shape.columns() - 1)).max(1)
 }
 
 /// Twice the area and the area vector, and 24 times the volume.
@@ -167,8 +160,8 @@ fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &m
 /// [`Error::Cancelled`](crate::Error::Cancelled).
 fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<Aabb> {
     each!(net.coordinates(), planes => {
-        let rows_at_once = (BLOCK / net.shape().columns()).max(1);
-        let parts = par::chunks_cancellable(job, "measure", net.shape().rows(), rows_at_once, |rows| {
+        let lines = lines_per_block(net.shape().columns());
+        let parts = par::chunks_cancellable(job, "measure", net.shape().rows(), lines, |rows| {
             rows.fold(Aabb::EMPTY, |bounds, i| bounds.union(simd::run(RowBounds(planes.row(i)))))
         })?;
         Ok(parts.into_iter().fold(Aabb::EMPTY, Aabb::union))

@@ -50,44 +50,35 @@ pub fn resample(
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
     let (sides, shape) = (require_sides(net)?, Shape::new(rows, columns)?);
-    let along = Taps::new(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
-    let across = Taps::new(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
+    let along = taps(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
+    let across = taps(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
     let coordinates =
         each!(net.coordinates(), planes => Coordinates::from(interpolated(planes, shape, &along, &across, job)?));
     with_sides(coordinates, net, sides)
 }
 
+/// The taps of `new` nodes evenly spaced over `old` ones, along one direction.
+fn taps(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Vec<Tap>> {
+    alloc::collect((0..new).map(|k| {
+        // k (old - 1) / (new - 1), exactly.
+        let (at, steps) = (k as u64 * (old as u64 - 1), new as u64 - 1);
+        let before = ((at / steps) as usize).min(old - 2);
+        let t = (at - before as u64 * steps) as f64 / steps as f64;
+        match interpolation {
+            Interpolation::Bilinear => Tap { nodes: [before, before, before + 1, before], weights: [0.0, 1.0 - t, t, 0.0] },
+            Interpolation::Bicubic => Tap::cubic(before, old, closed, t),
+        }
+    }))
+}
+
 /// The nodes that a new node depends on, along one direction, and their weights.
 #[derive(Clone, Copy)]
 struct Tap {
-    nodes: [u32; 4],
+    nodes: [usize; 4],
     weights: [f64; 4],
 }
 
-struct Taps(Vec<Tap>);
-
-impl Taps {
-    /// The taps of `new` nodes evenly spaced over `old` ones.
-    fn new(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Self> {
-        let taps = (0..new).map(|k| {
-            // k (old - 1) / (new - 1), exactly.
-            let (at, steps) = (k as u64 * (old as u64 - 1), new as u64 - 1);
-            let before = ((at / steps) as usize).min(old - 2);
-            let t = (at - before as u64 * steps) as f64 / steps as f64;
-            match interpolation {
-                Interpolation::Bilinear => Tap::new([before; 4], before + 1, [0.0, 1.0 - t, t, 0.0]),
-                Interpolation::Bicubic => Tap::cubic(before, old, closed, t),
-            }
-        });
-        Ok(Taps(alloc::collect(taps)?))
-    }
-}
-
 impl Tap {
-    fn new([first, second, _, last]: [usize; 4], third: usize, weights: [f64; 4]) -> Self {
-        Tap { nodes: [first as u32, second as u32, third as u32, last as u32], weights }
-    }
-
     /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
     /// linearly: the missing node is twice the last less the one before.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
@@ -110,20 +101,37 @@ impl Tap {
                 (weights[1], weights[2]) = (weights[1] - w, weights[2] + 2.0 * w);
             }
         }
-        Tap::new([before, k, k, after], k + 1, weights)
+        Tap { nodes: [before, k, k + 1, after], weights }
+    }
+
+    /// The nodes that count. Those of weight 0 are skipped, as missing ones would spread.
+    fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.nodes.into_iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0)
     }
 
     /// The node of weight 1, if all other weights are 0.
     fn single(&self) -> Option<usize> {
-        (0..4)
-            .find(|&k| self.weights[k] == 1.0 && self.weights.iter().filter(|&&w| w != 0.0).count() == 1)
-            .map(|k| self.nodes[k] as usize)
+        let mut parts = self.parts();
+        let (node, weight) = parts.next()?;
+        (weight == 1.0 && parts.next().is_none()).then_some(node)
     }
 
-    /// The weighted sum. Nodes of weight 0 are skipped, as missing ones would spread.
-    fn apply(&self, value: impl Fn(usize) -> f64) -> f64 {
-        let parts = self.nodes.iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0);
-        parts.map(|(&node, weight)| weight * value(node as usize)).sum()
+    /// The weighted sum of rows.
+    fn blend_rows<T: Real>(&self, from: &Planes<'_, T>, axis: usize, line: &mut [f64]) {
+        if let Some(i) = self.single() {
+            line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());
+            return;
+        }
+        line.fill(0.0);
+        for (i, weight) in self.parts() {
+            line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to += weight * from.into());
+        }
+    }
+
+    /// The weighted sum of numbers of a row.
+    fn along(&self, line: &[f64]) -> f64 {
+        let sum = || self.parts().map(|(j, weight)| weight * line[j]).sum();
+        self.single().map_or_else(sum, |j| line[j])
     }
 }
 
@@ -131,8 +139,8 @@ impl Tap {
 fn interpolated<T: Real>(
     from: &Planes<'_, T>,
     shape: Shape,
-    along: &Taps,
-    across: &Taps,
+    along: &[Tap],
+    across: &[Tap],
     job: &Job<'_>,
 ) -> Result<Planes<'static, T>> {
     let mut to = Planes::zeroed(shape)?;
@@ -142,30 +150,12 @@ fn interpolated<T: Real>(
         let mut line = alloc::filled(0.0, from.shape().columns())?;
         for (axis, matrix) in matrices.into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
-                across.0[block * lines + k].blend_rows(from, axis, &mut line);
-                row.iter_mut().zip(&along.0).for_each(|(to, tap)| *to = T::of(tap.along(&line)));
+                across[block * lines + k].blend_rows(from, axis, &mut line);
+                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::of(tap.along(&line)));
             }
         }
         Ok(())
     })?;
     results.into_iter().collect::<Result<()>>()?;
     Ok(to)
-}
-
-impl Tap {
-    /// The weighted sum of rows.
-    fn blend_rows<T: Real>(&self, from: &Planes<'_, T>, axis: usize, line: &mut [f64]) {
-        if let Some(i) = self.single() {
-            line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());
-            return;
-        }
-        line.fill(0.0);
-        for (&i, weight) in self.nodes.iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0) {
-            line.iter_mut().zip(from.row(i as usize)[axis]).for_each(|(to, &from)| *to += weight * from.into());
-        }
-    }
-
-    fn along(&self, line: &[f64]) -> f64 {
-        self.single().map_or_else(|| self.apply(|j| line[j]), |j| line[j])
-    }
 }

@@ -6,16 +6,13 @@ use super::instances::Instance;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::chunks::zip3;
+use crate::net::chunks::{lines_per_block, zip3};
 use crate::net::join::{JoinOptions, join_mirrored, starts};
 use crate::net::transform::mirrors;
 use crate::net::{Direction, Net, Planes, Real, each};
 use crate::par;
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
-
-/// Nodes that one thread takes at a time.
-const BLOCK: usize = 1 << 15;
 
 /// A scene as one net.
 #[derive(Debug)]
@@ -92,9 +89,8 @@ fn transform<T: Real>(
     world: impl Fn(usize) -> DAffine3 + Sync,
     job: &Job<'_>,
 ) {
-    let shape = planes.shape();
-    let (rows, columns) = (shape.rows(), shape.columns());
-    let height = (BLOCK / columns).clamp(1, rows);
+    let columns = planes.shape().columns();
+    let height = lines_per_block(columns);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(height * columns)));
     let threads = if blocks.len() < 4 { 1 } else { job.threads() };
     par::map(threads, blocks.enumerate(), |(block, [x, y, z])| {
