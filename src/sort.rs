@@ -104,6 +104,23 @@ impl<T: Copy> Buckets<T> {
     }
 }
 
+/// Sorts items whose order compares the numbers of their buckets, below `count`, first: by counting
+/// where there are many. O(items + count) with few items in each bucket.
+pub(crate) fn sort_by_bucket<T: Ord + Copy>(
+    items: &mut Vec<T>,
+    count: usize,
+    bucket: impl Fn(&T) -> u32,
+) -> Result<()> {
+    if items.len() < count / 8 || items.len() < 256 || items.len() > u32::MAX as usize {
+        items.sort_unstable();
+        return Ok(());
+    }
+    let mut sorted = Buckets::new(count, items[0], items.iter().map(|item| (bucket(item) as usize, *item)))?;
+    (0..count).for_each(|k| sorted.get_mut(k).sort_unstable());
+    *items = sorted.items;
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

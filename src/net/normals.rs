@@ -212,9 +212,8 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
     let rows = [i - 1, i, i + 1].map(|i| corners.planes.row(i));
     let [x, y, z] = &mut out;
     let all_in_range = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
-    let ends =
-        [i - 1, i, i + 1].into_iter().all(|i| corners.planes.is_finite(i, 0) && corners.planes.is_finite(i, w - 1));
-    if !all_in_range || !ends || !corners.hidden.is_empty() {
+    let mut ends = [i - 1, i, i + 1].into_iter().flat_map(|i| [corners.point(i, 0), corners.point(i, w - 1)]);
+    if !all_in_range || !ends.all(DVec3::is_finite) || !corners.hidden.is_empty() {
         for j in 1..w - 1 {
             // Where the squared length left the range, the length is not 1.
             let square = DVec3::from_array([0, 1, 2].map(|axis| out[axis][j].into())).length_squared();

@@ -191,11 +191,6 @@ impl<'a, T: Real> Planes<'a, T> {
         corner_places(i, j).map(|(i, j)| self.get(i, j))
     }
 
-    /// True if the three coordinates of node (i, j) are finite.
-    pub fn is_finite(&self, i: usize, j: usize) -> bool {
-        self.get(i, j).is_finite()
-    }
-
     /// Moves node (i, j), rounding to the type of the coordinates.
     #[inline]
     pub fn set(&mut self, i: usize, j: usize, position: DVec3) {

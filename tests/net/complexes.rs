@@ -180,7 +180,7 @@ impl Oracle {
                 forward &= self.edges[&edge.map(|v| v as usize)][0].1 == (from < to);
                 found.push(edge);
             }
-            assert!(!complex.boundary.is_open(k) || !complex.branches.is_empty());
+            assert!(complex.boundary.open()[k] == 0 || !complex.branches.is_empty());
         }
         found.sort_unstable();
         assert_eq!(found, expected, "every edge of one face is in one chain, once");

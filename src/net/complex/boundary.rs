@@ -1,9 +1,9 @@
 //! The boundary: edges of one face, linked to chains. O(edges), and a sort at vertices with
 //! several.
 
-use super::vertex_sort;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::sort::sort_by_bucket;
 
 /// Two vertices, each by its smallest node.
 pub type Edge = [u32; 2];
@@ -38,11 +38,6 @@ impl Boundary {
         &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }
 
-    /// True if chain k is open.
-    pub fn is_open(&self, k: usize) -> bool {
-        self.open[k] != 0
-    }
-
     /// 1 for each open chain, 0 for the others.
     pub fn open(&self) -> &[u32] {
         &self.open
@@ -51,11 +46,6 @@ impl Boundary {
     /// The number of edges of chain k.
     pub fn edge_count(&self, k: usize) -> usize {
         self.get(k).len() - self.open[k] as usize
-    }
-
-    /// All chains.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.len()).map(|k| self.get(k))
     }
 
     /// Where each chain starts among the nodes; one entry more than there are chains.
@@ -112,14 +102,14 @@ impl Boundary {
 /// For each end of each edge (number `2 * edge + side`) the end of the next edge of its chain, or
 /// itself.
 fn partners(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
-    vertex_sort::sort(fan_ends, count, |fan| fan[0])?;
+    sort_by_bucket(fan_ends, count, |fan| fan[0])?;
     let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;
     // (vertex, the edge's other vertex, number)
     let mut ends: Vec<(u32, u32, u32)> = alloc::with_capacity(2 * edges.len())?;
     for (edge, &[a, b]) in (0..).zip(edges) {
         ends.extend([(a, b, 2 * edge), (b, a, 2 * edge + 1)]);
     }
-    vertex_sort::sort(&mut ends, count, |end| end.0)?;
+    sort_by_bucket(&mut ends, count, |end| end.0)?;
     let mut fans = fan_ends.iter().peekable();
     for group in ends.chunk_by(|a, b| a.0 == b.0) {
         let mut join = |a: u32, b: u32| {

@@ -28,21 +28,12 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
         }
     }
     // A glued node that no cell touches connects nothing.
-    let mut first: Vec<u32> = Vec::new();
-    classes.each_glued(|node, representative| {
-        if first.is_empty() {
-            first = alloc::filled(u32::MAX, shape.node_count())?;
+    for class in classes.groups()?.iter() {
+        let mut nodes = class.iter().filter(|&&node| touched[node as usize]);
+        if let Some(&first) = nodes.next() {
+            nodes.for_each(|&node| _ = sets.union(first, node));
         }
-        for node in [representative, node].into_iter().filter(|&node| touched[node as usize]) {
-            match &mut first[representative as usize] {
-                first if *first == u32::MAX => *first = node,
-                first => {
-                    sets.union(*first, node);
-                }
-            }
-        }
-        Ok(())
-    })?;
+    }
     Ok(sets.roots().filter(|&root| touched[root as usize]).count() as u64)
 }
 

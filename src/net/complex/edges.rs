@@ -4,15 +4,15 @@
 use super::boundary::FanEnds;
 use super::quotient::Complex;
 use super::row_scan::{Corner, RowScan, Sense, Side};
-use super::vertex_sort;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
+use crate::sort::sort_by_bucket;
 
 /// Groups sides of faces to edges, and adds boundary edges to the scan's.
 pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
-    vertex_sort::sort(&mut scan.sides, count, |side| side.edge[0])?;
+    sort_by_bucket(&mut scan.sides, count, |side| side.edge[0])?;
     for sides in scan.sides.chunk_by(|a, b| a.edge == b.edge) {
         complex.edges += 1;
         let [min, max] = sides[0].edge;
@@ -37,7 +37,7 @@ pub(super) fn faces(sides: &[Side]) -> &[Side] {
 /// several is a pinch; the boundary edges of each fan are added to the scan's.
 pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
-    vertex_sort::sort(&mut scan.corners, count, |corner| corner[0])?;
+    sort_by_bucket(&mut scan.corners, count, |corner| corner[0])?;
     let mut link = VertexLink::default();
     for corners in scan.corners.chunk_by(|a, b| a[0] == b[0]) {
         if link.fans(corners, &mut scan.fan_ends)? > 1 {

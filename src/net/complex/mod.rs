@@ -14,7 +14,6 @@ mod edges;
 mod presence;
 mod quotient;
 mod row_scan;
-mod vertex_sort;
 
 pub use boundary::{Boundary, Edge};
 pub use quotient::Complex;

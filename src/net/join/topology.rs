@@ -126,11 +126,7 @@ fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bo
     };
     let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.contracts(link));
     let is_point = |run: Run| {
-        let node = |k: u32| {
-            let (i, j) = run.place(k);
-            shape.node(i as usize, j as usize)
-        };
-        (1..along as u32).all(|k| contracts([node(k - 1), node(k)]))
+        (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]))
     };
     let mut seams = topology.seams().iter().filter(|seam| seam.count as usize == along);
     seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))

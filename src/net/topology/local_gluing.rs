@@ -69,20 +69,6 @@ impl GluingType {
     pub fn number(self) -> usize {
         self.0.into()
     }
-
-    /// The paper's name: that of the node where both the node and the cell have one.
-    pub fn name(self) -> &'static str {
-        match self.0 {
-            0 | 1 => "n(1)",
-            2..=5 => "n(2,1)",
-            6 | 7 => "n(2,2)",
-            8..=11 => "n(3)",
-            12 => "n(4)",
-            13 | 14 => "c(2,1)",
-            15 => "c(3)",
-            _ => "c(1,2)",
-        }
-    }
 }
 
 /// The links of node (i, j): east, south, west, north, round the sides of the net.

@@ -59,7 +59,8 @@ impl Run {
         Run { row: row as u32, column: column as u32, row_step, column_step }
     }
 
-    fn node(&self, shape: Shape, k: u32) -> u32 {
+    /// Node `k`.
+    pub(crate) fn node(&self, shape: Shape, k: u32) -> u32 {
         let (i, j) = self.place(k);
         shape.node(i as usize, j as usize)
     }
