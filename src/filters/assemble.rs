@@ -1,5 +1,3 @@
-//! The filter `assemble`.
-
 use super::prelude::*;
 use super::stitch::FAIRING_HELP;
 use crate::fill;

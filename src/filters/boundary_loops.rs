@@ -1,5 +1,3 @@
-//! The filter `boundary_loops`.
-
 use super::prelude::*;
 use crate::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
 

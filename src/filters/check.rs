@@ -1,5 +1,3 @@
-//! The filter `check`.
-
 use super::prelude::*;
 use crate::check::{Check, check};
 use std::fmt::Write;

@@ -1,5 +1,3 @@
-//! The filter `curve_measures`.
-
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::prelude::*;
 use crate::outline::CurveView;

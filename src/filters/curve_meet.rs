@@ -1,5 +1,3 @@
-//! The filter `curve_meet`.
-
 use super::curve::{self, CATEGORY, INTERPOLATION};
 use super::prelude::*;
 use crate::outline::Curve;

@@ -1,5 +1,3 @@
-//! The filter `curve_nearest`.
-
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::prelude::*;
 use super::report::distances;

@@ -1,5 +1,3 @@
-//! The filter `curve_offset`.
-
 use super::curve::{self, CATEGORY, CHORD_ERROR, CurvePlane, INTERPOLATION, PLANE};
 use super::prelude::*;
 use crate::outline::ops::{OffsetOptions, Spacing};

@@ -1,5 +1,3 @@
-//! The filter `curve_resample`.
-
 use super::curve::{self, CATEGORY, CHORD_ERROR, INTERPOLATION, REFERENCE};
 use super::prelude::*;
 use crate::outline::ops::Spacing;

@@ -1,5 +1,3 @@
-//! The filter `curve_svg`.
-
 use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE, suggest_plane};
 use super::prelude::*;
 use crate::outline::CurveView;

@@ -1,5 +1,3 @@
-//! The filter `deform`.
-
 use super::data::with_positions;
 use super::extent::rounded;
 use super::prelude::*;

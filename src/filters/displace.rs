@@ -1,5 +1,3 @@
-//! The filter `displace`.
-
 use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::field::displace;

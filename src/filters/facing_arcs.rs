@@ -1,5 +1,3 @@
-//! The filter `facing_arcs`.
-
 use super::prelude::*;
 use crate::stitch::facing::{Centres, Options, Run, facing};
 

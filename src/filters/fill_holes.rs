@@ -1,5 +1,3 @@
-//! The filter `fill_holes`.
-
 use super::prelude::*;
 use crate::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 

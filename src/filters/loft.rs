@@ -1,5 +1,3 @@
-//! The filter `loft`.
-
 use super::curve::REFERENCE;
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};

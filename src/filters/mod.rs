@@ -3,7 +3,7 @@
 //!
 //! * [`filter`]: the type of an entry. [`param`]: parameters and the validation of values.
 //!   [`data`]: inputs and outputs.
-//! * [`FILTERS`]: the table; each entry has a file.
+//! * [`FILTERS`]: the table; each entry has a file of its name.
 //!
 //! Values are numbers, one for each component of each parameter, in the order of the table; missing
 //! values at the end are defaults.

@@ -1,5 +1,3 @@
-//! The filter `net_analyse`.
-
 use super::prelude::*;
 use super::quads::CATEGORY;
 use crate::geom::aabb;

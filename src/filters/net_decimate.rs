@@ -1,5 +1,3 @@
-//! The filter `net_decimate`.
-
 use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::resample::decimate;

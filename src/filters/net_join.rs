@@ -1,5 +1,3 @@
-//! The filter `net_join`.
-
 use super::prelude::*;
 use super::quads::{self, CATEGORY, TRIANGLES};
 use crate::net::{BridgeMode, Direction, JoinOptions, Net, Replication, concatenate_all};

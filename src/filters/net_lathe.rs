@@ -1,5 +1,3 @@
-//! The filter `net_lathe`.
-
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};

@@ -1,5 +1,3 @@
-//! The filter `net_measures`.
-
 use super::prelude::*;
 use super::quads::{self, CATEGORY};
 use crate::net::complex::Complex;

@@ -1,5 +1,3 @@
-//! The filter `net_shape`.
-
 use super::prelude::*;
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::closure::{BoxKind, Cuboid};

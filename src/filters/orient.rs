@@ -1,5 +1,3 @@
-//! The filter `orient`.
-
 use super::prelude::*;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
 

@@ -1,5 +1,3 @@
-//! The filter `outline`.
-
 use super::curve::{CATEGORY, REFERENCE, sampled};
 use super::prelude::*;
 use crate::outline::ops::Spacing;

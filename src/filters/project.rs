@@ -1,5 +1,3 @@
-//! The filter `project`.
-
 use super::deform::moved;
 use super::prelude::*;
 use crate::net::field::{Field, parallel_projection, perspective_projection};

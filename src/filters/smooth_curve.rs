@@ -1,5 +1,3 @@
-//! The filter `smooth_curve`.
-
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};

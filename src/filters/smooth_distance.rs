@@ -1,5 +1,3 @@
-//! The filter `smooth_distance`.
-
 use super::data::with_positions;
 use super::prelude::*;
 use super::report::distances;

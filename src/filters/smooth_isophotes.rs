@@ -1,5 +1,3 @@
-//! The filter `smooth_isophotes`.
-
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
 use std::f64::consts::{FRAC_PI_2, PI};

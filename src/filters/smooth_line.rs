@@ -1,5 +1,3 @@
-//! The filter `smooth_line`.
-
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::surface::line_intersection::{HitSelection, Line};

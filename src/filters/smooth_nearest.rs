@@ -1,5 +1,3 @@
-//! The filter `smooth_nearest`.
-
 use super::prelude::*;
 use super::report::distances;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};

@@ -1,5 +1,3 @@
-//! The filter `smooth_net`.
-
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};

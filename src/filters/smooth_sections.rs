@@ -1,5 +1,3 @@
-//! The filter `smooth_sections`.
-
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
 use crate::geom::aabb;

@@ -1,5 +1,3 @@
-//! The filter `smooth_surface`.
-
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS, REFERENCE, SCHEME};
 

@@ -1,5 +1,3 @@
-//! The filter `stitch`.
-
 use super::facing_arcs::RUN_HELP;
 use super::prelude::*;
 use crate::boundary::{self, boundary_loops};

@@ -1,5 +1,3 @@
-//! The filter `strip`.
-
 use super::prelude::*;
 use crate::mesh::{Mesh, PositionBuffer, Scalar};
 use crate::stitch::{Meridians, RuledOptions, Start, ruled};

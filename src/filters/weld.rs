@@ -1,5 +1,3 @@
-//! The filter `weld`.
-
 use super::prelude::*;
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 
