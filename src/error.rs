@@ -371,6 +371,11 @@ impl Error {
             _ => None,
         }
     }
+
+    /// [`Error::OptionOutOfRange`] unless the value of an option is valid.
+    pub(crate) fn require(is_valid: bool, option: &'static str, value: f64) -> Result<()> {
+        if is_valid { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
+    }
 }
 
 /// The result type of the library.

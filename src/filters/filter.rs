@@ -156,8 +156,7 @@ impl Filter {
     /// # Errors
     /// [`Error::OptionOutOfRange`] with their number if there are more than the filter has.
     pub fn check_value_count(&self, count: usize) -> Result<()> {
-        let fits = count <= self.value_count();
-        if fits { Ok(()) } else { Err(Error::OptionOutOfRange { option: "values", value: count as f64 }) }
+        Error::require(count <= self.value_count(), "values", count as f64)
     }
 
     /// Runs the filter. Missing values at the end are defaults.

@@ -177,13 +177,10 @@ impl<'a> Values<'a> {
         let mut rest = values;
         for param in params {
             let (own, next) = rest.split_at(param.kind.arity());
-            if let Some(&value) = own.iter().find(|&&value| !param.accepts(value)) {
-                return Err(Error::OptionOutOfRange { option: param.id, value });
-            }
+            own.iter().try_for_each(|&value| Error::require(param.accepts(value), param.id, value))?;
             let has_direction = matches!(param.kind, ParamKind::Direction | ParamKind::Plane);
-            if has_direction && own[..3].iter().all(|&component| component == 0.0) {
-                return Err(Error::OptionOutOfRange { option: param.id, value: 0.0 });
-            }
+            let is_zero = has_direction && own[..3].iter().all(|&component| component == 0.0);
+            Error::require(!is_zero, param.id, 0.0)?;
             rest = next;
         }
         Ok(Values { params, values })

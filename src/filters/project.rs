@@ -58,9 +58,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 /// [`Error::OptionOutOfRange`] for a height above the plane that vanishes within rounding.
 fn require_height(option: &'static str, height: f64, size: f64) -> Result<()> {
-    if height.abs() > 64.0 * f64::EPSILON * size {
-        Ok(())
-    } else {
-        Err(Error::OptionOutOfRange { option, value: height })
-    }
+    Error::require(height.abs() > 64.0 * f64::EPSILON * size, option, height)
 }

@@ -115,9 +115,7 @@ pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>) -> Resu
 
 /// The analysis without signs.
 fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
-    if !(tolerance >= 0.0 && tolerance.is_finite()) {
-        return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-    }
+    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     job.step(0.0, "analyse")?;
     let (shape, classes) = (before.shape(), Classes::of(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;

@@ -9,12 +9,6 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use glam::DVec3;
 
-/// [`Error::OptionOutOfRange`] unless the tolerance is finite and not negative.
-pub(super) fn check_tolerance(tolerance: f64) -> Result<()> {
-    let valid = tolerance.is_finite() && tolerance >= 0.0;
-    if valid { Ok(()) } else { Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance }) }
-}
-
 /// True if both nodes exist and coincide.
 pub(super) fn coincide(a: DVec3, b: DVec3, tolerance: f64) -> bool {
     a.is_finite() && b.is_finite() && (a == b || (tolerance > 0.0 && (b - a).length() <= tolerance))

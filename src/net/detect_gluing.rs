@@ -6,11 +6,11 @@
 //! nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted by cell.
 //! O(nodes), and O(r log r) for r rim nodes.
 
-use super::coincidence::{check_tolerance, coincide, coincident_links};
+use super::coincidence::{coincide, coincident_links};
 use super::topology::{Links, Matrix, Run, Seam, Topology};
 use super::{Classes, Coordinates, Shape, each};
 use crate::alloc;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -28,7 +28,7 @@ const MAX_PARTNERS: usize = 8;
 /// opposite corners coincide separately, [`Error::OutOfMemory`](crate::Error::OutOfMemory),
 /// [`Error::Cancelled`](crate::Error::Cancelled).
 pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
-    check_tolerance(tolerance)?;
+    Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     let shape = coordinates.shape();
     let mut matrix = Matrix::empty(shape)?;
     each!(coordinates, planes => coincident_links(planes, tolerance, &job.part(0.0, 0.5), |link| {

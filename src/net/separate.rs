@@ -32,9 +32,7 @@ impl Net<'_> {
     /// As there, and [`Error::OptionOutOfRange`] for a separation that is negative or not finite;
     /// the net is then unchanged.
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
-        if !(separation.is_finite() && separation >= 0.0) {
-            return Err(Error::OptionOutOfRange { option: "separation", value: separation });
-        }
+        Error::require(separation.is_finite() && separation >= 0.0, "separation", separation)?;
         let topology = self.topology().unglued(gluings)?;
         let moves = if separation > 0.0 {
             let (before, after) = (Classes::of(self.topology())?, Classes::of(&topology)?);

@@ -2,11 +2,11 @@
 //! checked by the coincidence of the coordinates of glued nodes"), and warnings on what is allowed
 //! but suspicious. O(nodes), and a sort of the findings.
 
-use super::coincidence::{check_tolerance, coincide, coincident_links};
+use super::coincidence::{coincide, coincident_links};
 use super::topology::star_links;
 use super::{Classes, Net, Shape, Topology, each};
 use crate::alloc;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
 
 /// The kind of a finding.
@@ -56,7 +56,7 @@ impl Net<'_> {
     /// or not finite, [`Error::OutOfMemory`](crate::Error::OutOfMemory),
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<Finding>> {
-        check_tolerance(tolerance)?;
+        Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
         let (topology, shape) = (self.topology(), self.shape());
         let classes = Classes::of(topology)?;
         let mut findings = Vec::new();

@@ -33,9 +33,8 @@ impl Net<'_> {
     pub fn part(&self, rows: Range<usize>, columns: Range<usize>, job: &Job<'_>) -> Result<Net<'static>> {
         let old = self.shape();
         for (option, range, count) in [("rows", &rows, old.rows()), ("columns", &columns, old.columns())] {
-            if range.start > range.end || range.end > count {
-                return Err(Error::OptionOutOfRange { option, value: range.end.max(range.start) as f64 });
-            }
+            let is_within = range.start <= range.end && range.end <= count;
+            Error::require(is_within, option, range.end.max(range.start) as f64)?;
         }
         // An error names both numbers.
         Shape::new(rows.len(), columns.len())?;

@@ -47,9 +47,7 @@ impl Cuboid {
     /// # Errors
     /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`].
     pub fn shape(&self) -> Result<Shape> {
-        if self.cells.contains(&0) {
-            return Err(Error::OptionOutOfRange { option: "cells", value: 0.0 });
-        }
+        Error::require(!self.cells.contains(&0), "cells", 0.0)?;
         let [a, b, c] = self.cells.map(|n| n as usize);
         Shape::new(c + 1 + 2 * self.cap_rows(), 2 * (a + b) + 1)
     }

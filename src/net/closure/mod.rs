@@ -49,9 +49,7 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
 /// middle node. [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
 pub fn pillow(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
-    if w % 2 == 0 {
-        return Err(Error::OptionOutOfRange { option: "columns", value: w.into() });
-    }
+    Error::require(w % 2 == 1, "columns", w.into())?;
     let folded = |row| Seam { a: Run::along_row(row, 0, 1), b: Run::along_row(row, w - 1, -1), count: w.div_ceil(2) };
     Topology::new(shape, Links::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
 }

@@ -38,19 +38,13 @@ where
     Coordinates<'static>: From<Planes<'static, T>>,
 {
     let Heights { shape, values, stride, spacing: [dx, dy], origin, no_data } = *heights;
-    let bad = |value: &f64| !value.is_finite();
-    if let Some(value) = [dx, dy].into_iter().find(|value| bad(value) || *value == 0.0) {
-        return Err(Error::OptionOutOfRange { option: "spacing", value });
-    }
-    if let Some(value) = origin.to_array().into_iter().find(bad) {
-        return Err(Error::OptionOutOfRange { option: "origin", value });
-    }
+    [dx, dy].into_iter().try_for_each(|step| Error::require(step.is_finite() && step != 0.0, "spacing", step))?;
+    origin.to_array().into_iter().try_for_each(|value| Error::require(value.is_finite(), "origin", value))?;
     // Neighbours must differ, and be finite, in the type of the heights.
     for (origin, step, count) in [(origin.x, dx, shape.columns()), (origin.y, dy, shape.rows())] {
         let at = |k: usize| T::of(origin + k as f64 * step);
-        if at(0) == at(1) || at(count - 2) == at(count - 1) || !at(count - 1).into().is_finite() {
-            return Err(Error::OptionOutOfRange { option: "spacing", value: step });
-        }
+        let are_apart = at(0) != at(1) && at(count - 2) != at(count - 1);
+        Error::require(are_apart && at(count - 1).into().is_finite(), "spacing", step)?;
     }
     let no_data = no_data.map(|value| T::of(value).into());
     let needed = Planes::<T>::length(shape, stride)?;

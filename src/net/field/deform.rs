@@ -27,9 +27,7 @@ pub struct Step<'a> {
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`],
 /// [`Error::Cancelled`].
 pub fn deform(net: &mut Net<'_>, steps: &[Step<'_>], job: &Job<'_>) -> Result<()> {
-    if let Some(step) = steps.iter().find(|step| !step.strength.is_finite()) {
-        return Err(Error::OptionOutOfRange { option: "strength", value: step.strength });
-    }
+    steps.iter().try_for_each(|step| Error::require(step.strength.is_finite(), "strength", step.strength))?;
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
         if steps.iter().any(|step| step.strength != 0.0 && !step.field.is_total()) {

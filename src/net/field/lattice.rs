@@ -33,12 +33,9 @@ impl Lattice {
     pub fn new(low: DVec3, high: DVec3, counts: [usize; 3], offsets: &[DVec3]) -> Result<Self> {
         let size = high - low;
         check_finite(&[("low", low.dot(DVec3::ONE)), ("high", high.dot(DVec3::ONE))])?;
-        if let Some(value) = size.to_array().into_iter().find(|&side| !(side > 0.0 && side.is_finite())) {
-            return Err(Error::OptionOutOfRange { option: "high", value });
-        }
-        if let Some(&count) = counts.iter().find(|count| !(2..=MAX_POINTS).contains(count)) {
-            return Err(Error::OptionOutOfRange { option: "counts", value: count as f64 });
-        }
+        let mut sides = size.to_array().into_iter();
+        sides.try_for_each(|side| Error::require(side > 0.0 && side.is_finite(), "high", side))?;
+        counts.iter().try_for_each(|count| Error::require((2..=MAX_POINTS).contains(count), "counts", *count as f64))?;
         let needed: usize = counts.iter().product();
         let Some(offsets) = offsets.get(..needed) else {
             let (needed, given) = ((needed * size_of::<DVec3>()) as u64, size_of_val(offsets) as u64);

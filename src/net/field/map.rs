@@ -86,10 +86,7 @@ pub(super) fn along_line(strength: f64, map: impl Fn([f64; 3]) -> [f64; 3]) -> i
 
 /// [`Error::OptionOutOfRange`] for the first parameter that is not finite.
 pub(super) fn check_finite(parameters: &[(&'static str, f64)]) -> Result<()> {
-    match parameters.iter().find(|(_, value)| !value.is_finite()) {
-        Some(&(option, value)) => Err(Error::OptionOutOfRange { option, value }),
-        None => Ok(()),
-    }
+    parameters.iter().try_for_each(|&(option, value)| Error::require(value.is_finite(), option, value))
 }
 
 /// In part: along the line to the image.

@@ -11,7 +11,7 @@ use glam::DVec3;
 /// # Errors
 /// [`Error::OptionOutOfRange`] if a number is not finite.
 pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
-    rows.as_flattened().iter().try_for_each(|&value| check_finite(&[("matrix", value)]))?;
+    rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "matrix", value))?;
     Ok(Partial(move |strength: f64, points: Points<'_>| {
         let map = move |[x, y, z]: [f64; 3]| {
             let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
@@ -29,9 +29,7 @@ pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
 pub fn parallel_projection(point: DVec3, normal: DVec3, direction: DVec3) -> Result<impl Field> {
     let along = normal.dot(direction);
     check_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
-    if along == 0.0 {
-        return Err(Error::OptionOutOfRange { option: "direction", value: along });
-    }
+    Error::require(along != 0.0, "direction", along)?;
     // p - d (n . (p - q)) / (n . d)
     let slope = direction / along;
     let mut rows = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -51,9 +49,7 @@ pub fn perspective_projection(eye: DVec3, point: DVec3, normal: DVec3) -> Result
     // The normal times the vector from the eye to the plane. In a matrix, terms as large as the
     // squared distance from the origin would have to cancel.
     let depth = normal.dot(point - eye);
-    if depth == 0.0 {
-        return Err(Error::OptionOutOfRange { option: "eye", value: depth });
-    }
+    Error::require(depth != 0.0, "eye", depth)?;
     check_finite(&[("plane", depth)])?;
     check_finite(&eye.to_array().map(|value| ("eye", value)))?;
     check_finite(&normal.to_array().map(|value| ("normal", value)))?;

@@ -50,9 +50,7 @@ pub fn taper(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
 pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field> {
     check_finite(&[("curvature", curvature), ("from", from)])?;
-    if to.is_nan() || to < from {
-        return Err(Error::OptionOutOfRange { option: "to", value: to });
-    }
+    Error::require(to >= from, "to", to)?;
     Ok(move |strength: f64, points: Points<'_>| {
         let curvature = strength * curvature;
         each_point(axis.last(points), |[u, v, w]| {
@@ -75,9 +73,7 @@ pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field
 /// [`Error::OptionOutOfRange`], also if both axes are equal.
 pub fn shear(along: Axis, by: Axis, rate: f64) -> Result<impl Field> {
     check_finite(&[("rate", rate)])?;
-    if along == by {
-        return Err(Error::OptionOutOfRange { option: "axis", value: by.index() as f64 });
-    }
+    Error::require(along != by, "axis", by.index() as f64)?;
     Ok(move |strength: f64, [x, y, z]: Points<'_>| {
         let rate = strength * rate;
         let (to, from) = match (along, by) {

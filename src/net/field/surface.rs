@@ -50,9 +50,7 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
 /// first node whose coordinates would overflow (no node is moved), [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
-    if !distance.is_finite() {
-        return Err(Error::OptionOutOfRange { option: "distance", value: distance });
-    }
+    Error::require(distance.is_finite(), "distance", distance)?;
     let (normals, _) = normals(net, job)?;
     match (net.coordinates_mut(), &normals) {
         (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,

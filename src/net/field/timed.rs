@@ -33,14 +33,9 @@ impl<'a> Timed<'a> {
     /// [`Error::OptionOutOfRange`].
     pub fn new(keys: &'a [[f64; 2]], easing: Easing) -> Result<Self> {
         keys.iter().try_for_each(|&[time, strength]| check_finite(&[("time", time), ("strength", strength)]))?;
-        if let Some(pair) = keys.windows(2).find(|pair| pair[0][0] >= pair[1][0]) {
-            return Err(Error::OptionOutOfRange { option: "time", value: pair[1][0] });
-        }
-        if keys.is_empty() {
-            Err(Error::OptionOutOfRange { option: "keys", value: 0.0 })
-        } else {
-            Ok(Timed { keys, easing })
-        }
+        keys.windows(2).try_for_each(|pair| Error::require(pair[0][0] < pair[1][0], "time", pair[1][0]))?;
+        Error::require(!keys.is_empty(), "keys", 0.0)?;
+        Ok(Timed { keys, easing })
     }
 
     /// The strength at a time. At a key's own time it is exactly the key's. O(log keys).

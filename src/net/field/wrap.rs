@@ -14,7 +14,7 @@ use glam::DVec3;
 /// that follow.
 pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     check_finite(&centre.to_array().map(|value| ("centre", value)))?;
-    check_positive("radius", radius)?;
+    Error::require(radius > 0.0 && radius.is_finite(), "radius", radius)?;
     let centre = centre.to_array();
     Ok(Partial(move |strength: f64, points: Points<'_>| {
         let map = move |point: [f64; 3]| {
@@ -36,7 +36,7 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
 /// # Errors
 /// [`Error::OptionOutOfRange`].
 pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
-    check_positive("radius", radius)?;
+    Error::require(radius > 0.0 && radius.is_finite(), "radius", radius)?;
     Ok(move |strength: f64, points: Points<'_>| {
         let map = |[u, v, w]: [f64; 3]| {
             let (sine, cosine) = libm::sincos(u / radius);
@@ -56,8 +56,8 @@ pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
 /// # Errors
 /// [`Error::OptionOutOfRange`].
 pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
-    check_positive("major", major)?;
-    check_positive("minor", minor)?;
+    Error::require(major > 0.0 && major.is_finite(), "major", major)?;
+    Error::require(minor > 0.0 && minor.is_finite(), "minor", minor)?;
     Ok(move |strength: f64, points: Points<'_>| {
         let map = |[u, v, w]: [f64; 3]| {
             let (round_sine, round_cosine) = libm::sincos(u / major);
@@ -68,8 +68,4 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
         };
         each_point(axis.last(points), along_line(strength, map));
     })
-}
-
-fn check_positive(option: &'static str, value: f64) -> Result<()> {
-    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
 }

@@ -110,20 +110,15 @@ fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Re
     let (count, along) = axis.extent(shape);
     let place = twist as usize % (count - 1);
     let closed = |k: usize| net.topology().contracts(axis.link_across(shape, count - 1, k));
-    if !(0..along).all(closed) {
-        return Err(Error::OptionOutOfRange { option: "twist", value: f64::from(twist) });
-    }
+    Error::require((0..along).all(closed), "twist", twist.into())?;
     each!(net.coordinates(), planes => check_closed(planes, axis))?;
     let topology = net.topology().along(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
     let mut made = net.with_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.
     for bridge in net.bridges() {
-        if bridge.direction == direction {
-            alloc::push(made.bridges_mut(), bridge.clone())?;
-        } else {
-            return Err(Error::OptionOutOfRange { option: "twist", value: f64::from(twist) });
-        }
+        Error::require(bridge.direction == direction, "twist", twist.into())?;
+        alloc::push(made.bridges_mut(), bridge.clone())?;
     }
     Ok(made)
 }

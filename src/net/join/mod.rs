@@ -56,7 +56,7 @@ pub(crate) fn join_mirrored(
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
     let Some(first) = nets.first() else { return Err(Error::EmptyScene) };
-    check_tolerance(options.tolerance)?;
+    Error::require(options.tolerance >= 0.0, "tolerance", options.tolerance)?;
     let mut along = 0;
     for net in nets {
         if net.coordinates().scalar() != first.coordinates().scalar() {
@@ -164,10 +164,6 @@ fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
     if coincident { Ok(()) } else { Err(Error::SidesApart { place, distance }) }
 }
 
-fn check_tolerance(value: f64) -> Result<()> {
-    if value >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option: "tolerance", value }) }
-}
-
 impl Net<'_> {
     /// Changes the treatment of the cells of a bridge. `tolerance`: the largest distance of nodes
     /// that are welded. O(nodes) if welding begins or ends, else O(1).
@@ -178,7 +174,7 @@ impl Net<'_> {
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
-        check_tolerance(tolerance)?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
         if weld && !welded {
             for k in bridge.start as usize..bridge.end as usize {

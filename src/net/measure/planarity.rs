@@ -30,9 +30,7 @@ pub struct Planarity {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planarity> {
-    if tolerance.is_nan() || tolerance < 0.0 {
-        return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-    }
+    Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
     let (shape, hidden) = (net.shape(), HiddenCells::of(net)?);
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;

@@ -58,14 +58,10 @@ impl<'a> Request<'a> {
             _ => {}
         }
         let (min_rows, min_columns) = self.primitive.min_size();
-        let odd = matches!(self.primitive, Primitive::Pillow { .. }) && columns % 2 == 0;
-        match () {
-            () if rows < min_rows => Err(Error::OptionOutOfRange { option: "rows", value: rows as f64 }),
-            () if columns < min_columns || odd => {
-                Err(Error::OptionOutOfRange { option: "columns", value: columns as f64 })
-            }
-            () => Shape::new(rows, columns),
-        }
+        let is_even_pillow = matches!(self.primitive, Primitive::Pillow { .. }) && columns % 2 == 0;
+        Error::require(rows >= min_rows, "rows", rows as f64)?;
+        Error::require(columns >= min_columns && !is_even_pillow, "columns", columns as f64)?;
+        Shape::new(rows, columns)
     }
 
     /// The net. O(nodes).

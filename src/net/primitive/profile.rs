@@ -10,12 +10,10 @@ pub(super) type Point = [f64; 2];
 
 /// [`Error::OptionOutOfRange`] for a point that is not finite, too far away, or beyond the axis.
 pub(super) fn check(profile: &[Point], max: f64) -> Result<()> {
-    let bad = profile.iter().find_map(|&[distance, z]| match () {
-        () if !(0.0..=max).contains(&distance) => Some(distance),
-        () if !(-max..=max).contains(&z) => Some(z),
-        () => None,
-    });
-    bad.map_or(Ok(()), |value| Err(Error::OptionOutOfRange { option: "profile", value }))
+    profile.iter().try_for_each(|&[distance, z]| {
+        Error::require((0.0..=max).contains(&distance), "profile", distance)?;
+        Error::require((-max..=max).contains(&z), "profile", z)
+    })
 }
 
 /// Half a circle from the lowest point to the highest.

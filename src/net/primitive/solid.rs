@@ -137,7 +137,6 @@ impl Primitive<'_> {
             Scalar::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX) / 8.0),
             Scalar::F64 => (f64::MIN_POSITIVE, f64::MAX / 8.0),
         };
-        let bad = |option, value| Err(Error::OptionOutOfRange { option, value });
         let (dimensions, sides): (&[(&'static str, f64)], _) = match *self {
             Primitive::Plane { size } => (&[("size", size[0]), ("size", size[1])], 3),
             Primitive::Sphere { radius }
@@ -150,7 +149,7 @@ impl Primitive<'_> {
                 (&[("radius", radius), ("height", height)], sides)
             }
             Primitive::Torus { radius, minor_radius } if minor_radius >= radius => {
-                return bad("minor radius", minor_radius);
+                return Error::require(false, "minor radius", minor_radius);
             }
             Primitive::Torus { radius, minor_radius } | Primitive::Klein { radius, minor_radius } => {
                 (&[("radius", radius), ("minor radius", minor_radius)], 3)
@@ -160,10 +159,7 @@ impl Primitive<'_> {
             Primitive::Moebius { radius, width } => (&[("radius", radius), ("width", width)], 3),
             Primitive::Pillow { size: [x, y], thickness } => (&[("size", x), ("size", y), ("thickness", thickness)], 3),
         };
-        match dimensions.iter().find(|(_, value)| !(min..=max).contains(value)) {
-            Some(&(option, value)) => bad(option, value),
-            None if sides < 3 => bad("sides", sides.into()),
-            None => Ok(()),
-        }
+        dimensions.iter().try_for_each(|(option, value)| Error::require((min..=max).contains(value), option, *value))?;
+        Error::require(sides >= 3, "sides", sides.into())
     }
 }

@@ -42,9 +42,7 @@ pub struct Decimated {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::GluedInside`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimated> {
-    if tolerance.is_nan() || tolerance < 0.0 {
-        return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-    }
+    Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
     let (sides, limit) = (require_sides(net)?, tolerance / 2.0);
     let (h, w) = (net.shape().rows(), net.shape().columns());
     each!(net.coordinates(), planes => {

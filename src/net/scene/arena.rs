@@ -158,9 +158,7 @@ impl Scene {
     /// [`Error::NoSuch`], [`Error::OptionOutOfRange`].
     pub fn set_transform(&mut self, index: u32, local: DAffine3) -> Result<()> {
         let entry = self.entry_mut(index)?;
-        if let Some(&value) = local.to_cols_array().iter().find(|value| !value.is_finite()) {
-            return Err(Error::OptionOutOfRange { option: "transform", value });
-        }
+        local.to_cols_array().into_iter().try_for_each(|value| Error::require(value.is_finite(), "transform", value))?;
         entry.local = local;
         Ok(())
     }

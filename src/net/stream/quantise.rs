@@ -21,9 +21,7 @@ pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool)
     let last = (1i64 << bits) - 1;
     let [low, high] = bounds(planes);
     let largest = low.iter().chain(&high).fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    if largest > f64::MAX / 4.0 {
-        return Err(Error::OptionOutOfRange { option: "coordinates", value: largest });
-    }
+    Error::require(largest <= f64::MAX / 4.0, "coordinates", largest)?;
     let extents: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
     let whole = extents.iter().fold(0.0, |whole: f64, &extent| whole.max(extent));
     let step = |axis: usize| {

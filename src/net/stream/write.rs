@@ -50,10 +50,8 @@ impl StreamOptions {
 /// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, to be
 /// quantised), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<Vec<u8>> {
-    if let Mode::Quantised { bits } = options.mode
-        && !(8..=24).contains(&bits)
-    {
-        return Err(Error::OptionOutOfRange { option: "bits", value: bits.into() });
+    if let Mode::Quantised { bits } = options.mode {
+        Error::require((8..=24).contains(&bits), "bits", bits.into())?;
     }
     each!(net.coordinates(), planes => encode_planes(net, planes, options, job))
 }

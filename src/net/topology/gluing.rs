@@ -74,9 +74,7 @@ impl Gluing {
         mut seam: impl FnMut(Seam) -> Result<()>,
     ) -> Result<()> {
         let mut masked = |links: [u32; 4], mask: u8| {
-            if mask > 15 {
-                return Err(Error::OptionOutOfRange { option: "mask", value: mask.into() });
-            }
+            Error::require(mask <= 15, "mask", mask.into())?;
             (0..4).filter(|k| mask >> k & 1 != 0).try_for_each(|k| link(links[k]))
         };
         match self {

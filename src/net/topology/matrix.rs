@@ -54,12 +54,9 @@ impl Matrix {
         let mut matrix = Matrix::empty(shape)?;
         for (at, &byte) in bytes.iter().enumerate() {
             let (row, j) = (at / w, at % w);
-            match byte {
-                0 => {}
-                1 => matrix.set(2 * shape.node(row / 2, j) + (row % 2) as u32, true),
-                _ => {
-                    return Err(Error::OptionOutOfRange { option: "characteristic matrix", value: f64::from(byte) });
-                }
+            Error::require(byte <= 1, "characteristic matrix", byte.into())?;
+            if byte == 1 {
+                matrix.set(2 * shape.node(row / 2, j) + (row % 2) as u32, true);
             }
         }
         Ok(matrix)

@@ -75,9 +75,7 @@ impl Affine {
     pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: Sense) -> Result<Self> {
         // Scaled first, so that the length neither overflows nor underflows.
         let unit = (axis / axis.abs().max_element()).normalize();
-        if !unit.is_finite() {
-            return Err(Error::OptionOutOfRange { option: "axis", value: axis.length() });
-        }
+        Error::require(unit.is_finite(), "axis", axis.length())?;
         let (sine, cosine) = libm::sincos(if sense == Sense::AsPrinted { -angle } else { angle });
         let outer = DMat3::from_cols(unit * unit.x, unit * unit.y, unit * unit.z);
         let cross = DMat3::from_cols(
@@ -119,10 +117,8 @@ impl Affine {
 
     fn of(linear: DMat3, displacement: DVec3) -> Result<Self> {
         let map = Affine(DAffine3::from_mat3_translation(linear, displacement));
-        match map.rows().as_flattened().iter().find(|value| !value.is_finite()) {
-            Some(&value) => Err(Error::OptionOutOfRange { option: "matrix", value }),
-            None => Ok(map),
-        }
+        map.rows().as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "matrix", value))?;
+        Ok(map)
     }
 
     /// The composition: this map, then another.
