@@ -164,7 +164,9 @@ impl Curves {
         if self.offsets.is_empty() && self.points.is_empty() {
             return Ok(Vec::new());
         }
-        if let Some((index, point)) = self.points.iter().enumerate().find(|(_, point)| !DVec3::from(**point).is_finite()) {
+        if let Some((index, point)) =
+            self.points.iter().enumerate().find(|(_, point)| !DVec3::from(**point).is_finite())
+        {
             let value = point.iter().copied().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
             return Err(Error::NotFinite { element: Element::Point, index: index as u64, value });
         }

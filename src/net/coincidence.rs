@@ -5,7 +5,7 @@
 //! screened axis by axis before distances are computed. O(nodes).
 
 use super::{Planes, Real};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 

@@ -106,7 +106,8 @@ fn volumes_keep_their_sign() {
         let volume = Surface::of(&net).volume(&net);
         assert!(volume > 1.0);
         let turned = [1, 2, 3].map(|quarters| net.turned(quarters, &job()).unwrap());
-        let others = [net.transposed(&job()), net.flipped(Direction::Down, &job()), net.flipped(Direction::Right, &job())];
+        let others =
+            [net.transposed(&job()), net.flipped(Direction::Down, &job()), net.flipped(Direction::Right, &job())];
         for other in turned.into_iter().chain(others.into_iter().map(Result::unwrap)) {
             assert!((Surface::of(&other).volume(&other) - volume).abs() < 1e-12 * volume);
             assert!(other.topology().sides().is_some(), "no matrix where there was none");

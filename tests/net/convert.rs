@@ -233,7 +233,13 @@ fn threads_and_flips() {
         let mesh = net.to_mesh(&MeshOptions::default(), &job()).unwrap().mesh;
         common::volume(|v| mesh.positions.get(v).to_array(), faces_of(&mesh))
     };
-    let flipped = net.flipped(Direction::Down, &job()).unwrap().transposed(&job()).unwrap().flipped(Direction::Right, &job()).unwrap();
+    let flipped = net
+        .flipped(Direction::Down, &job())
+        .unwrap()
+        .transposed(&job())
+        .unwrap()
+        .flipped(Direction::Right, &job())
+        .unwrap();
     assert!(volume(&net) > 7.0 && (volume(&net) - volume(&flipped)).abs() < 1e-12);
     let ribbon = concatenate(&a, &b, &JoinOptions::new(Direction::Right), &job()).unwrap();
     let made = ribbon.to_mesh(&MeshOptions::default(), &job()).unwrap();

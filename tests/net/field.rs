@@ -45,7 +45,10 @@ fn all_fields() -> Vec<(&'static str, Box<dyn Field>)> {
         ("cylinder", Box::new(field::cylinder_wrap(Axis::Z, 2.0).unwrap())),
         ("torus", Box::new(field::torus_wrap(Axis::X, 9.0, 6.0).unwrap())),
         ("lattice", Box::new(lattice)),
-        ("perspective", Box::new(field::perspective_projection(DVec3::new(0.0, 0.0, 9.0), DVec3::ZERO, DVec3::Z).unwrap())),
+        (
+            "perspective",
+            Box::new(field::perspective_projection(DVec3::new(0.0, 0.0, 9.0), DVec3::ZERO, DVec3::Z).unwrap()),
+        ),
     ]
 }
 

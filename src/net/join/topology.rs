@@ -125,9 +125,7 @@ fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bo
         p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
     };
     let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.contracts(link));
-    let is_point = |run: Run| {
-        (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]))
-    };
+    let is_point = |run: Run| (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]));
     let mut seams = topology.seams().iter().filter(|seam| seam.count as usize == along);
     seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))
 }

@@ -159,7 +159,9 @@ impl Primitive<'_> {
             Primitive::Moebius { radius, width } => (&[("radius", radius), ("width", width)], 3),
             Primitive::Pillow { size: [x, y], thickness } => (&[("size", x), ("size", y), ("thickness", thickness)], 3),
         };
-        dimensions.iter().try_for_each(|(option, value)| Error::require((min..=max).contains(value), option, *value))?;
+        dimensions
+            .iter()
+            .try_for_each(|(option, value)| Error::require((min..=max).contains(value), option, *value))?;
         Error::require(sides >= 3, "sides", sides.into())
     }
 }

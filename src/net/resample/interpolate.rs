@@ -65,7 +65,9 @@ fn taps(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> R
         let before = ((at / steps) as usize).min(old - 2);
         let t = (at - before as u64 * steps) as f64 / steps as f64;
         match interpolation {
-            Interpolation::Bilinear => Tap { nodes: [before, before, before + 1, before], weights: [0.0, 1.0 - t, t, 0.0] },
+            Interpolation::Bilinear => {
+                Tap { nodes: [before, before, before + 1, before], weights: [0.0, 1.0 - t, t, 0.0] }
+            }
             Interpolation::Bicubic => Tap::cubic(before, old, closed, t),
         }
     }))

@@ -158,7 +158,10 @@ impl Scene {
     /// [`Error::NoSuch`], [`Error::OptionOutOfRange`].
     pub fn set_transform(&mut self, index: u32, local: DAffine3) -> Result<()> {
         let entry = self.entry_mut(index)?;
-        local.to_cols_array().into_iter().try_for_each(|value| Error::require(value.is_finite(), "transform", value))?;
+        local
+            .to_cols_array()
+            .into_iter()
+            .try_for_each(|value| Error::require(value.is_finite(), "transform", value))?;
         entry.local = local;
         Ok(())
     }

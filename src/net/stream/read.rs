@@ -47,7 +47,10 @@ impl Prelude {
         let table = from.raw(info.table_size() as usize)?;
         let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
         if checksum(checked) != info.checksum {
-            return Err(Error::BadStream { what: "the checksum of gluing and table is wrong", byte: HEADER_SIZE as u64 });
+            return Err(Error::BadStream {
+                what: "the checksum of gluing and table is wrong",
+                byte: HEADER_SIZE as u64,
+            });
         }
         let padding = info.prelude_size - table_at - info.table_size();
         if from.raw(padding as usize)?.iter().any(|&byte| byte != 0) {
