@@ -92,29 +92,9 @@ fn run_ordered<T: Send, R: Send, E>(
     Ok(results.into_iter().map(|(_, result)| result).collect())
 }
 
-/// [`map`] over consecutive ranges of `chunk` elements that cover `0..len`.
-pub(crate) fn chunks<R: Send>(
-    threads: usize,
-    len: usize,
-    chunk: usize,
-    work: impl Fn(Range<usize>) -> R + Sync,
-) -> Vec<R> {
-    map(threads, ranges(len, chunk), work)
-}
-
-/// [`map_cancellable`] over the ranges of [`chunks`].
-pub(crate) fn chunks_cancellable<R: Send>(
-    job: &Job<'_>,
-    stage: &'static str,
-    len: usize,
-    chunk: usize,
-    work: impl Fn(Range<usize>) -> R + Sync,
-) -> Result<Vec<R>> {
-    map_cancellable(job, stage, ranges(len, chunk), work)
-}
-
-fn ranges(len: usize, chunk: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
-    (0..len.div_ceil(chunk)).map(move |i| i * chunk..len.min((i + 1) * chunk))
+/// Consecutive ranges of `size` elements that cover `0..len`, as items.
+pub(crate) fn ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
+    (0..len.div_ceil(size)).map(move |i| i * size..len.min((i + 1) * size))
 }
 
 /// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and
@@ -137,13 +117,13 @@ mod tests {
 
     #[test]
     fn the_same_for_any_thread_count() {
-        let sums = |threads| chunks(threads, 1001, 10, |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>());
+        let sums = |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>());
         let one = sums(1);
         assert_eq!(one.len(), 101);
         for threads in [0, 2, 3, 64] {
             assert_eq!(one, sums(threads));
         }
-        assert!(chunks(4, 0, 10, |range| range.len()).is_empty());
+        assert!(map(4, ranges(0, 10), |range| range.len()).is_empty());
     }
 
     #[test]
@@ -160,7 +140,7 @@ mod tests {
             let counter = Counter(Cell::new(calls));
             let begun = AtomicUsize::new(0);
             let work = |range: Range<usize>| begun.fetch_add(1, Ordering::Relaxed) + range.len();
-            let done = chunks_cancellable(&Job::new(threads, &counter), "work", 1000, 10, work);
+            let done = map_cancellable(&Job::new(threads, &counter), "work", ranges(1000, 10), work);
             (done.map(|done| done.len()), begun.into_inner(), calls - counter.0.get())
         };
         // One call at first, and one for each item.

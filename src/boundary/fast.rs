@@ -66,7 +66,7 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
     let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MAX_SUMS), job.threads());
     let sums = Sums::of(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
-    let parts = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
+    let parts = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
         let mut gather = Gather { sums: &sums, found: Vec::new() };
         mesh.faces().visit(range, &mut gather)?;
         Ok(gather.found)
@@ -146,7 +146,7 @@ impl Sums {
     fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<Partial>> = Mutex::new(Vec::new());
         let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
-        let added = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
+        let added = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
             let free = pool().pop();
             let mut partial = match free {
                 Some(partial) => partial,

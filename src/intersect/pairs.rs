@@ -68,7 +68,9 @@ pub(crate) fn intersecting_pairs(
     for start in (0..total).step_by(REPORT_INTERVAL) {
         job.step(start as f64 / total as f64, "looking for intersections")?;
         let count = REPORT_INTERVAL.min(total - start);
-        for part in par::chunks(job.threads(), count, CHUNK, |range| pairs_of(start + range.start..start + range.end)) {
+        for part in
+            par::map(job.threads(), par::ranges(count, CHUNK), |range| pairs_of(start + range.start..start + range.end))
+        {
             let part = part?;
             alloc::reserve(&mut pairs, part.len())?;
             pairs.extend(part);

@@ -55,7 +55,7 @@ impl Topology {
     /// order.
     pub(crate) fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
         let mate = &self.0.mate;
-        let found = par::chunks(job.threads(), mate.len(), CHUNK, |range| {
+        let found = par::map(job.threads(), par::ranges(mate.len(), CHUNK), |range| {
             let mut border = Vec::new();
             for (&mate, h) in mate[range.clone()].iter().zip(range) {
                 if mate >= SINGULAR {

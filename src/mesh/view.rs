@@ -171,7 +171,7 @@ impl<'a> Indices<'a> {
                 Some(_) => Ok(()),
             })
         };
-        par::chunks(job.threads(), self.len() - 1, CHUNK, check).into_iter().collect()
+        par::map(job.threads(), par::ranges(self.len() - 1, CHUNK), check).into_iter().collect()
     }
 }
 
@@ -418,7 +418,7 @@ impl<'a> MeshView<'a> {
         if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: find out whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
-            let firsts = par::chunks(job.threads(), corners, CHUNK, |mut range| range.find(bad));
+            let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad));
             if let Some(&h) = firsts.iter().flatten().next() {
                 let vertex = faces.corner(h as u32);
                 let p = positions.get(vertex).to_array();

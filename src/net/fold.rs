@@ -43,7 +43,7 @@ pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job:
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
         let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
-        let blocks = par::chunks_cancellable(&part, STAGE, shape.rows() - 1, lines, |mut rows| {
+        let blocks = par::map_cancellable(&part, STAGE, par::ranges(shape.rows() - 1, lines), |mut rows| {
             rows.any(|i| search.is_folded_in_row(i))
         })?;
         if blocks.contains(&true) { search.partition(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }

@@ -106,7 +106,7 @@ fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool;
         }
         worst.angle
     };
-    let parts = par::chunks_cancellable(job, "comparing normals", rows * columns, CELLS_PER_TASK, in_chunk)?;
+    let parts = par::map_cancellable(job, "comparing normals", par::ranges(rows * columns, CELLS_PER_TASK), in_chunk)?;
     Ok(parts.into_iter().fold(0.0, f64::max))
 }
 

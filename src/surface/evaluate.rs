@@ -138,7 +138,7 @@ impl Surface<'_> {
             job.step(all.len() as f64 / places.len() as f64, "evaluating")?;
             let work =
                 |range: std::ops::Range<usize>| alloc::collect(round[range].iter().map(|&place| self.local(place)));
-            for part in par::chunks(job.threads(), round.len(), PLACES_PER_TASK, work) {
+            for part in par::map(job.threads(), par::ranges(round.len(), PLACES_PER_TASK), work) {
                 all.append(&mut part?);
             }
         }

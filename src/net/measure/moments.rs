@@ -46,7 +46,7 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
         })
     };
     let (rows, lines) = (net.shape().rows() - 1, lines_per_block(net.shape().columns() - 1));
-    let parts = par::chunks_cancellable(job, "moments", rows, lines, |rows| {
+    let parts = par::map_cancellable(job, "moments", par::ranges(rows, lines), |rows| {
         rows.map(row).fold(Integrals::default(), Integrals::add)
     })?;
     let total = parts.into_iter().fold(Integrals::default(), Integrals::add);

@@ -45,7 +45,7 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let total = each!(net.coordinates(), planes => {
         let hidden = HiddenCells::of(net)?;
         let ([rows, columns], part) = ([net.shape().rows(), net.shape().columns()], job.part(0.0, 0.7));
-        let parts = par::chunks_cancellable(&part, "measure", rows - 1, lines_per_block(columns - 1), |rows| {
+        let parts = par::map_cancellable(&part, "measure", par::ranges(rows - 1, lines_per_block(columns - 1)), |rows| {
             rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
         })?;
         parts.into_iter().fold(Sums::default(), Sums::add)
@@ -161,7 +161,7 @@ fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &m
 fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<Aabb> {
     each!(net.coordinates(), planes => {
         let lines = lines_per_block(net.shape().columns());
-        let parts = par::chunks_cancellable(job, "measure", net.shape().rows(), lines, |rows| {
+        let parts = par::map_cancellable(job, "measure", par::ranges(net.shape().rows(), lines), |rows| {
             rows.fold(Aabb::EMPTY, |bounds, i| bounds.union(simd::run(RowBounds(planes.row(i)))))
         })?;
         Ok(parts.into_iter().fold(Aabb::EMPTY, Aabb::union))

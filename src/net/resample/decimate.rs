@@ -108,7 +108,7 @@ fn kept(
     queue
         .try_reserve(3 * count)
         .map_err(|_| Error::OutOfMemory { bytes: (3 * count * size_of::<Candidate>()) as u64 })?;
-    let costs = par::chunks_cancellable(&job.part(0.0, 0.5), "decimate", count - 2, 16, |lines| {
+    let costs = par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::ranges(count - 2, 16), |lines| {
         lines.map(|k| cost(Gap { from: k, to: k + 2 })).collect::<Vec<_>>()
     })?;
     let job = job.part(0.5, 1.0);

@@ -370,7 +370,7 @@ fn poles<C: Cells<N>, const N: usize, const H: usize>(
     sign: f64,
     job: &Job<'_>,
 ) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
-    par::chunks_cancellable(job, "contours", blocks.len(), CHUNK, |range| {
+    par::map_cancellable(job, "contours", par::ranges(blocks.len(), CHUNK), |range| {
         let mut found = [Vec::new(), Vec::new()];
         for &block in &blocks[range] {
             let (corners, cells) = normals.block(lattice, block);

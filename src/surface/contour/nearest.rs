@@ -203,7 +203,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "angles")?;
             let known = *best;
-            let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
+            let parts = par::map(job.threads(), par::ranges((count - first).min(CHUNK * CHUNKS), CHUNK), |range| {
                 let (mut best, mut candidates) = (known, Vec::new());
                 for &[r, c] in &blocks[first..][range] {
                     let cone = cones.get(0, r as usize, c as usize);

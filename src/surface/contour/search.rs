@@ -134,7 +134,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> Search<'_, C, S,
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // Of many levels a block is long work.
             let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
-            let parts = par::chunks_cancellable(&part, "contours", blocks, chunk, |range| {
+            let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
                 let mut part = FoundArcs::default();
                 let (mut workspace, mut cache) = (Workspace::default(), S::Cache::default());
                 for k in range {

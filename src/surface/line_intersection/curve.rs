@@ -87,7 +87,7 @@ impl Surface<'_> {
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);
-            for part in par::chunks(job.threads(), to - from, BATCH, |range| {
+            for part in par::map(job.threads(), par::ranges(to - from, BATCH), |range| {
                 let mut finder = Finder::default();
                 for k in range {
                     self.segment(from + k, curve.segment(from + k), &mut finder)?;

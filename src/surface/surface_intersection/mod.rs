@@ -159,8 +159,9 @@ impl Intersection<'_> {
         let batch = if last { BOXES_PER_STEP.div_ceil(max_boxes) } else { BOXES_PER_STEP / 16 };
         for (k, part) in which.chunks(batch).enumerate() {
             job.step((k * batch) as f64 / which.len() as f64, "intersection")?;
-            let found =
-                par::chunks(job.threads(), part.len(), chunk, |range| self.chunk(&part[range], max_boxes, last));
+            let found = par::map(job.threads(), par::ranges(part.len(), chunk), |range| {
+                self.chunk(&part[range], max_boxes, last)
+            });
             for found in found {
                 pieces.append(&found?)?;
             }
