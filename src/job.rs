@@ -69,6 +69,12 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// Reports progress before element `k` of `count`, once in every `interval` elements.
+    #[inline]
+    pub(crate) fn step_every(&self, interval: usize, k: usize, count: usize, stage: &'static str) -> Result<()> {
+        if k.is_multiple_of(interval) { self.step(k as f64 / count as f64, stage) } else { Ok(()) }
+    }
+
     /// Does work of `len` elements, so many at a time that no host waits, and reports before each
     /// time.
     pub(crate) fn ranges(

@@ -263,11 +263,10 @@ fn walks(
     job.step(0.0, STAGE)?;
     let mut order = alloc::collect((0..border.len()).map(|i| (border[i].2, i)))?;
     sort(&mut order, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
+    let job = job.part(0.5, 1.0);
     let mut walks: Vec<Vec<Dart>> = Vec::new();
     for (k, (_, first)) in order.into_iter().enumerate() {
-        if k % REPORT_INTERVAL == 0 {
-            job.step(0.5 + 0.5 * k as f64 / border.len() as f64, STAGE)?;
-        }
+        job.step_every(REPORT_INTERVAL, k, border.len(), STAGE)?;
         let mut walk = Vec::new();
         let mut i = first;
         while next[i] != NONE as usize {

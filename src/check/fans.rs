@@ -7,7 +7,7 @@ use crate::job::Job;
 use crate::mesh::{Across, MeshView, Topology};
 
 /// Half-edges between two progress reports.
-const REPORT_INTERVAL: u32 = 1 << 18;
+const REPORT_INTERVAL: usize = 1 << 18;
 
 /// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if
 /// they share an edge that has two faces.
@@ -17,10 +17,9 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
     // A corner is named by the half-edge that leaves it. Corners are joined across every edge with
     // two faces, at both ends.
     let mut corners = DisjointSets::new(count)?;
+    let joining = job.part(0.0, 0.7);
     for h in 0..count as u32 {
-        if h % REPORT_INTERVAL == 0 {
-            job.step(0.7 * f64::from(h) / count as f64, "checking fans")?;
-        }
+        joining.step_every(REPORT_INTERVAL, h as usize, count, "checking fans")?;
         if topology.is_ignored(h) {
             continue;
         }

@@ -153,9 +153,7 @@ impl Check {
         self.orientable = true;
         let mut singular = Vec::new();
         for f in 0..faces.len() {
-            if f % REPORT_INTERVAL == 0 {
-                job.step(f as f64 / faces.len() as f64, "checking pieces")?;
-            }
+            job.step_every(REPORT_INTERVAL, f, faces.len(), "checking pieces")?;
             for h in faces.range(f) {
                 if topology.is_ignored(h as u32) {
                     continue;

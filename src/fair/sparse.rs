@@ -47,9 +47,7 @@ impl Factor {
         let mut row = alloc::filled(0.0, n)?;
         tree.mark.fill(NONE);
         for k in 0..n {
-            if k % REPORT_INTERVAL == 0 {
-                job.step(k as f64 / n as f64, "fairing")?;
-            }
+            job.step_every(REPORT_INTERVAL, k, n, "fairing")?;
             for &(i, value) in matrix.column(k) {
                 row[i as usize] = value;
             }

@@ -45,9 +45,7 @@ pub(super) fn clip_ears(
             if stale || taken(a, c) || strict && !ring.is_ear([a, b, c]) {
                 continue;
             }
-            if triangles.len() % REPORT_INTERVAL == 0 {
-                job.step(triangles.len() as f64 / n as f64, "triangulating holes")?;
-            }
+            job.step_every(REPORT_INTERVAL, triangles.len(), n, "triangulating holes")?;
             triangles.push([a, b, c]);
             ring.remove(b);
             ears.extend([a, c].map(|v| Reverse(ring.ear(points, v))));

@@ -27,9 +27,7 @@ impl Surroundings {
     pub(super) fn new(mesh: &MeshView<'_>, on_rim: &[bool], job: &Job<'_>) -> Result<Self> {
         let (mut corners, mut edges) = (Vec::new(), Vec::new());
         for f in 0..mesh.faces().len() {
-            if f % REPORT_INTERVAL == 0 {
-                job.step(f as f64 / mesh.faces().len() as f64, "looking round the holes")?;
-            }
+            job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "looking round the holes")?;
             let face = mesh.face(f);
             if !face.clone().any(|v| on_rim[v as usize]) {
                 continue;

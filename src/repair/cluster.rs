@@ -53,9 +53,7 @@ impl Clusters {
         let mut claimed = alloc::filled(false, members.len())?;
         let mut candidates = Vec::new();
         for (i, &representative) in members.iter().enumerate() {
-            if i % REPORT_INTERVAL == 0 {
-                job.step(i as f64 / members.len() as f64, STAGE)?;
-            }
+            job.step_every(REPORT_INTERVAL, i, members.len(), STAGE)?;
             if claimed[i] {
                 continue;
             }

@@ -154,9 +154,7 @@ impl Search<'_> {
         self.seen[f as usize] = true;
         let mut next = 0;
         while let Some(&f) = self.found.get(next) {
-            if self.reached.is_multiple_of(REPORT_INTERVAL) {
-                job.step(self.reached as f64 / faces.len() as f64, "orienting faces")?;
-            }
+            job.step_every(REPORT_INTERVAL, self.reached, faces.len(), "orienting faces")?;
             self.reached += 1;
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);

@@ -62,9 +62,7 @@ pub(super) fn sew(
     let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
     let mut sets = Sewing { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
     for (i, &[g, h]) in pairs.iter().enumerate() {
-        if i % REPORT_INTERVAL == 0 {
-            job.step(i as f64 / pairs.len() as f64, STAGE)?;
-        }
+        job.step_every(REPORT_INTERVAL, i, pairs.len(), STAGE)?;
         let ([u, v], [a, b]) = (sets.ends(g), sets.ends(h));
         let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
         let of = |v: u32| sets.label[v as usize];

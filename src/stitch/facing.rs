@@ -270,13 +270,12 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Res
         owner.extend((0..run.count).map(|_| k));
     }
     let tree = KdTree::boxed(&points, &job.part(0.0, 0.5), STAGE)?;
-    let step = (REPORT_INTERVAL / total.max(1)).clamp(1, 1 << 12);
+    let job = job.part(0.5, 1.0);
+    let interval = (REPORT_INTERVAL / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);
     for (k, run) in runs[0].iter().enumerate() {
         for i in run.places(a.len()) {
-            if done % step == 0 {
-                job.step(0.5 + 0.5 * done as f64 / a.len() as f64, STAGE)?;
-            }
+            job.step_every(interval, done, a.len(), STAGE)?;
             done += 1;
             if let Some((distance, j)) = tree.nearest(a[i], best.0, |_| true)
                 && distance < best.0

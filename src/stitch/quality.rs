@@ -66,9 +66,7 @@ impl Quality {
         let unit = common_unit(&points);
         let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
         for (f, w) in strip.face_offsets.windows(2).enumerate() {
-            if f % REPORT_INTERVAL == 0 {
-                job.step(f as f64 / strip.face_offsets.len() as f64, "measuring new faces")?;
-            }
+            job.step_every(REPORT_INTERVAL, f, strip.face_offsets.len(), "measuring new faces")?;
             let face = &strip.face_corners[w[0] as usize..w[1] as usize];
             let p = |k: usize| points[face[k % face.len()] as usize] / unit;
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);

@@ -41,9 +41,7 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
     let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
-        if i % REPORT_INTERVAL == 0 {
-            job.step(i as f64 / a.points.len() as f64, STAGE)?;
-        }
+        job.step_every(REPORT_INTERVAL, i, a.points.len(), STAGE)?;
         let found = tree.nearest(p, best.0, |j| !bridges.has(u, b.vertices[j as usize]));
         if let Some((distance, j)) = found
             && (distance < best.0 || best.1.is_none())

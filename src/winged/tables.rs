@@ -79,16 +79,13 @@ impl WingedEdges {
             of_face: alloc::with_capacity(faces.len())?,
             of_vertex: alloc::filled(NONE, mesh.positions().len())?,
         };
+        let (numbering, filling) = (job.part(0.6, 0.8), job.part(0.8, 1.0));
         for f in 0..faces.len() {
-            if f % REPORT_INTERVAL == 0 {
-                job.step(0.6 + 0.2 * f as f64 / faces.len() as f64, "numbering edges")?;
-            }
+            numbering.step_every(REPORT_INTERVAL, f, faces.len(), "numbering edges")?;
             tables.number_edges(mesh, f, &topology)?;
         }
         for f in 0..faces.len() {
-            if f % REPORT_INTERVAL == 0 {
-                job.step(0.8 + 0.2 * f as f64 / faces.len() as f64, "filling wings")?;
-            }
+            filling.step_every(REPORT_INTERVAL, f, faces.len(), "filling wings")?;
             tables.fill_wings(mesh, f, winding);
         }
         job.step(1.0, "filling wings")?;

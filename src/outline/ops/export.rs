@@ -88,9 +88,7 @@ impl CurveView<'_> {
         };
         add(&mut text, 'M', &[start])?;
         for (k, controls) in self.segments().enumerate() {
-            if k.is_multiple_of(SEGMENTS_PER_REPORT) {
-                job.step(k as f64 / self.len() as f64, "writing a path")?;
-            }
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a path")?;
             text.push(' ');
             add(&mut text, [' ', 'L', 'Q', 'C'][controls.len() - 1], &controls[1..])?;
         }

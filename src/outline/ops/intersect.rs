@@ -84,9 +84,7 @@ impl CurveView<'_> {
         let mut all = Intersections::default();
         let mut found = SegmentIntersections::default();
         for (k, piece) in ours.iter().enumerate() {
-            if k % 64 == 0 {
-                job.step(k as f64 / ours.len() as f64, "intersections")?;
-            }
+            job.step_every(64, k, ours.len(), "intersections")?;
             tree.overlapping(&piece.bounds(), BOX_SLACK, |i| {
                 all.add(piece, &theirs[i], Joined::default(), &mut found)
             })?;
@@ -111,9 +109,7 @@ impl CurveView<'_> {
         let mut all = Intersections::default();
         let mut found = SegmentIntersections::default();
         for (k, piece) in pieces.iter().enumerate() {
-            if k % 64 == 0 {
-                job.step(k as f64 / pieces.len() as f64, "self-intersections")?;
-            }
+            job.step_every(64, k, pieces.len(), "self-intersections")?;
             tree.overlapping(&piece.bounds(), BOX_SLACK, |i| {
                 if i <= k {
                     return Ok(());

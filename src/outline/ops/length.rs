@@ -48,9 +48,7 @@ impl<'a> CurveView<'a> {
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;
         for (k, controls) in self.segments().enumerate() {
-            if k.is_multiple_of(SEGMENTS_PER_REPORT) {
-                job.step(k as f64 / self.len() as f64, "length of a curve")?;
-            }
+            job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "length of a curve")?;
             sum += Arc::new(&frame, controls).length(0.0, 1.0);
             ends.push(sum);
         }

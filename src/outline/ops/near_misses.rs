@@ -98,9 +98,7 @@ impl CurveView<'_> {
         let mut search = Search { sides, within, minima: Vec::new(), unresolved: Vec::new(), undecided: false };
         let tree = BoxTree::new(sides[1].segments().map(Aabb::of))?;
         for (i, a) in sides[0].segments().enumerate() {
-            if i % 16 == 0 {
-                job.step(i as f64 / self.len() as f64, "near misses of curves")?;
-            }
+            job.step_every(16, i, self.len(), "near misses of curves")?;
             tree.overlapping(&Aabb::of(a), within, |j| search.search_pair([i, j]))?;
         }
         search.finish(&frame)

@@ -190,9 +190,7 @@ impl FacingSearch<'_> {
             };
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
-                if done % REPORT_INTERVAL == 0 {
-                    job.step(done as f64 / total as f64, "looking for loops that face each other")?;
-                }
+                job.step_every(REPORT_INTERVAL, done, total, "looking for loops that face each other")?;
                 done += 1;
                 let limit = 4.0 * widest * widest;
                 let accept = |v: u32| owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize);
