@@ -357,6 +357,16 @@ pub enum Error {
 }
 
 impl Error {
+    /// [`Error::OptionOutOfRange`], unless the value is `allowed`.
+    pub(crate) fn check_option(option: &'static str, value: f64, allowed: bool) -> Result<()> {
+        if allowed { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
+    }
+
+    /// [`Error::TooLarge`], if the count is above the limit.
+    pub(crate) fn check_count(what: &'static str, count: u64, limit: u64) -> Result<()> {
+        if count <= limit { Ok(()) } else { Err(Error::TooLarge { what, count, limit }) }
+    }
+
     /// Which of two pieces it is about, if it is about one of two.
     pub fn side(&self) -> Option<Side> {
         match *self {

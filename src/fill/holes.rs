@@ -8,7 +8,7 @@ use crate::alloc;
 use crate::boundary::{self, Survey, boundary_loops};
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::mesh::{MAX_ELEMENTS, MeshView, concat};
+use crate::mesh::{MeshView, check_size, concat};
 use crate::stitch::{FaceList, Quality, part_alone};
 use std::collections::BTreeSet;
 
@@ -35,7 +35,10 @@ use std::collections::BTreeSet;
 /// [`Error::OptionOutOfRange`] for a limit that is no number or negative; [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Options, job: &Job<'_>) -> Result<Filled> {
-    check(&options.limits)?;
+    for (option, limit) in [("max_length", options.limits.length), ("max_diameter", options.limits.diameter)] {
+        let limit = limit.unwrap_or(0.0);
+        Error::check_option(option, limit, limit >= 0.0)?;
+    }
     let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
     let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;
     let candidates = match loops {
@@ -56,15 +59,6 @@ pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Optio
         plan.enter(mesh, candidate, &passes, options, &job)?;
     }
     plan.finish(mesh, &job.part(0.7, 1.0))
-}
-
-fn check(limits: &Limits) -> Result<()> {
-    for (option, value) in [("max_length", limits.length), ("max_diameter", limits.diameter)] {
-        if let Some(value) = value.filter(|value| value.is_nan() || *value < 0.0) {
-            return Err(Error::OptionOutOfRange { option, value });
-        }
-    }
-    Ok(())
 }
 
 /// The patches of the holes so far.
@@ -147,11 +141,7 @@ impl Plan {
     ) -> Result<()> {
         let first = mesh.positions().len() + self.points.len();
         let corners = mesh.faces().half_edge_count() + self.faces.corners.len() + 3 * patch.triangles.len();
-        for (what, count) in [("vertices", first + patch.points.len()), ("half-edges", corners)] {
-            if count as u64 > MAX_ELEMENTS {
-                return Err(Error::TooLarge { what, count: count as u64, limit: MAX_ELEMENTS });
-            }
-        }
+        check_size((first + patch.points.len()) as u64, corners as u64)?;
         let whole_name = |v: u32| if (v as usize) < rim { name(v) } else { (first + v as usize - rim) as u32 };
         let shared = |v: u32| (v as usize) < rim && passes[name(v) as usize] > 1;
         alloc::reserve(&mut self.points, patch.points.len())?;

@@ -2,7 +2,7 @@
 //! bit for bit.
 
 use super::owned::{Mesh, PositionBuffer};
-use super::view::{MAX_ELEMENTS, MeshView, Scalar};
+use super::view::{MeshView, Scalar, check_size};
 use crate::alloc;
 use crate::error::{Error, Result};
 
@@ -51,11 +51,7 @@ pub(crate) fn empty<'m, 'a: 'm>(
         counts[1] += piece.faces().len() as u64;
         counts[2] += piece.faces().half_edge_count() as u64;
     }
-    for (what, count) in [("vertices", counts[0]), ("half-edges", counts[2])] {
-        if count > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
-        }
-    }
+    check_size(counts[0], counts[2])?;
     let mut face_offsets = alloc::with_capacity(counts[1] as usize + 1)?;
     face_offsets.push(0);
     Ok(Mesh {

@@ -25,7 +25,7 @@ pub use defect::Defect;
 pub use owned::{Mesh, PositionBuffer};
 pub use topology::Topology;
 pub(crate) use topology::{Across, half_edges};
-pub(crate) use view::Visitor;
+pub(crate) use view::{Visitor, check_size};
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
 
 /// The index that means "none".

@@ -49,7 +49,7 @@ impl<'a> Positions<'a> {
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
     /// [`Error::ArrayTooShort`].
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, scalar: Scalar) -> Result<Self> {
-        check_count(count)?;
+        check_size(count as u64, 0)?;
         Ok(Positions { points: Strided::new(bytes, count, stride, scalar.position_size(), "positions")?, scalar })
     }
 
@@ -58,7 +58,7 @@ impl<'a> Positions<'a> {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
     pub fn bytes_needed(stride: usize, count: usize, scalar: Scalar) -> Result<usize> {
-        check_count(count)?;
+        check_size(count as u64, 0)?;
         Strided::span(count, stride, scalar.position_size(), "positions")
     }
 
@@ -123,11 +123,9 @@ impl<'a> Positions<'a> {
 
 /// # Errors
 /// [`Error::TooLarge`].
-fn check_count(count: usize) -> Result<()> {
-    match count as u64 {
-        0..=MAX_ELEMENTS => Ok(()),
-        count => Err(Error::TooLarge { what: "vertices", count, limit: MAX_ELEMENTS }),
-    }
+pub(crate) fn check_size(vertices: u64, half_edges: u64) -> Result<()> {
+    Error::check_count("vertices", vertices, MAX_ELEMENTS)?;
+    Error::check_count("half-edges", half_edges, MAX_ELEMENTS)
 }
 
 impl<'a> From<&'a [[f32; 3]]> for Positions<'a> {
@@ -229,9 +227,7 @@ impl<'a> Faces<'a> {
             return Err(Error::FaceTooSmall { face: 0, corners: face_size });
         }
         let total = (count as u64).saturating_mul(u64::from(face_size));
-        if total > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "half-edges", count: total, limit: MAX_ELEMENTS });
-        }
+        check_size(0, total)?;
         Ok(total as usize)
     }
 
@@ -240,9 +236,7 @@ impl<'a> Faces<'a> {
     /// # Errors
     /// [`Error::TooLarge`].
     pub fn offset_count(count: usize) -> Result<usize> {
-        if count as u64 > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "faces", count: count as u64, limit: MAX_ELEMENTS });
-        }
+        Error::check_count("faces", count as u64, MAX_ELEMENTS)?;
         Ok(count + 1)
     }
 
@@ -256,10 +250,8 @@ impl<'a> Faces<'a> {
     pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
         let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         offsets.check(job)?;
-        let corners = u64::from(offsets.get(count));
-        if corners > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "half-edges", count: corners, limit: MAX_ELEMENTS });
-        }
+        let corners = offsets.get(count);
+        check_size(0, corners.into())?;
         Ok(corners as usize)
     }
 

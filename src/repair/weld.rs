@@ -88,18 +88,15 @@ pub struct Weld {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
-    let tolerance = match options.tolerance {
-        Some(value) if !(0.0..f64::INFINITY).contains(&value) => {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value });
-        }
-        given => given.filter(|&t| t > 0.0),
-    };
+    let tolerance = options.tolerance.unwrap_or(0.0);
+    Error::check_option("tolerance", tolerance, (0.0..f64::INFINITY).contains(&tolerance))?;
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = members(mesh, &topology, sewing)?;
     job.step(0.2, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh)?) };
+    let tolerance = Some(tolerance).filter(|&t| t > 0.0);
     let mut clusters = Clusters::find(mesh, &members, tolerance, corners.as_ref(), &job.part(0.2, 0.6))?;
     let representative = match sewing {
         true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,

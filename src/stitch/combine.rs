@@ -6,9 +6,9 @@
 use super::request::IndexMap;
 use super::strip::Strip;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, concat};
+use crate::mesh::{Mesh, MeshView, check_size, concat};
 use crate::sort::sort;
 use std::ops::Range;
 
@@ -39,15 +39,11 @@ pub(crate) struct AttachedStrip {
 /// `unit`.
 ///
 /// # Errors
-/// [`Error::TooLarge`], [`Error::OutOfMemory`].
+/// [`TooLarge`](crate::Error::TooLarge), [`OutOfMemory`](crate::Error::OutOfMemory).
 pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result<AttachedStrip> {
     let (faces, new) = (&strip.faces, &strip.grid.points[strip.rim_count()..]);
     let (vertices, corners) = (whole.positions.len() + new.len(), whole.face_corners.len() + faces.corners.len());
-    for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
-        if count > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
-        }
-    }
+    check_size(vertices as u64, corners as u64)?;
     let first_vertex = whole.positions.len() as u32;
     let mut names = alloc::with_capacity(strip.grid.points.len())?;
     names.extend(strip.a.vertices.iter().chain(&strip.b.vertices));

@@ -58,9 +58,7 @@ pub(super) fn arcs(
         Extent::Arcs(arcs) => {
             for (arc, rim, option) in [(arcs[0], a, "arc_a"), (arcs[1], b, "arc_b")] {
                 let n = rim.vertices.len();
-                if arc.first >= n || arc.count == 0 || arc.count > n {
-                    return Err(Error::OptionOutOfRange { option, value: arc.count as f64 });
-                }
+                Error::check_option(option, arc.count as f64, arc.first < n && (1..=n).contains(&arc.count))?;
             }
             Ok(Some(arcs))
         }

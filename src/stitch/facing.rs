@@ -202,12 +202,8 @@ pub(super) fn round_off(scalar: Scalar) -> f64 {
 /// # Errors
 /// [`Error::OptionOutOfRange`].
 pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
-    match tolerance {
-        Some(value) if !(value.is_finite() && value >= 0.0) => {
-            Err(Error::OptionOutOfRange { option: "tolerance", value })
-        }
-        _ => Ok(()),
-    }
+    let value = tolerance.unwrap_or(0.0);
+    Error::check_option("tolerance", value, (0.0..f64::INFINITY).contains(&value))
 }
 
 /// Algorithm 2 on points whose coordinates are at most 2.

@@ -51,9 +51,7 @@ impl Grid {
         let rows = if columns < 2 { 0 } else { rows as usize };
         let distinct = if a.closed { columns - 1 } else { columns };
         let total = (rows as u64 + 2) * columns as u64 + (n + m) as u64;
-        if 4 * total > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "corners of the strip", count: 4 * total, limit: MAX_ELEMENTS });
-        }
+        Error::check_count("corners of the strip", 4 * total, MAX_ELEMENTS)?;
         let mut grid = Grid {
             rows,
             columns,

@@ -67,9 +67,7 @@ impl<'a> CurveView<'a> {
                 return Err(bad(k));
             }
             let degree = (ends[k] - ends[k - 1]) as usize;
-            if degree > MAX_DEGREE {
-                return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 });
-            }
+            Error::check_option("degree", degree as f64, degree <= MAX_DEGREE)?;
         }
         if ends.len() > 1 && ends[ends.len() - 1] as usize != points.len() - 1 {
             return Err(bad(ends.len() - 1));
@@ -182,10 +180,7 @@ impl Curve {
     /// # Errors
     /// [`Error::TooLarge`] (more control points than 32 bits can count), [`Error::OutOfMemory`].
     pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
-        let (count, limit) = ((self.points.len() + rest.len()) as u64, u64::from(u32::MAX));
-        if count > limit {
-            return Err(Error::TooLarge { what: "control points", count, limit });
-        }
+        Error::check_count("control points", (self.points.len() + rest.len()) as u64, u32::MAX.into())?;
         alloc::append(&mut self.points, rest)?;
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }

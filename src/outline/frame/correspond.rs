@@ -73,11 +73,8 @@ fn curve_of(curves: &Fit, k: usize) -> Result<CurveView<'_>> {
 impl SectionNodes {
     /// Room for `columns` nodes in each row.
     fn reserve(&mut self, columns: usize) -> Result<()> {
-        let limit = u64::from(u32::MAX);
         let count = (self.rows as u64).saturating_mul(columns as u64);
-        if count > limit {
-            return Err(Error::TooLarge { what: "nodes", count, limit });
-        }
+        Error::check_count("nodes", count, u32::MAX.into())?;
         self.columns = columns;
         alloc::reserve(&mut self.nodes, count as usize)
     }
@@ -185,13 +182,9 @@ fn add_landmarks(
     parts: usize,
     found: &mut SectionNodes,
 ) -> Result<()> {
-    let wrong = |value: usize| Error::OptionOutOfRange { option: "landmarks", value: value as f64 };
-    if found.rows == 0 || points.is_empty() || !points.len().is_multiple_of(found.rows) {
-        return Err(wrong(points.len()));
-    }
-    if parts == 0 {
-        return Err(Error::OptionOutOfRange { option: "parts", value: 0.0 });
-    }
+    let check = |value: usize, allowed: bool| Error::check_option("landmarks", value as f64, allowed);
+    check(points.len(), found.rows > 0 && !points.is_empty() && points.len().is_multiple_of(found.rows))?;
+    Error::check_option("parts", parts as f64, parts > 0)?;
     let each = points.len() / found.rows;
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
     found.reserve(columns.unwrap_or(usize::MAX))?;
@@ -202,9 +195,7 @@ fn add_landmarks(
         // In order along the section; a closed one may pass its first point once on the way.
         let descents = (0..each).filter(|&i| own[i] >= own[(i + 1) % each]).count();
         let ordered = own.windows(2).all(|pair| pair[0] < pair[1]) || (sections.closed && descents <= 1);
-        if !ordered || own.iter().any(|&point| point as usize >= span.len()) {
-            return Err(wrong(k * each));
-        }
+        check(k * each, ordered && own.iter().all(|&point| (point as usize) < span.len()))?;
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
         let lengths = curve.lengths()?;
         for (i, &landmark) in own.iter().enumerate() {
@@ -247,17 +238,13 @@ fn add_between(
 fn axes(direction: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
     let unit = |v: DVec3, option: &'static str| {
         let largest = v.abs().max_element();
-        if !v.is_finite() || largest == 0.0 {
-            return Err(Error::OptionOutOfRange { option, value: largest });
-        }
+        Error::check_option(option, largest, v.is_finite() && largest > 0.0)?;
         Ok((v / largest).normalize())
     };
     let along = unit(direction, "axis")?;
     let reference = unit(reference, "reference")?;
     let across = reference - along * reference.dot(along);
-    if across.length() < 1e-9 {
-        return Err(Error::OptionOutOfRange { option: "reference", value: across.length() });
-    }
+    Error::check_option("reference", across.length(), across.length() >= 1e-9)?;
     let first = across.normalize();
     Ok([along, first, along.cross(first)])
 }

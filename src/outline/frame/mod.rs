@@ -74,13 +74,8 @@ pub struct Frame {
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
     let (rows, columns) = (found.rows, found.columns);
-    let min = if options.ring { 3 } else { 2 };
-    if rows < min {
-        return Err(Error::OptionOutOfRange { option: "sections", value: rows as f64 });
-    }
-    let min = if sections.closed { 3 } else { 2 };
-    if columns < min {
-        return Err(Error::OptionOutOfRange { option: "columns", value: columns as f64 });
+    for (option, count, closed) in [("sections", rows, options.ring), ("columns", columns, sections.closed)] {
+        Error::check_option(option, count as f64, count >= if closed { 3 } else { 2 })?;
     }
     let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.6))?;
     let mut turned_about = alloc::with_capacity(found.nodes.len())?;

@@ -196,9 +196,6 @@ impl Options {
             ("max_steps", f64::from(self.max_steps), self.max_steps > 0),
             ("step_divisor", self.step_divisor, self.step_divisor > 1.0 && self.step_divisor <= 1e6),
         ];
-        match ranges.iter().find(|range| !range.2) {
-            Some(&(option, value, _)) => Err(Error::OptionOutOfRange { option, value }),
-            None => Ok(()),
-        }
+        ranges.into_iter().try_for_each(|(option, value, allowed)| Error::check_option(option, value, allowed))
     }
 }

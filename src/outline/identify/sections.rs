@@ -43,9 +43,7 @@ pub struct Sections {
 pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Result<Sections> {
     let count = outlines.check()?;
     let alpha = method.alpha().unwrap_or(0.5);
-    if !(0.0..=1.0).contains(&alpha) {
-        return Err(Error::OptionOutOfRange { option: "alpha", value: alpha });
-    }
+    Error::check_option("alpha", alpha, (0.0..=1.0).contains(&alpha))?;
     let scale = scale(outlines)?;
     let total = outlines.points.len();
     let mut found = Sections {

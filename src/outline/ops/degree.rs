@@ -25,11 +25,8 @@ pub struct Reduced {
     pub kept: Vec<u32>,
 }
 
-fn degree_option(degree: usize, least: usize) -> Result<()> {
-    if (least..=MAX_DEGREE).contains(&degree) {
-        return Ok(());
-    }
-    Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 })
+fn check_degree(degree: usize) -> Result<()> {
+    Error::check_option("degree", degree as f64, (1..=MAX_DEGREE).contains(&degree))
 }
 
 impl CurveView<'_> {
@@ -48,7 +45,7 @@ impl CurveView<'_> {
     /// # Errors
     /// As for [`elevated_by`](Self::elevated_by).
     pub fn elevated_to(&self, degree: usize) -> Result<Curve> {
-        degree_option(degree, 1)?;
+        check_degree(degree)?;
         self.elevated(|old| old.max(degree))
     }
 
@@ -56,7 +53,7 @@ impl CurveView<'_> {
         let mut curve = self.begin()?;
         for controls in self.segments() {
             let to = degree(controls.len() - 1);
-            degree_option(to, 1)?;
+            check_degree(to)?;
             let mut elevated = SegmentBuffer::new(controls);
             elevated.elevate(to);
             curve.push(&elevated[1..])?;
@@ -73,10 +70,8 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for
     /// each segment.
     pub fn reduced(&self, degree: usize, tolerance: f64) -> Result<Reduced> {
-        degree_option(degree, 1)?;
-        if tolerance.is_nan() || tolerance < 0.0 {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-        }
+        check_degree(degree)?;
+        Error::check_option("tolerance", tolerance, tolerance >= 0.0)?;
         let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
         for (k, controls) in self.segments().enumerate() {
             if controls.len() - 1 <= degree {

@@ -8,6 +8,7 @@ use crate::outline::curve::CurveView;
 use crate::outline::curve::unit_frame::UnitFrame;
 use glam::DVec3;
 use std::fmt::{self, Write};
+use std::ops::RangeInclusive;
 
 /// A closed contour of a TrueType font (`glyf` table): between two points off the curve there is
 /// one on it in the middle.
@@ -71,7 +72,7 @@ impl CurveView<'_> {
     /// Also [`Error::Cancelled`].
     pub(crate) fn svg_path_cancellable(&self, job: &Job<'_>) -> Result<String> {
         self.check_plane()?;
-        self.check_degree(3)?;
+        self.check_degrees(1..=3)?;
         let mut text = String::new();
         let Some(&start) = self.points().first() else {
             return Ok(text);
@@ -110,10 +111,8 @@ impl CurveView<'_> {
     /// [`Error::OutOfMemory`]. O(points).
     pub fn contour(&self, tolerance: f64) -> Result<Contour> {
         self.check_plane()?;
-        self.check_degree(2)?;
-        if tolerance.is_nan() || tolerance < 0.0 {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-        }
+        self.check_degrees(1..=2)?;
+        Error::check_option("tolerance", tolerance, tolerance >= 0.0)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -154,9 +153,7 @@ impl CurveView<'_> {
             return Err(Error::EmptyCurve);
         }
         let n = self.segment(0).len() - 1;
-        if let Some(other) = self.segments().find(|controls| controls.len() != n + 1) {
-            return Err(Error::OptionOutOfRange { option: "degree", value: (other.len() - 1) as f64 });
-        }
+        self.check_degrees(n..=n)?;
         let mut spline = Spline { degree: n, ..Spline::default() };
         let frame = UnitFrame::of(self.points());
         let (mut knot, mut interval) = (0.0, 1.0);
@@ -182,11 +179,9 @@ impl CurveView<'_> {
         Ok(spline)
     }
 
-    fn check_degree(&self, most: usize) -> Result<()> {
-        match self.segments().find(|controls| controls.len() > most + 1) {
-            Some(controls) => Err(Error::OptionOutOfRange { option: "degree", value: (controls.len() - 1) as f64 }),
-            None => Ok(()),
-        }
+    fn check_degrees(&self, allowed: RangeInclusive<usize>) -> Result<()> {
+        let mut degrees = self.segments().map(|controls| controls.len() - 1);
+        degrees.try_for_each(|degree| Error::check_option("degree", degree as f64, allowed.contains(&degree)))
     }
 }
 

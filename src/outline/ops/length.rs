@@ -82,9 +82,7 @@ impl Lengths<'_> {
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
     pub fn place(&self, length: f64) -> Result<Place> {
-        if length.is_nan() {
-            return Err(Error::OptionOutOfRange { option: "length", value: length });
-        }
+        Error::check_option("length", length, !length.is_nan())?;
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
         }

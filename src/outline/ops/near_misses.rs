@@ -85,9 +85,7 @@ impl CurveView<'_> {
         if self.is_empty() || other.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        if !(within >= 0.0 && within.is_finite()) {
-            return Err(Error::OptionOutOfRange { option: "within", value: within });
-        }
+        Error::check_option("within", within, (0.0..f64::INFINITY).contains(&within))?;
         let frame = UnitFrame::of(self.points().iter().chain(other.points()));
         let points = [local_points(self, &frame)?, local_points(other, &frame)?];
         let sides = [

@@ -74,21 +74,12 @@ impl CurveView<'_> {
     /// Also [`Error::Cancelled`].
     pub(crate) fn offset_cancellable(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
         self.check_plane()?;
-        let refuse = |option, value| Err(Error::OptionOutOfRange { option, value });
         let frame = UnitFrame::of(self.points());
         let d = frame.length(distance);
-        if d.is_nan() || d.abs() > 1e100 {
-            return refuse("distance", distance);
-        }
-        if options.tolerance.is_nan() || options.tolerance <= 0.0 {
-            return refuse("tolerance", options.tolerance);
-        }
-        if !(2..=3).contains(&options.degree) {
-            return refuse("degree", options.degree as f64);
-        }
-        if options.max_segments == 0 {
-            return refuse("max_segments", 0.0);
-        }
+        Error::check_option("distance", distance, d.abs() <= 1e100)?;
+        Error::check_option("tolerance", options.tolerance, options.tolerance > 0.0)?;
+        Error::check_option("degree", options.degree as f64, (2..=3).contains(&options.degree))?;
+        Error::check_option("max_segments", options.max_segments as f64, options.max_segments > 0)?;
         let mut fit = OffsetFit {
             job: *job,
             frame,

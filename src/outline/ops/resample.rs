@@ -78,9 +78,7 @@ impl CurveView<'_> {
             Spacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
             Spacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
         };
-        if value.is_nan() || value < least {
-            return Err(Error::OptionOutOfRange { option, value });
-        }
+        Error::check_option(option, value, value >= least)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -102,8 +100,7 @@ impl CurveView<'_> {
 }
 
 fn within_limit(count: u64) -> Result<()> {
-    let limit = MAX_POINTS as u64;
-    if count > limit { Err(Error::TooLarge { what: "points", count, limit }) } else { Ok(()) }
+    Error::check_count("points", count, MAX_POINTS as u64)
 }
 
 /// A walk along a curve: the points so far.

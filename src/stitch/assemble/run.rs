@@ -33,10 +33,8 @@ use crate::stitch::{self, IndexMap};
 /// [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no error: see
 /// [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
-    if let MaxGap::Given(value) = options.max_gap
-        && !(0.0..f64::INFINITY).contains(&value)
-    {
-        return Err(Error::OptionOutOfRange { option: "max_gap", value });
+    if let MaxGap::Given(gap) = options.max_gap {
+        Error::check_option("max_gap", gap, (0.0..f64::INFINITY).contains(&gap))?;
     }
     let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
     let mut loops = Loops::of(&base.mesh, &job.part(0.3, 0.4))?;
@@ -420,9 +418,7 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
             let map = base.maps.get(selector.piece as usize);
             map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())
         };
-        if !pair.iter().all(exists) {
-            return Err(Error::OptionOutOfRange { option: "excluded", value: k as f64 });
-        }
+        Error::check_option("excluded", k as f64, pair.iter().all(exists))?;
         for &r in &first {
             for &s in &second {
                 alloc::push(&mut excluded, [r.min(s) as u32, r.max(s) as u32])?;
