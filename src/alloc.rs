@@ -65,6 +65,21 @@ pub(crate) fn collect_cancellable<T>(
     Ok(vec)
 }
 
+/// Collects an iterator of any length.
+pub(crate) fn gather<T>(items: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
+    try_gather(items.into_iter().map(Ok))
+}
+
+/// Collects an iterator of any length until one of its items fails.
+pub(crate) fn try_gather<T>(items: impl IntoIterator<Item = Result<T>>) -> Result<Vec<T>> {
+    let items = items.into_iter();
+    let mut vec = with_capacity(items.size_hint().0)?;
+    for item in items {
+        push(&mut vec, item?)?;
+    }
+    Ok(vec)
+}
+
 /// A copy of a slice.
 pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
     let mut vec = Vec::new();
@@ -98,6 +113,18 @@ pub(crate) fn append<T: Copy>(vec: &mut Vec<T>, items: &[T]) -> Result<()> {
     reserve(vec, items.len())?;
     vec.extend_from_slice(items);
     Ok(())
+}
+
+/// Appends the items of an iterator of any length.
+pub(crate) fn extend<T>(vec: &mut Vec<T>, items: impl IntoIterator<Item = T>) -> Result<()> {
+    let mut items = items.into_iter();
+    reserve(vec, items.size_hint().0)?;
+    items.try_for_each(|item| push(vec, item))
+}
+
+/// Appends parts, one after another, until one has failed.
+pub(crate) fn append_all<T: Copy>(vec: &mut Vec<T>, parts: impl IntoIterator<Item = Result<Vec<T>>>) -> Result<()> {
+    parts.into_iter().try_for_each(|part| append(vec, &part?))
 }
 
 /// Appends one element.

@@ -45,6 +45,12 @@ pub(crate) fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f6
     numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
 }
 
+/// Sorts, and leaves one of equal elements.
+pub(crate) fn sort_distinct<T: Ord>(items: &mut Vec<T>) {
+    items.sort_unstable();
+    items.dedup();
+}
+
 /// Items in numbered buckets: a counting sort. 4 bytes a bucket beside the items.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Buckets<T> {

@@ -72,11 +72,7 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
         Ok(gather.found)
     });
     let mut candidates = Vec::new();
-    for part in parts {
-        let part: Vec<Candidate> = part?;
-        alloc::reserve(&mut candidates, part.len())?;
-        candidates.extend(part);
-    }
+    alloc::append_all(&mut candidates, parts)?;
     let job = job.part(0.9, 1.0);
     job.step(0.0, STAGE)?;
     let Some(border) = border(candidates)? else {

@@ -196,9 +196,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     }
     // In place: a stable sort would ask for memory that may not be there.
     boundary.records.sort_unstable_by_key(|r| r.smallest);
-    for vertex in walker.bow_ties() {
-        alloc::push(&mut boundary.defects, Defect::BowTie { vertex })?;
-    }
+    alloc::extend(&mut boundary.defects, walker.bow_ties().map(|vertex| Defect::BowTie { vertex }))?;
     job.step(1.0, "walking along the boundary")?;
     Ok(boundary)
 }

@@ -43,9 +43,5 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
             fans[faces.corner(h) as usize] += 1;
         }
     }
-    let mut found = Vec::new();
-    for (v, _) in fans.iter().enumerate().filter(|&(_, &fans)| fans > 1) {
-        alloc::push(&mut found, v as u32)?;
-    }
-    Ok(found)
+    alloc::gather((0..).zip(fans).filter(|&(_, fans)| fans > 1).map(|(v, _)| v))
 }

@@ -10,7 +10,8 @@ use crate::error::Result;
 use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{Across, Defect, MeshView, Topology};
+use crate::mesh::{Across, Defect, MeshView, Topology, unordered};
+use crate::sort::sort_distinct;
 use glam::DVec3;
 
 /// What [`check`] found. Lists are ascending.
@@ -117,14 +118,10 @@ impl Check {
     }
 
     fn enter_non_manifold_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
-        let mut vertices = alloc::copied(&self.bow_ties)?;
-        alloc::reserve(&mut vertices, 2 * self.non_manifold_edges.len())?;
-        for &h in &self.non_manifold_edges {
-            vertices.extend([mesh.faces().corner(h), mesh.faces().corner(mesh.faces().next(h))]);
-        }
-        vertices.sort_unstable();
-        vertices.dedup();
-        self.non_manifold_vertices = vertices;
+        let ends = self.non_manifold_edges.iter().flat_map(|&h| [h, mesh.faces().next(h)]);
+        let vertices = self.bow_ties.iter().copied().chain(ends.map(|h| mesh.faces().corner(h)));
+        self.non_manifold_vertices = alloc::gather(vertices)?;
+        sort_distinct(&mut self.non_manifold_vertices);
         Ok(())
     }
 
@@ -160,7 +157,10 @@ impl Check {
                 }
                 match topology.across(h as u32) {
                     Across::Free => {}
-                    Across::Singular => alloc::push(&mut singular, (self.edge_ends(mesh, h as u32), f as u32))?,
+                    Across::Singular => {
+                        let ends = [h as u32, faces.next(h as u32)].map(|h| faces.corner(h));
+                        alloc::push(&mut singular, (unordered(ends), f as u32))?;
+                    }
                     Across::Mate(mate) => {
                         let (f, g) = (f as u32, faces.face_of(mate));
                         pieces.union(f, g);
@@ -179,19 +179,12 @@ impl Check {
         Ok(())
     }
 
-    fn edge_ends(&self, mesh: &MeshView<'_>, h: u32) -> (u32, u32) {
-        let (u, v) = (mesh.faces().corner(h), mesh.faces().corner(mesh.faces().next(h)));
-        (u.min(v), u.max(v))
-    }
-
     fn enter_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
         let mut used = alloc::filled(false, mesh.positions().len())?;
         for v in mesh.faces().corners(0..mesh.faces().half_edge_count()) {
             used[v as usize] = true;
         }
-        for (v, _) in used.iter().enumerate().filter(|&(_, &used)| !used) {
-            alloc::push(&mut self.unused_vertices, v as u32)?;
-        }
+        self.unused_vertices = alloc::gather((0..).zip(used).filter(|&(_, used)| !used).map(|(v, _)| v))?;
         Ok(())
     }
 

@@ -8,7 +8,6 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::sort::sort;
-use std::cmp::Ordering;
 
 /// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a
 /// face with a smaller number; ascending. Faces that repeat a vertex, given in `degenerate`, are
@@ -25,12 +24,8 @@ pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job
         starts[f].cycle(mesh, f).cmp(starts[g].cycle(mesh, g))
     };
     sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
-    let mut found = Vec::new();
-    for pair in order.windows(2) {
-        if compare(&pair[0], &pair[1]) == Ordering::Equal {
-            alloc::push(&mut found, pair[1])?;
-        }
-    }
+    let repeats = order.windows(2).filter(|pair| compare(&pair[0], &pair[1]).is_eq());
+    let mut found = alloc::gather(repeats.map(|pair| pair[1]))?;
     found.sort_unstable();
     Ok(found)
 }

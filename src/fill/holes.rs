@@ -119,8 +119,7 @@ impl Plan {
         }
         let (end_face, end_vertex) = counts(self);
         let start = self.rims.len();
-        alloc::reserve(&mut self.rims, candidate.vertices.len())?;
-        self.rims.extend_from_slice(&candidate.vertices);
+        alloc::append(&mut self.rims, &candidate.vertices)?;
         self.holes.push(Hole {
             status,
             rim: start..self.rims.len(),
@@ -144,8 +143,7 @@ impl Plan {
         check_size((first + patch.points.len()) as u64, corners as u64)?;
         let whole_name = |v: u32| if (v as usize) < rim { name(v) } else { (first + v as usize - rim) as u32 };
         let shared = |v: u32| (v as usize) < rim && passes[name(v) as usize] > 1;
-        alloc::reserve(&mut self.points, patch.points.len())?;
-        self.points.extend_from_slice(&patch.points);
+        alloc::append(&mut self.points, &patch.points)?;
         alloc::reserve(&mut self.faces.corners, 3 * patch.triangles.len())?;
         alloc::reserve(&mut self.faces.offsets, patch.triangles.len())?;
         for triangle in &patch.triangles {

@@ -6,6 +6,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
+use crate::sort::sort_distinct;
 use glam::DVec3;
 
 /// Which old faces and edges touch the rims of all holes.
@@ -41,10 +42,8 @@ impl Surroundings {
                 }
             }
         }
-        corners.sort_unstable();
-        corners.dedup();
-        edges.sort_unstable();
-        edges.dedup();
+        sort_distinct(&mut corners);
+        sort_distinct(&mut edges);
         Ok(Surroundings { corners, edges, names: alloc::filled(NONE, mesh.positions().len())? })
     }
 
@@ -64,14 +63,8 @@ impl Surroundings {
     pub(super) fn rim(&mut self, mesh: &MeshView<'_>, vertices: &[u32], whole: impl Fn(u32) -> bool) -> Result<Rim> {
         let n = vertices.len();
         let mut names = alloc::collect(vertices.iter().rev().copied())?;
-        let mut faces = Vec::new();
-        for &v in &names {
-            for f in self.faces_at(v) {
-                alloc::push(&mut faces, f)?;
-            }
-        }
-        faces.sort_unstable();
-        faces.dedup();
+        let mut faces = alloc::gather(names.iter().flat_map(|&v| self.faces_at(v)))?;
+        sort_distinct(&mut faces);
         names.iter().enumerate().for_each(|(i, &v)| self.names[v as usize] = i as u32);
 
         let mut rim = Rim {
@@ -109,8 +102,7 @@ impl Surroundings {
 fn enter_face(mesh: &MeshView<'_>, names: &[u32], own: &[u32], rim: &mut Rim, sides: &mut [u32]) -> Result<()> {
     let point = |name: u32| mesh.positions().get(names[name as usize]);
     let n = rim.count;
-    alloc::reserve(&mut rim.around, own.len())?;
-    rim.around.extend(own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]));
+    alloc::extend(&mut rim.around, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
     // By Newell's formula, seen from a corner, at a scale of its own; only its direction counts.
     let reach = own.iter().map(|&v| (point(v) - point(own[0])).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
     let leg = |v: u32| (point(v) - point(own[0])) / reach;

@@ -19,7 +19,9 @@ pub(crate) struct DisjointSets {
 impl DisjointSets {
     /// `count` sets of one element each.
     pub(crate) fn new(count: usize) -> Result<Self> {
-        Ok(DisjointSets { parents: alloc::collect((0..count).map(|i| i as u32))? })
+        let mut sets = DisjointSets::default();
+        sets.reset(count)?;
+        Ok(sets)
     }
 
     /// Sets in which every element is a child of its entry, which is not greater, or a root.
@@ -32,7 +34,7 @@ impl DisjointSets {
     pub(crate) fn reset(&mut self, count: usize) -> Result<()> {
         self.parents.clear();
         alloc::reserve(&mut self.parents, count)?;
-        self.parents.extend((0..count).map(|i| i as u32));
+        self.parents.extend(0..count as u32);
         Ok(())
     }
 

@@ -32,28 +32,16 @@ impl PositionBuffer {
         match self {
             PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from),
             PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_bits(out, from),
-            PositionBuffer::F64(out) => {
-                alloc::reserve(out, from.len())?;
-                out.extend((0..from.len()).map(|v| from.get(v as u32).to_array()));
-                Ok(())
-            }
-            PositionBuffer::F32(out) => {
-                alloc::reserve(out, from.len())?;
-                out.extend((0..from.len()).map(|v| from.get(v as u32).as_vec3().to_array()));
-                Ok(())
-            }
+            _ => self.extend((0..from.len()).map(|v| from.get(v as u32))),
         }
     }
 
     /// Appends points, rounded to the buffer's type.
     pub(crate) fn extend(&mut self, points: impl Iterator<Item = DVec3>) -> Result<()> {
-        for p in points {
-            match self {
-                PositionBuffer::F32(out) => alloc::push(out, p.as_vec3().to_array())?,
-                PositionBuffer::F64(out) => alloc::push(out, p.to_array())?,
-            }
+        match self {
+            PositionBuffer::F32(out) => alloc::extend(out, points.map(|p| p.as_vec3().to_array())),
+            PositionBuffer::F64(out) => alloc::extend(out, points.map(|p| p.to_array())),
         }
-        Ok(())
     }
 
     /// Appends positions `vertices` of this buffer to `out`, bit for bit.

@@ -86,9 +86,7 @@ pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
         }
         let found =
             par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries));
-        for more in found {
-            alloc::append(&mut defects, &more?)?;
-        }
+        alloc::append_all(&mut defects, found)?;
     }
     defects.sort_unstable();
     let mate = mate.into_iter().map(AtomicU32::into_inner).collect();
@@ -250,12 +248,8 @@ impl Distribute<'_> {
     #[cold]
     fn ignore(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
-        for ((u, v), h) in corners.iter().zip(after).zip(first..) {
-            if shown == 0 || u == v {
-                alloc::push(&mut self.part.ignored, h)?;
-            }
-        }
-        Ok(())
+        let ignored = corners.iter().zip(after).zip(first..).filter(|&((u, v), _)| shown == 0 || u == v);
+        alloc::extend(&mut self.part.ignored, ignored.map(|(_, h)| h))
     }
 }
 

@@ -56,19 +56,11 @@ impl Topology {
     pub(crate) fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
         let mate = &self.0.mate;
         let found = par::map(job.threads(), par::ranges(mate.len(), CHUNK), |range| {
-            let mut border = Vec::new();
-            for (&mate, h) in mate[range.clone()].iter().zip(range) {
-                if mate >= SINGULAR {
-                    alloc::push(&mut border, h as u32)?;
-                }
-            }
-            Ok(border)
+            let half_edges = (range.start as u32..).zip(&mate[range]);
+            alloc::gather(half_edges.filter(|&(_, &mate)| mate >= SINGULAR).map(|(h, _)| h))
         });
         let mut border = Vec::new();
-        for part in found {
-            let part: Vec<u32> = part?;
-            alloc::append(&mut border, &part)?;
-        }
+        alloc::append_all(&mut border, found)?;
         Ok(border)
     }
 
@@ -105,6 +97,11 @@ impl Topology {
             }
         }
     }
+}
+
+/// The ends of an edge in one word, whatever their order.
+pub(crate) fn unordered([u, v]: [u32; 2]) -> u64 {
+    u64::from(u.min(v)) << 32 | u64::from(u.max(v))
 }
 
 /// The half-edges of face `f` as (number, start vertex, end vertex).

@@ -70,8 +70,7 @@ impl Clusters {
                     claimed[j] = true;
                     found.of[v as usize] = representative;
                 } else {
-                    alloc::reserve(&mut found.kept_apart, 2)?;
-                    found.kept_apart.extend([representative, v]);
+                    alloc::append(&mut found.kept_apart, &[representative, v])?;
                 }
             }
         }
@@ -124,9 +123,7 @@ impl<'a> Near<'a> {
         match self {
             Near::Equal { order, begin } => {
                 let group = order[begin[i] as usize..].iter().take_while(|&&j| points[j as usize] == points[i]);
-                for &j in group {
-                    alloc::push(out, (0.0, j))?;
-                }
+                alloc::extend(out, group.map(|&j| (0.0, j)))?;
             }
             Near::Within { tree, reach } => {
                 let mut outcome = Ok(());

@@ -21,7 +21,7 @@ use super::corners::Corners;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
+use crate::mesh::{Across, MeshView, NONE, Topology, half_edges, unordered};
 use crate::sort::sort;
 use std::iter;
 
@@ -39,11 +39,6 @@ pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
 pub(super) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
     let all = (0..mesh.faces().len()).flat_map(|f| half_edges(mesh, f));
     all.filter(|&(h, ..)| is_free(topology, h)).map(|(h, u, v)| (h, [u, v]))
-}
-
-/// A pair of numbers in one word, whatever their order.
-pub(super) fn unordered([u, v]: [u32; 2]) -> u64 {
-    u64::from(u.min(v)) << 32 | u64::from(u.max(v))
 }
 
 /// Sews what can be sewn; returns per vertex the smallest vertex of those that it is one with.
@@ -78,20 +73,13 @@ pub(super) fn sew(
 /// edge whose ends lie together is in none: its neighbours decide.
 fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
     job.step(0.0, STAGE)?;
-    let mut free = Vec::new();
-    for (h, ends) in free_edges(mesh, topology) {
-        let at = ends.map(|v| clusters[v as usize]);
-        if at[0] != at[1] {
-            alloc::push(&mut free, (unordered(at), h))?;
-        }
-    }
+    let clustered = free_edges(mesh, topology).map(|(h, ends)| (ends.map(|v| clusters[v as usize]), h));
+    let mut free = alloc::gather(clustered.filter(|([u, v], _)| u != v).map(|(ends, h)| (unordered(ends), h)))?;
     sort(&mut free, Ord::cmp, &job.part(0.0, 0.6), STAGE)?;
-    let mut pairs = Vec::new();
-    for together in free.chunk_by(|a, b| a.0 == b.0) {
-        if let [(_, g), (_, h)] = *together {
-            alloc::push(&mut pairs, [g, h])?;
-        }
-    }
+    let mut pairs = alloc::gather(free.chunk_by(|a, b| a.0 == b.0).filter_map(|together| match *together {
+        [(_, g), (_, h)] => Some([g, h]),
+        _ => None,
+    }))?;
     sort(&mut pairs, Ord::cmp, &job.part(0.6, 1.0), STAGE)?;
     job.step(1.0, STAGE)?;
     Ok(pairs)

@@ -13,13 +13,13 @@
 
 use super::cluster::Clusters;
 use super::corners::Corners;
-use super::sew::{free_edges, is_free, sew, unordered};
+use super::sew::{free_edges, is_free, sew};
 use crate::alloc;
 use crate::choice::choices;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges};
-use crate::sort::sort;
+use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges, unordered};
+use crate::sort::{sort, sort_distinct};
 
 const STAGE: &str = "welding";
 
@@ -119,9 +119,7 @@ fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<V
         true => free_edges(mesh, topology).flat_map(|(_, ends)| ends).for_each(mark),
         false => mesh.faces().corners(0..mesh.faces().half_edge_count()).for_each(mark),
     }
-    let mut members = alloc::with_capacity(marked.iter().filter(|&&m| m).count())?;
-    members.extend((0u32..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v));
-    Ok(members)
+    alloc::gather((0..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v))
 }
 
 impl Clusters {
@@ -133,11 +131,9 @@ impl Clusters {
             let cluster = self.of[v as usize] as usize;
             split[cluster] |= representative[v as usize] != representative[cluster];
         }
-        for &v in members.iter().filter(|&&v| split[self.of[v as usize] as usize]) {
-            alloc::push(&mut self.kept_apart, v)?;
-        }
-        self.kept_apart.sort_unstable();
-        self.kept_apart.dedup();
+        let split = members.iter().filter(|&&v| split[self.of[v as usize] as usize]);
+        alloc::extend(&mut self.kept_apart, split.copied())?;
+        sort_distinct(&mut self.kept_apart);
         Ok(())
     }
 }
@@ -238,8 +234,7 @@ impl Weld {
                 if edge.len() == 2 && edge.iter().all(|e| free(&e)) {
                     self.sewn_edges += 1;
                 } else if together.len() > 1 {
-                    alloc::reserve(&mut self.left_edges, edge.len())?;
-                    self.left_edges.extend(edge.iter().filter(free).map(|&(_, _, h)| h));
+                    alloc::extend(&mut self.left_edges, edge.iter().filter(free).map(|&(_, _, h)| h))?;
                 }
             }
         }

@@ -18,6 +18,7 @@ use crate::geom::{Aabb, bit_set::BitSet};
 use crate::intersect::{Soup, intersecting_pairs};
 use crate::job::Job;
 use crate::mesh::{Mesh, Scalar};
+use crate::sort::sort_distinct;
 use glam::DVec3;
 
 /// The fairing is taken back at most so often.
@@ -139,11 +140,8 @@ impl<'a> Neighbourhood<'a> {
         let mut ends = Vec::new();
         if !strip.a.closed {
             let columns = strip.meridians.len();
-            for row in strip.grid.matrix.chunks(columns) {
-                for k in [row[0], row[columns - 1]] {
-                    alloc::push(&mut ends, name(&k))?;
-                }
-            }
+            let rows = strip.grid.matrix.chunks(columns);
+            ends = alloc::gather(rows.flat_map(|row| [row[0], row[columns - 1]]).map(|k| name(&k)))?;
             ends.sort_unstable();
         }
         let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
@@ -202,12 +200,10 @@ impl<'a> Neighbourhood<'a> {
     fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
         let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)))?.corners;
-        alloc::reserve(&mut triangles, round.len())?;
-        triangles.extend(round);
+        alloc::append(&mut triangles, &round)?;
         // The patch's own numbers.
         let mut vertices = alloc::collect(triangles.as_flattened().iter().copied())?;
-        vertices.sort_unstable();
-        vertices.dedup();
+        sort_distinct(&mut vertices);
         let number = |v: u32| vertices.binary_search(&v).unwrap_or(0) as u32;
         triangles.iter_mut().for_each(|t| *t = t.map(number));
         let mut valence = alloc::filled(0usize, vertices.len())?;
@@ -328,8 +324,7 @@ impl<'a> Neighbourhood<'a> {
             [f.max(g), f.min(g)]
         }))?;
         // The two triangles of a quad may fold onto each other.
-        faces.sort_unstable();
-        faces.dedup();
+        sort_distinct(&mut faces);
         Ok(faces)
     }
 }

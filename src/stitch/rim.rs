@@ -5,6 +5,7 @@ use crate::alloc;
 use crate::boundary::{Boundary, EdgeFlags, Loop, LoopFlags};
 use crate::error::{Error, Result, Side};
 use crate::mesh::MeshView;
+use crate::sort::sort_distinct;
 use glam::DVec3;
 
 /// A closed loop of free edges that passes each vertex once, with the surface on its left; or an
@@ -265,8 +266,7 @@ impl Bridges {
                 }
             }
         }
-        edges.sort_unstable();
-        edges.dedup();
+        sort_distinct(&mut edges);
         Ok(Bridges(edges))
     }
 

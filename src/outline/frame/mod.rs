@@ -78,10 +78,8 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         Error::check_option(option, count as f64, count >= if closed { 3 } else { 2 })?;
     }
     let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.6))?;
-    let mut turned_about = alloc::with_capacity(found.nodes.len())?;
-    for i in 0..columns {
-        turned_about.extend((0..rows).map(|k| found.nodes[k * columns + i]));
-    }
+    let turned_back = |point: usize| (point % rows) * columns + point / rows;
+    let turned_about = alloc::collect((0..found.nodes.len()).map(|point| found.nodes[turned_back(point)]))?;
     let along = curves(&turned_about, rows, options.ring, &options.along, &job.part(0.6, 0.8))?;
     let mut grid = NodeGrid {
         rows,
@@ -96,7 +94,6 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     };
     let (on_across, directions) = at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
     grid.across = directions;
-    let turned_back = |point: usize| (point % rows) * columns + point / rows;
     let (on_along, directions) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
     grid.along = directions;
     let unit = common_unit(&grid.nodes);

@@ -145,9 +145,7 @@ impl Nodes {
         self.cut_corners(options.corner_angle)?;
         let last = self.points.len().saturating_sub(1) as u32;
         if !self.closed {
-            alloc::reserve(&mut self.cuts, 2)?;
-            self.cuts.push(Cut { node: 0, tangent: None });
-            self.cuts.push(Cut { node: last, tangent: None });
+            alloc::append(&mut self.cuts, &[0, last].map(|node| Cut { node, tangent: None }))?;
         }
         // Of several at a node the first holds.
         self.cuts.sort_by_key(|cut| cut.node);
@@ -173,14 +171,13 @@ impl Nodes {
         }
         let min_cosine = libm::cos(angle);
         let inner = if self.closed { 0..n } else { 1..n - 1 };
-        for i in inner {
+        let is_corner = |&i: &usize| {
             let [a, p, c] = [self.points[(i + n - 1) % n], self.points[i], self.points[(i + 1) % n]];
             let (u, v) = (p - a, c - p);
-            if u.dot(v) < min_cosine * u.length() * v.length() {
-                alloc::push(&mut self.cuts, Cut { node: i as u32, tangent: None })?;
-            }
-        }
-        Ok(())
+            u.dot(v) < min_cosine * u.length() * v.length()
+        };
+        let corners = inner.filter(is_corner).map(|i| Cut { node: i as u32, tangent: None });
+        alloc::extend(&mut self.cuts, corners)
     }
 
     /// A closed outline without a cut as one subcurve, and the results of its nodes.

@@ -67,12 +67,10 @@ impl CurveView<'_> {
     }
 
     fn at_each<T>(&self, places: &[Place], value: impl Fn(&[DVec3], f64) -> T) -> Result<Vec<T>> {
-        let mut out = alloc::with_capacity(places.len())?;
-        for (index, &place) in places.iter().enumerate() {
+        alloc::try_gather(places.iter().enumerate().map(|(index, &place)| {
             self.check_place(index, place)?;
-            out.push(value(self.segment(place.segment as usize), place.t));
-        }
-        Ok(out)
+            Ok(value(self.segment(place.segment as usize), place.t))
+        }))
     }
 }
 

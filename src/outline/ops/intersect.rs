@@ -162,12 +162,10 @@ fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) ->
 impl Intersections {
     fn add(&mut self, p: &Piece, q: &Piece, joined: Joined, found: &mut SegmentIntersections) -> Result<()> {
         intersect(&p.controls, &q.controls, joined, found)?;
-        for &[s, t] in &found.at {
-            alloc::push(&mut self.points, Intersection { a: p.place(s), b: q.place(t) })?;
-        }
-        for &[s, t] in &found.overlaps {
-            alloc::push(&mut self.overlaps, Overlap { a: s.map(|s| p.place(s)), b: t.map(|t| q.place(t)) })?;
-        }
+        let points = found.at.iter().map(|&[s, t]| Intersection { a: p.place(s), b: q.place(t) });
+        alloc::extend(&mut self.points, points)?;
+        let places = |[s, t]: [[f64; 2]; 2]| Overlap { a: s.map(|s| p.place(s)), b: t.map(|t| q.place(t)) };
+        alloc::extend(&mut self.overlaps, found.overlaps.iter().copied().map(places))?;
         self.undecided |= found.undecided;
         Ok(())
     }

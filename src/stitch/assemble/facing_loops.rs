@@ -15,6 +15,7 @@ use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::mesh::NONE;
+use crate::sort::sort_distinct;
 use crate::stitch::facing::{Arc, centre, cyclic_runs};
 use crate::stitch::rim::Rim;
 use glam::DVec3;
@@ -210,10 +211,7 @@ impl FacingSearch<'_> {
 
     /// What each loop sees of each other one, in ascending order of the loops.
     fn proximities(&self, nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<LoopProximity>> {
-        let mut lengths = alloc::with_capacity(self.rims.len())?;
-        for rim in self.rims {
-            lengths.push(lengths_of(rim)?);
-        }
+        let lengths = alloc::try_gather(self.rims.iter().map(lengths_of))?;
         let mut proximities = Vec::new();
         for (r, of_rim) in nearest_vertices.iter().enumerate() {
             let mut pairs = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
@@ -227,10 +225,8 @@ impl FacingSearch<'_> {
                 let even = high <= MAX_DISTANCE_RATIO * low.max(self.candidates[r].spacing);
                 let k = group[0].0 as usize;
                 let round = even || winds_once(&lengths[k], group.iter().map(|&(_, i)| of_rim[i as usize].place));
-                alloc::push(
-                    &mut proximities,
-                    LoopProximity { rims: [r as u32, group[0].0], count: group.len(), mean, round },
-                )?;
+                let rims = [r as u32, group[0].0];
+                alloc::push(&mut proximities, LoopProximity { rims, count: group.len(), mean, round })?;
             }
         }
         Ok(proximities)
@@ -265,8 +261,7 @@ impl FacingSearch<'_> {
         for (r, of_rim) in nearest_vertices.iter().enumerate() {
             let mut numbers = alloc::filled(NONE, of_rim.len())?;
             let mut faced = alloc::collect(of_rim.iter().map(|look| if sees(r, look) { look.rim } else { NONE }))?;
-            faced.sort_unstable();
-            faced.dedup();
+            sort_distinct(&mut faced);
             for &k in faced.iter().filter(|&&k| k != NONE) {
                 for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
                     let arc = trimmed(arc, of_rim);
@@ -289,10 +284,7 @@ impl FacingSearch<'_> {
             let most = groups.rev().max_by_key(|group| group.len()).map_or(NONE, |group| group[0]);
             Ok((most, places.map(|i| nearest_vertices[r][i].distance).sum::<f64>() / arc.count as f64))
         };
-        let mut partners = alloc::with_capacity(arcs.len())?;
-        for arc in &arcs {
-            partners.push(partner(arc)?);
-        }
+        let partners = alloc::try_gather(arcs.iter().map(partner))?;
         for (x, &(y, gap)) in partners.iter().enumerate() {
             if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
                 let (first, second) = (arcs[x], arcs[y as usize]);

@@ -11,6 +11,7 @@ use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Defect, Mesh, MeshView, NONE, concat, vertex_components};
 use crate::repair::{orient, weld};
+use crate::sort::sort_distinct;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::pairing::mean_gap;
@@ -144,8 +145,7 @@ impl Base {
             return Ok(outcomes);
         }
         let mut components = alloc::collect(loops.candidates.iter().map(|candidate| candidate.component))?;
-        components.sort_unstable();
-        components.dedup();
+        sort_distinct(&mut components);
         let place = |component: u32| components.partition_point(|&other| other < component) as u32;
         let mut agreement = ParitySets::new(components.len())?;
         for (facing, outcome) in found.iter().zip(&mut outcomes) {
@@ -290,8 +290,7 @@ impl Loops {
                 }
             }
         }
-        edges.of.sort_unstable();
-        edges.of.dedup();
+        sort_distinct(&mut edges.of);
         Ok(edges)
     }
 
@@ -320,21 +319,14 @@ impl Loops {
 
     /// The loops that a selector names, in ascending order.
     fn named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
-        let mut named = Vec::new();
         let Some(map) = base.maps.get(selector.piece as usize) else {
-            return Ok(named);
+            return Ok(Vec::new());
         };
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
-            for &(_, r) in loops_of(places, vertex) {
-                alloc::push(&mut named, r as usize)?;
-            }
-        } else if selector.vertex == NONE {
-            let has = |rim: &Rim| rim.vertices.iter().any(|&v| base.piece[v as usize] == selector.piece);
-            for (r, _) in self.rims.iter().enumerate().filter(|(_, rim)| has(rim)) {
-                alloc::push(&mut named, r)?;
-            }
+            return alloc::collect(loops_of(places, vertex).iter().map(|&(_, r)| r as usize));
         }
-        Ok(named)
+        let of_piece = |&v: &u32| selector.vertex == NONE && base.piece[v as usize] == selector.piece;
+        alloc::gather((0..self.rims.len()).filter(|&r| self.rims[r].vertices.iter().any(of_piece)))
     }
 }
 
@@ -368,20 +360,14 @@ impl Edges {
     /// use one again.
     fn enter_strip(&mut self, strip: &Strip) -> Result<()> {
         let before = self.of.len();
-        let shared = |v: u32| loops_of(&self.places, v).len() > 1;
-        let mut again = Vec::new();
         for &[i, j] in &strip.meridians {
             let [u, v] = [strip.a.vertex(i), strip.b.vertex(j)];
-            if shared(u) && shared(v) {
-                alloc::push(&mut again, (u, v))?;
+            if [u, v].iter().all(|&v| loops_of(&self.places, v).len() > 1) {
+                self.enter(u, v)?;
             }
         }
-        for (u, v) in again {
-            self.enter(u, v)?;
-        }
         if self.of.len() > before {
-            self.of.sort_unstable();
-            self.of.dedup();
+            sort_distinct(&mut self.of);
         }
         Ok(())
     }
@@ -419,11 +405,8 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
             map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())
         };
         Error::check_option("excluded", k as f64, pair.iter().all(exists))?;
-        for &r in &first {
-            for &s in &second {
-                alloc::push(&mut excluded, [r.min(s) as u32, r.max(s) as u32])?;
-            }
-        }
+        let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
+        alloc::extend(&mut excluded, pairs)?;
     }
     excluded.sort_unstable();
     if options.max_gap != MaxGap::Given(0.0) {
@@ -440,9 +423,7 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
             arcs: !options.whole_loops_only,
             max_gap,
         };
-        let more = search.run(job)?;
-        alloc::reserve(&mut found, more.len())?;
-        found.extend(more);
+        alloc::append(&mut found, &search.run(job)?)?;
     }
     Ok(found)
 }

@@ -60,11 +60,7 @@ impl Band {
             let above = (j as usize) < m && j >= self.high[i] || i > 0 && j > self.high[i - 1];
             below || above
         };
-        let mut found = Vec::new();
-        for node in path.iter().filter(|node| touching(node)) {
-            alloc::push(&mut found, *node)?;
-        }
-        Ok(found)
+        alloc::gather(path.iter().filter(|node| touching(node)).copied())
     }
 
     /// Adds all within `width` rows and columns of some nodes.

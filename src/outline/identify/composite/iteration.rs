@@ -26,8 +26,7 @@ impl Iteration {
     pub(super) fn begin(&mut self, sub: &Subcurve<'_>, solution: &Solution) -> Result<()> {
         let n = sub.len();
         self.beta.clear();
-        alloc::reserve(&mut self.beta, n)?;
-        self.beta.extend((0..n).map(|i| solution.joint_parameter(sub, i)));
+        alloc::extend(&mut self.beta, (0..n).map(|i| solution.joint_parameter(sub, i)))?;
         alloc::reset(&mut self.fell_back, n, false)?;
         alloc::reset(&mut self.missed_guide, n, false)?;
         self.previous.clear();
