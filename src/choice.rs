@@ -28,9 +28,18 @@ pub(crate) struct Choices<T: 'static> {
     pub(crate) texts: &'static [Choice],
 }
 
-/// `choices! { NAME: Type = value => "label", "help"; ... }` defines a constant table of
-/// [`Choices`].
+/// `choices! { for Enum: Variant => "label", "help"; ... }` gives an enum its table of [`Choices`],
+/// `Enum::CHOICES`; `choices! { NAME: Type = value => "label", "help"; ... }` defines one of any
+/// values.
 macro_rules! choices {
+    (for $type:ident: $($variant:ident => $label:literal, $help:literal;)+) => {
+        impl $type {
+            $crate::choice::choices! {
+                /// The choices of hosts.
+                CHOICES: $type = $($type::$variant => $label, $help;)+
+            }
+        }
+    };
     ($(#[$attr:meta])* $name:ident: $type:ty = $($value:expr => $label:literal, $help:literal;)+) => {
         $(#[$attr])*
         pub(crate) const $name: $crate::choice::Choices<$type> = $crate::choice::Choices {

@@ -14,13 +14,9 @@ pub enum NonManifold {
     Stop,
 }
 
-impl NonManifold {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: NonManifold =
-            NonManifold::Cut => "Cut", "Each face has a border of its own there: loops are always closed.";
-            NonManifold::Stop => "Stop", "Loops end there, as open chains.";
-    }
+choices! { for NonManifold:
+    Cut => "Cut", "Each face has a border of its own there: loops are always closed.";
+    Stop => "Stop", "Loops end there, as open chains.";
 }
 
 /// How closely the mesh is looked at.

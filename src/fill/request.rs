@@ -20,14 +20,10 @@ pub enum Weight {
     Area,
 }
 
-impl Weight {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Weight =
-            Weight::AreaAndBend => "Area and bend", "The area, and the bends along edges by their squared length.";
-            Weight::BendThenArea => "Largest bend", "The largest angle between neighbouring faces, then the area.";
-            Weight::Area => "Area", "The area alone.";
-    }
+choices! { for Weight:
+    AreaAndBend => "Area and bend", "The area, and the bends along edges by their squared length.";
+    BendThenArea => "Largest bend", "The largest angle between neighbouring faces, then the area.";
+    Area => "Area", "The area alone.";
 }
 
 /// New vertices inside the holes.

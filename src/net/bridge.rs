@@ -28,14 +28,10 @@ pub enum BridgeMode {
     Weld,
 }
 
-impl BridgeMode {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: BridgeMode =
-            BridgeMode::Keep => "Quads", "A row of new quads joins them.";
-            BridgeMode::Hide => "Nothing", "They are in one mesh, but not joined.";
-            BridgeMode::Weld => "Weld", "Their coincident sides are merged.";
-    }
+choices! { for BridgeMode:
+    Keep => "Quads", "A row of new quads joins them.";
+    Hide => "Nothing", "They are in one mesh, but not joined.";
+    Weld => "Weld", "Their coincident sides are merged.";
 }
 
 /// The physical properties that a host gives a bridge (Deryagin, "tension, elasticity, stiffness"):

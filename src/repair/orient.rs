@@ -28,13 +28,9 @@ pub enum Outward {
     Closed,
 }
 
-impl Outward {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Outward =
-            Outward::Keep => "Majority", "The orientation of most of their faces.";
-            Outward::Closed => "Outwards", "Outwards, each by its own volume, also inside others.";
-    }
+choices! { for Outward:
+    Keep => "Majority", "The orientation of most of their faces.";
+    Closed => "Outwards", "Outwards, each by its own volume, also inside others.";
 }
 
 /// How to orient.

@@ -33,13 +33,9 @@ pub enum Vertices {
     All,
 }
 
-impl Vertices {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Vertices =
-            Vertices::Boundary => "Borders", "Coincident pairs of boundary edges become one edge.";
-            Vertices::All => "All vertices", "All coincident vertices, whatever becomes of the edges.";
-    }
+choices! { for Vertices:
+    Boundary => "Borders", "Coincident pairs of boundary edges become one edge.";
+    All => "All vertices", "All coincident vertices, whatever becomes of the edges.";
 }
 
 /// How to weld.

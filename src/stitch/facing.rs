@@ -84,13 +84,9 @@ pub enum Centres {
     Length,
 }
 
-impl Centres {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Centres =
-            Centres::Vertices => "Mean of the points", "As in the paper.";
-            Centres::Length => "Mean of the curve", "Independent of the spacing of the points.";
-    }
+choices! { for Centres:
+    Vertices => "Mean of the points", "As in the paper.";
+    Length => "Mean of the curve", "Independent of the spacing of the points.";
 }
 
 /// How facing vertices are found.
@@ -115,13 +111,9 @@ pub enum Run {
     Longest,
 }
 
-impl Run {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Run =
-            Run::Closest => "Closest", "The one with the closest pair of points.";
-            Run::Longest => "Longest", "The one of the most points.";
-    }
+choices! { for Run:
+    Closest => "Closest", "The one with the closest pair of points.";
+    Longest => "Longest", "The one of the most points.";
 }
 
 /// An arc of a loop: its first place and its number of vertices. It may pass the loop's end.

@@ -22,14 +22,10 @@ pub enum Orientation {
     Keep,
 }
 
-impl Orientation {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Orientation =
-            Orientation::Fix => "Reverse it", "Its faces are reversed.";
-            Orientation::Refuse => "Refuse", "The filter fails.";
-            Orientation::Keep => "Ignore", "The faces are taken as they are.";
-    }
+choices! { for Orientation:
+    Fix => "Reverse it", "Its faces are reversed.";
+    Refuse => "Refuse", "The filter fails.";
+    Keep => "Ignore", "The faces are taken as they are.";
 }
 
 /// How many rows of new vertices lie between the rims.
@@ -55,13 +51,9 @@ pub enum Cells {
     Quads,
 }
 
-impl Cells {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Cells =
-            Cells::Triangles => "Triangles", "Quads are split by their shorter diagonals.";
-            Cells::Quads => "Quads", "Quads where four different neighbours meet, triangles elsewhere.";
-    }
+choices! { for Cells:
+    Triangles => "Triangles", "Quads are split by their shorter diagonals.";
+    Quads => "Quads", "Quads where four different neighbours meet, triangles elsewhere.";
 }
 
 /// Whether the new vertices stay on straight meridians.
@@ -75,13 +67,9 @@ pub enum Fairing {
     ThinPlate,
 }
 
-impl Fairing {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Fairing =
-            Fairing::None => "Straight", "Evenly on straight lines from rim to rim.";
-            Fairing::ThinPlate => "Fair", "The strip bends as a thin plate and joins both pieces smoothly.";
-    }
+choices! { for Fairing:
+    None => "Straight", "Evenly on straight lines from rim to rim.";
+    ThinPlate => "Fair", "The strip bends as a thin plate and joins both pieces smoothly.";
 }
 
 /// Whether faces of the strip that cut others are looked for. What they share by number, a vertex
@@ -98,14 +86,10 @@ pub enum Intersections {
     Report,
 }
 
-impl Intersections {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Intersections =
-            Intersections::Auto => "Automatic", "Where rows are faired; there they are avoided.";
-            Intersections::Ignore => "Ignore", "No search.";
-            Intersections::Report => "Report", "Always.";
-    }
+choices! { for Intersections:
+    Auto => "Automatic", "Where rows are faired; there they are avoided.";
+    Ignore => "Ignore", "No search.";
+    Report => "Report", "Always.";
 }
 
 /// How to stitch.

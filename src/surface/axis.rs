@@ -26,13 +26,9 @@ pub enum Scheme {
     FourPoint,
 }
 
-impl Scheme {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Scheme =
-            Scheme::SixTap => "Smooth", "Bicubic patches from 6 x 6 vertices each, with continuous tangents.";
-            Scheme::FourPoint => "Four points", "Bicubic patches through 4 x 4 vertices each, with discontinuous tangents.";
-    }
+choices! { for Scheme:
+    SixTap => "Smooth", "Bicubic patches from 6 x 6 vertices each, with continuous tangents.";
+    FourPoint => "Four points", "Bicubic patches through 4 x 4 vertices each, with discontinuous tangents.";
 }
 
 /// The weights that make the four Bézier points of an interval from the nodes round it.

@@ -24,13 +24,9 @@ pub enum Interpolation {
     Bicubic,
 }
 
-impl Interpolation {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Interpolation =
-            Interpolation::Bicubic => "Cubic", "Cubic splines along rows and columns, which pass through all vertices.";
-            Interpolation::Bilinear => "Bilinear", "The bilinear patches of the quads.";
-    }
+choices! { for Interpolation:
+    Bicubic => "Cubic", "Cubic splines along rows and columns, which pass through all vertices.";
+    Bilinear => "Bilinear", "The bilinear patches of the quads.";
 }
 
 /// A net of another size, with nodes evenly spaced in the parameters of this one. First and last

@@ -35,15 +35,11 @@ pub enum Method {
     Alpha(f64),
 }
 
-impl Method {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Method =
-            Method::Bisector => "Bisector", "The bisector of the angle at the point.";
-            Method::Median => "Median", "The median of the triangle with its neighbours.";
-            Method::Normal => "Normal", "The normal of the chord, where its foot lies on the chord; else the bisector.";
-            Method::Symmedian => "Symmedian", "The symmedian of the triangle.";
-    }
+choices! { for Method:
+    Bisector => "Bisector", "The bisector of the angle at the point.";
+    Median => "Median", "The median of the triangle with its neighbours.";
+    Normal => "Normal", "The normal of the chord, where its foot lies on the chord; else the bisector.";
+    Symmedian => "Symmedian", "The symmedian of the triangle.";
 }
 
 /// A section: its control point, and the parameter of P.

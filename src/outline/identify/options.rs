@@ -26,16 +26,12 @@ pub enum Mode {
     CubicC2,
 }
 
-impl Mode {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Mode =
-            Mode::Composite => "Composite", "Quadratic segments that meet smoothly, one for each point.";
-            Mode::CubicC2 => "Cubic spline", "Cubic segments with continuous curvature.";
-            Mode::BlendC1 => "Blend", "Blends of neighbouring sections: each point has local influence only.";
-            Mode::BlendC2 => "Smooth blend", "Blends of neighbouring sections with continuous curvature.";
-            Mode::Single => "Single", "One Bezier curve; for few points.";
-    }
+choices! { for Mode:
+    Composite => "Composite", "Quadratic segments that meet smoothly, one for each point.";
+    CubicC2 => "Cubic spline", "Cubic segments with continuous curvature.";
+    BlendC1 => "Blend", "Blends of neighbouring sections: each point has local influence only.";
+    BlendC2 => "Smooth blend", "Blends of neighbouring sections with continuous curvature.";
+    Single => "Single", "One Bezier curve; for few points.";
 }
 
 /// The condition that ties the section of a point to the data, in composite and single curves.
@@ -55,14 +51,10 @@ pub enum Lock {
     DataGuide,
 }
 
-impl Lock {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Lock =
-            Lock::Parameter => "Parameter", "The parameter of the data's triangle; always solvable.";
-            Lock::SelfConsistent => "Own triangle", "The section's own triangle.";
-            Lock::DataGuide => "Guide", "The guide of the data's triangle; plane polylines only.";
-    }
+choices! { for Lock:
+    Parameter => "Parameter", "The parameter of the data's triangle; always solvable.";
+    SelfConsistent => "Own triangle", "The section's own triangle.";
+    DataGuide => "Guide", "The guide of the data's triangle; plane polylines only.";
 }
 
 /// The joint parameter: where the joint of two sections divides the line between their control
@@ -81,14 +73,10 @@ pub enum JointParameter {
     G2,
 }
 
-impl JointParameter {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: JointParameter =
-            JointParameter::Half => "Halves", "Midway between their control points.";
-            JointParameter::Knot => "Knots", "In proportion to the lengths of the chords.";
-            JointParameter::G2 => "Curvature", "Where the curvature is continuous.";
-    }
+choices! { for JointParameter:
+    Half => "Halves", "Midway between their control points.";
+    Knot => "Knots", "In proportion to the lengths of the chords.";
+    G2 => "Curvature", "Where the curvature is continuous.";
 }
 
 /// How equations are solved.
@@ -113,13 +101,9 @@ pub enum Ends {
     Perpendicular,
 }
 
-impl Ends {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Ends =
-            Ends::Free => "Free", "As the end sections give.";
-            Ends::Perpendicular => "Perpendicular", "Perpendicular to the first and the last chord.";
-    }
+choices! { for Ends:
+    Free => "Free", "As the end sections give.";
+    Perpendicular => "Perpendicular", "Perpendicular to the first and the last chord.";
 }
 
 /// How outlines are identified.

@@ -61,18 +61,14 @@ pub enum Meridians {
     Quad,
 }
 
-impl Meridians {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: Meridians =
-            Meridians::MinArea => "Least area", "The strip of triangles of least area, for rims of any shape.";
-            Meridians::Index => "By index", "The rule of the paper: fastest, for evenly spaced rims.";
-            Meridians::ArcLength => "By arc length", "Both rims traversed in proportion to arc length: fast, for rims of similar shape.";
-            Meridians::Greedy => "Greedy", "Always the shorter of the two next meridians: fast.";
-            Meridians::MinDiagonal => "Shortest meridians", "The strip of triangles of least total length of meridians.";
-            Meridians::Smooth => "Least bend", "The strip of triangles that bends least, along the rims too.";
-            Meridians::Quad => "Quads", "Quads wherever both rims advance alike; for strips with rows.";
-    }
+choices! { for Meridians:
+    MinArea => "Least area", "The strip of triangles of least area, for rims of any shape.";
+    Index => "By index", "The rule of the paper: fastest, for evenly spaced rims.";
+    ArcLength => "By arc length", "Both rims traversed in proportion to arc length: fast, for rims of similar shape.";
+    Greedy => "Greedy", "Always the shorter of the two next meridians: fast.";
+    MinDiagonal => "Shortest meridians", "The strip of triangles of least total length of meridians.";
+    Smooth => "Least bend", "The strip of triangles that bends least, along the rims too.";
+    Quad => "Quads", "Quads wherever both rims advance alike; for strips with rows.";
 }
 
 /// How hard the best meridians are looked for.

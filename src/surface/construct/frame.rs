@@ -21,13 +21,9 @@ pub enum FrameSurface {
     Curves,
 }
 
-impl FrameSurface {
-    choices! {
-        /// The choices of hosts.
-        CHOICES: FrameSurface =
-            FrameSurface::Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each.";
-            FrameSurface::Curves => "Curves", "All curves through the nodes, across and along.";
-    }
+choices! { for FrameSurface:
+    Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each.";
+    Curves => "Curves", "All curves through the nodes, across and along.";
 }
 
 impl Sheet<'static> {
