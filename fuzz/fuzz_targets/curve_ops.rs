@@ -2,7 +2,7 @@
 #![no_main]
 
 use gusset::Job;
-use gusset::outline::ops::OffsetOptions;
+use gusset::outline::ops::{OffsetOptions, Spacing};
 use gusset::outline::{CurveView, Place};
 use gusset_fuzz::{Point, places};
 use libfuzzer_sys::fuzz_target;
@@ -32,9 +32,9 @@ fuzz_target!(|input: (Vec<Point>, Vec<u8>, bool, Point, u8)| {
     if let Ok(found) = curve.self_intersections(&job) {
         assert!(found.points.iter().all(|both| curve.point(both.a).is_ok() && curve.point(both.b).is_ok()));
     }
-    let _ = (curve.sampled_by_count(7), curve.svg_path(), curve.contour(0.0), curve.spline());
+    let _ = (curve.sampled(Spacing::Count(7), &Job::default()), curve.svg_path(&Job::default()), curve.contour(0.0), curve.spline());
     let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
-    if let Ok(done) = curve.offset(t, &options) {
+    if let Ok(done) = curve.offset(t, &options, &Job::default()) {
         assert!(done.curve.view().points().iter().all(|point| !point.is_nan()));
     }
 });

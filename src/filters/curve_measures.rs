@@ -23,7 +23,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "measuring curves")?;
         let curve = curve.view();
-        let length = if curve.is_empty() { 0.0 } else { curve.lengths_cancellable(&part)?.total() };
+        let length = if curve.is_empty() { 0.0 } else { curve.lengths(&part)?.total() };
         total += length;
         if c < MAX_LISTED {
             push_line!(text, "curve {c}: {}", line(&curve, length)?);

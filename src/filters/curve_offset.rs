@@ -37,7 +37,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             push_line!(text, "curve {c}: left out, without extent");
             continue;
         }
-        let offset = curve.view().offset_cancellable(values.number("distance"), &options, &part.part(0.0, 0.8))?;
+        let offset = curve.view().offset(values.number("distance"), &options, &part.part(0.0, 0.8))?;
         let points = curve::sampled(&offset.curve.view(), Spacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
         drawn.add(points.iter().map(|&point| flat.point(point)), offset.curve.view().is_closed())?;
         let tight = if offset.tight { ", some bends are tighter than the distance" } else { "" };

@@ -27,7 +27,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         part.step(0.0, "writing a path")?;
         let path = match values.is_set("downwards") {
             true => turned_over(&curve.view(), &part)?,
-            false => curve.view().svg_path_cancellable(&part)?,
+            false => curve.view().svg_path(&part)?,
         };
         let bytes = path.len() + 1;
         text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
@@ -40,5 +40,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 /// The path of a curve whose second coordinate grows downwards.
 fn turned_over(curve: &CurveView<'_>, job: &Job<'_>) -> Result<String> {
     let points = alloc::collect(curve.points().iter().map(|p| DVec3::new(p.x, -p.y, p.z)))?;
-    CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path_cancellable(job)
+    CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path(job)
 }

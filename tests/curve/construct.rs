@@ -3,7 +3,7 @@
 
 use crate::curves::*;
 use glam::DVec3;
-use gusset::outline::ops::OffsetOptions;
+use gusset::outline::ops::{OffsetOptions, Spacing};
 use gusset::outline::{CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
@@ -12,24 +12,24 @@ use proptest::prelude::*;
 fn samples_of_a_circle() {
     let given = circle(1.0, 8);
     let curve = given.view();
-    let samples = curve.sampled_by_count(12).unwrap();
+    let samples = curve.sampled(Spacing::Count(12), &Job::default()).unwrap();
     for k in 0..12 {
         let gap = samples.points[k].distance(samples.points[(k + 1) % 12]);
         assert!((gap - 2.0 * (std::f64::consts::PI / 12.0).sin()).abs() < 1e-5, "{gap}");
     }
     let step = curve.length().unwrap() / 10.0;
-    assert_eq!(curve.sampled_by_step(step).unwrap().points.len(), 10);
-    assert_eq!(curve.sampled_by_step(step * 1.01).unwrap().points.len(), 10);
-    assert_eq!(curve.sampled_by_step(100.0).unwrap().points.len(), 1);
+    assert_eq!(curve.sampled(Spacing::Step(step), &Job::default()).unwrap().points.len(), 10);
+    assert_eq!(curve.sampled(Spacing::Step(step * 1.01), &Job::default()).unwrap().points.len(), 10);
+    assert_eq!(curve.sampled(Spacing::Step(100.0), &Job::default()).unwrap().points.len(), 1);
     let open = parabola(0.0, 1.0);
-    assert_eq!(open.view().sampled_by_count(5).unwrap().places[4], at(0, 1.0));
+    assert_eq!(open.view().sampled(Spacing::Count(5), &Job::default()).unwrap().places[4], at(0, 1.0));
     let length = open.view().length().unwrap();
-    assert_eq!(open.view().sampled_by_step(length / 4.0).unwrap().points.len(), 5);
-    assert_eq!(open.view().sampled_by_step(length / 3.5).unwrap().points.len(), 5);
-    assert!(open.view().sampled_by_count(1).is_err() && open.view().sampled_by_step(0.0).is_err());
-    assert!(matches!(open.view().sampled_by_step(1e-300), Err(Error::TooLarge { .. })));
+    assert_eq!(open.view().sampled(Spacing::Step(length / 4.0), &Job::default()).unwrap().points.len(), 5);
+    assert_eq!(open.view().sampled(Spacing::Step(length / 3.5), &Job::default()).unwrap().points.len(), 5);
+    assert!(open.view().sampled(Spacing::Count(1), &Job::default()).is_err() && open.view().sampled(Spacing::Step(0.0), &Job::default()).is_err());
+    assert!(matches!(open.view().sampled(Spacing::Step(1e-300), &Job::default()), Err(Error::TooLarge { .. })));
     for tolerance in [0.5, 1e-2, 1e-4, 1e-6] {
-        let samples = curve.sampled_by_chord(tolerance).unwrap();
+        let samples = curve.sampled(Spacing::Chord(tolerance), &Job::default()).unwrap();
         let polygon = |k: usize| (samples.points[k], samples.points[(k + 1) % samples.points.len()]);
         let worst = (0..2000)
             .map(|k| {
@@ -64,10 +64,10 @@ fn texts_and_contours_and_splines() {
         ends: vec![0, 1, 3, 6],
         closed: true,
     };
-    assert_eq!(given.view().svg_path().unwrap(), "M 0 0 L 0.1 0 Q 1e-7 1.5e300 1 2 C 3 4 5 6 0 0 Z");
+    assert_eq!(given.view().svg_path(&Job::default()).unwrap(), "M 0 0 L 0.1 0 Q 1e-7 1.5e300 1 2 C 3 4 5 6 0 0 Z");
     assert!(given.view().contour(0.0).is_err() && given.view().spline().is_err());
     let quartic = Given::one(&[v(0.0, 0.0, 0.0); 5]);
-    assert!(matches!(quartic.view().svg_path(), Err(Error::OptionOutOfRange { .. })));
+    assert!(matches!(quartic.view().svg_path(&Job::default()), Err(Error::OptionOutOfRange { .. })));
     // Round control points with joints in the middle: all points off the curve; with a line, two on
     // it.
     let controls = [v(1.0, 0.3, 0.0), v(3.1, 0.7, 0.0), v(3.0, 2.0, 0.0), v(0.2, 1.9, 0.0)];
@@ -159,10 +159,10 @@ proptest! {
     fn paths_read_back_as_the_same_bits(given in curves(true)) {
         let curve = given.view();
         if curve.segments().any(|c| c.len() > 4) {
-            prop_assert!(curve.svg_path().is_err());
+            prop_assert!(curve.svg_path(&Job::default()).is_err());
             return Ok(());
         }
-        let text = curve.svg_path().unwrap();
+        let text = curve.svg_path(&Job::default()).unwrap();
         let numbers: Vec<f64> = text.split(' ').filter_map(|word| word.parse().ok()).collect();
         let coordinates: Vec<f64> = given.points.iter().flat_map(|p| [p.x, p.y]).collect();
         prop_assert_eq!(numbers, coordinates);
@@ -188,7 +188,7 @@ fn offsets_of_circles_and_parabolas() {
         let given = circle(scale, 8);
         for (degree, tolerance) in [(2, 1e-3), (2, 1e-6), (3, 1e-6), (3, 1e-10)] {
             for d in [0.5, -0.5, 0.9] {
-                let done = given.view().offset(d * scale, &offset_options(degree, tolerance * scale)).unwrap();
+                let done = given.view().offset(d * scale, &offset_options(degree, tolerance * scale), &Job::default()).unwrap();
                 let curve = done.curve.view();
                 assert!(curve.is_closed() && done.reached && !done.tight && done.corners == 0);
                 assert!(done.deviation <= tolerance * scale);
@@ -208,12 +208,12 @@ fn offsets_of_circles_and_parabolas() {
     }
     let given = parabola(-1.0, 1.0);
     // The radius at the top is 1/2.
-    let inside = given.view().offset(0.4, &offset_options(3, 1e-8)).unwrap();
+    let inside = given.view().offset(0.4, &offset_options(3, 1e-8), &Job::default()).unwrap();
     assert!(!inside.tight && inside.reached && off_by(&given.view(), &inside.curve.view(), 0.4) < 1.1e-8);
-    let beyond = given.view().offset(0.6, &offset_options(3, 1e-8)).unwrap();
+    let beyond = given.view().offset(0.6, &offset_options(3, 1e-8), &Job::default()).unwrap();
     assert!(beyond.tight && beyond.deviation.is_finite());
-    assert!(!given.view().offset(-5.0, &offset_options(2, 1e-6)).unwrap().tight);
-    let few = given.view().offset(-0.4, &OffsetOptions { max_segments: 1, ..offset_options(2, 1e-12) }).unwrap();
+    assert!(!given.view().offset(-5.0, &offset_options(2, 1e-6), &Job::default()).unwrap().tight);
+    let few = given.view().offset(-0.4, &OffsetOptions { max_segments: 1, ..offset_options(2, 1e-12) }, &Job::default()).unwrap();
     assert!(!few.reached && few.deviation > 1e-3 && few.curve.view().len() < 20);
     // A square: four corners outside.
     let square = Given {
@@ -221,11 +221,11 @@ fn offsets_of_circles_and_parabolas() {
         ends: (0..5).collect(),
         closed: true,
     };
-    let done = square.view().offset(-1.0, &offset_options(2, 1e-9)).unwrap();
+    let done = square.view().offset(-1.0, &offset_options(2, 1e-9), &Job::default()).unwrap();
     assert_eq!((done.corners, done.curve.view().len()), (4, 8));
     assert!((done.curve.view().area().unwrap() - 7.0).abs() < 1e-12);
-    assert!(square.view().offset(f64::NAN, &offset_options(2, 1.0)).is_err());
-    assert!(square.view().offset(1.0, &offset_options(4, 1.0)).is_err());
+    assert!(square.view().offset(f64::NAN, &offset_options(2, 1.0), &Job::default()).is_err());
+    assert!(square.view().offset(1.0, &offset_options(4, 1.0), &Job::default()).is_err());
 }
 
 proptest! {
@@ -233,7 +233,7 @@ proptest! {
     fn offsets_of_anything_come_to_an_end(given in curves(true), d in -0.5..0.5f64, degree in 2usize..4) {
         let unit = size(&given);
         let options = OffsetOptions { max_segments: 300, ..offset_options(degree, 1e-4 * unit) };
-        match given.view().offset(d * unit, &options) {
+        match given.view().offset(d * unit, &options, &Job::default()) {
             Ok(done) => {
                 prop_assert!(done.curve.view().points().iter().all(|p| p.is_finite()));
                 prop_assert!(done.curve.view().len() < 1000);

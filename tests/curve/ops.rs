@@ -163,7 +163,7 @@ fn areas_and_moments_of_polygons() {
 #[test]
 fn arc_length_there_and_back() {
     let given = circle(3.0, 5);
-    let lengths = given.view().lengths().unwrap();
+    let lengths = given.view().lengths(&Job::default()).unwrap();
     for k in 0..=40 {
         let s = lengths.total() * f64::from(k) / 40.0;
         let place = lengths.place(s).unwrap();
@@ -173,12 +173,12 @@ fn arc_length_there_and_back() {
     assert_eq!(lengths.place(f64::INFINITY).unwrap(), at(4, 1.0));
     assert!(lengths.place(f64::NAN).is_err());
     let parabola = parabola(-1.0, 2.0);
-    let lengths = parabola.view().lengths().unwrap();
+    let lengths = parabola.view().lengths(&Job::default()).unwrap();
     let place = lengths.place(parabola_length(1.0)).unwrap();
     assert!((place.t - 1.0 / 3.0).abs() < 1e-15);
     let point = Given { points: vec![DVec3::X], ends: vec![0], closed: false };
     assert_eq!(point.view().length().unwrap(), 0.0);
-    assert_eq!(point.view().lengths().unwrap().place(0.0).unwrap_err(), Error::EmptyCurve);
+    assert_eq!(point.view().lengths(&Job::default()).unwrap().place(0.0).unwrap_err(), Error::EmptyCurve);
     assert_eq!(point.view().nearest(&[], &Job::default()).unwrap_err(), Error::EmptyCurve);
     assert_eq!(point.view().bounding_box().unwrap().low, DVec3::X);
 }
@@ -305,7 +305,7 @@ proptest! {
             (0..total).map(|k| ((given.point((k + 1) as f64 / n as f64) - given.point(k as f64 / n as f64)) / unit).length()).sum();
         let length = given.view().length().unwrap() / unit;
         prop_assert!((length - polygon).abs() <= 1e-4 * length + 1e-11 && length >= polygon - 1e-11, "{} {}", length, polygon);
-        let lengths = given.view().lengths().unwrap();
+        let lengths = given.view().lengths(&Job::default()).unwrap();
         let middle = lengths.place(0.5 * lengths.total()).unwrap();
         prop_assert!((lengths.up_to(middle).unwrap() - 0.5 * lengths.total()).abs() <= 1e-12 * lengths.total());
     }

@@ -33,7 +33,7 @@ fn svg_paths_pass_all_points() {
         for mode in [Mode::Composite, Mode::BlendC1, Mode::CubicC2] {
             let given = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
             let done = fit(&given, &Options { mode, ..Options::default() }, &Job::default()).unwrap();
-            let text = done.curve(0).svg_path().unwrap();
+            let text = done.curve(0).svg_path(&Job::default()).unwrap();
             let path = BezPath::from_svg(&text).unwrap();
             assert_eq!(path.segments().count(), done.curve(0).len(), "{name}");
             assert_eq!(text.ends_with('Z'), closed, "{name}");

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::ops::OffsetOptions;
+use gusset::outline::ops::{OffsetOptions, Spacing};
 use gusset::outline::{CurveView, Place};
 use proptest::prelude::*;
 
@@ -67,7 +67,7 @@ proptest! {
             prop_assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
         }
         prop_assert!(!curve.length().unwrap().is_nan());
-        if let Ok(half) = curve.lengths().unwrap().place(0.5 * curve.length().unwrap()) {
+        if let Ok(half) = curve.lengths(&Job::default()).unwrap().place(0.5 * curve.length().unwrap()) {
             prop_assert!((0.0..=1.0).contains(&half.t));
         }
         let _ = (curve.area_vector(), curve.moments(), curve.bounding_box().unwrap());
@@ -80,10 +80,10 @@ proptest! {
         }
         let back = curve.reversed().unwrap();
         let _ = curve.intersections(&back.view(), &job);
-        let _ = (curve.sampled_by_count(7), curve.sampled_by_step(curve.length().unwrap() / 9.0));
-        let _ = (curve.svg_path(), curve.contour(0.0), curve.spline());
+        let _ = [Spacing::Count(7), Spacing::Step(curve.length().unwrap() / 9.0)].map(|spacing| curve.sampled(spacing, &Job::default()));
+        let _ = (curve.svg_path(&Job::default()), curve.contour(0.0), curve.spline());
         let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
-        if let Ok(done) = curve.offset(x, &options) {
+        if let Ok(done) = curve.offset(x, &options, &Job::default()) {
             prop_assert!(done.curve.view().points().iter().all(|p| !p.is_nan()));
         }
     }

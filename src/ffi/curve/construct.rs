@@ -207,7 +207,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     create(context, offset, "offset", |_| {
         let options = input::read(options, false, "options")?.checked()?;
         let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose()?;
-        let done = view(curve, "curve")?.offset(distance, &options)?;
+        let done = view(curve, "curve")?.offset(distance, &options, &Job::default())?;
         if let Some(out) = out {
             out.write(gusset_offset_report {
                 struct_size: 0,

@@ -62,7 +62,7 @@ pub unsafe extern "C" fn gusset_curve_svg_create(
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
     create(context, form, "form", |_| {
-        let mut text = view(curve, "curve")?.svg_path()?.into_bytes();
+        let mut text = view(curve, "curve")?.svg_path(&Job::default())?.into_bytes();
         alloc::push(&mut text, 0)?;
         Ok(gusset_curve_form { text, ..Default::default() })
     })

@@ -3,7 +3,7 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::outline::ops::{Intersections, NearMisses, Overlap, PlaneIntersections};
+use crate::outline::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing};
 use crate::outline::{CurveView, Place};
 use glam::DVec3;
 
@@ -198,13 +198,14 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
 ) -> gusset_status {
     create(context, places, "places", |_| {
         let view = view(curve, "curve")?;
-        let found = match rule {
-            GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => view.sampled_by_count(amount as usize)?,
+        let spacing = match rule {
+            GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => Spacing::Count(amount as usize),
             GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
-            GUSSET_SAMPLE_STEP => view.sampled_by_step(amount)?,
-            GUSSET_SAMPLE_CHORD => view.sampled_by_chord(amount)?,
+            GUSSET_SAMPLE_STEP => Spacing::Step(amount),
+            GUSSET_SAMPLE_CHORD => Spacing::Chord(amount),
             other => return Err(Failure::unknown("rule", other.into())),
         };
+        let found = view.sampled(spacing, &Job::default())?;
         let places = list(found.places.into_iter())?;
         Ok(gusset_places { places, points: found.points, ..Default::default() })
     })

@@ -194,7 +194,7 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
 ) -> gusset_status {
     at_places(context, curve, (places, count), |curve, places| {
         let out = input::results(out, count, "out")?;
-        let lengths = curve.lengths()?;
+        let lengths = curve.lengths(&Job::default())?;
         for (to, &place) in out.iter_mut().zip(places) {
             *to = lengths.up_to(place)?;
         }
@@ -223,7 +223,7 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     out: *mut gusset_place,
 ) -> gusset_status {
     guard(context, |_| {
-        let measured = view(curve, "curve")?.lengths()?;
+        let measured = view(curve, "curve")?.lengths(&Job::default())?;
         let lengths = input::list(lengths, count, "lengths")?;
         for (to, length) in input::results(out, count, "out")?.iter_mut().zip(lengths) {
             *to = measured.place(length)?.into();

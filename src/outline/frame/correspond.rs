@@ -153,7 +153,7 @@ fn add_even(
     round: bool,
     nodes: &mut Vec<DVec3>,
 ) -> Result<()> {
-    let lengths = curve.lengths()?;
+    let lengths = curve.lengths(&Job::default())?;
     let total = lengths.total();
     let start = lengths.up_to(from)?;
     let whole = if round { total } else { total - start };
@@ -197,7 +197,7 @@ fn add_landmarks(
         let ordered = own.windows(2).all(|pair| pair[0] < pair[1]) || (sections.closed && descents <= 1);
         check(k * each, ordered && own.iter().all(|&point| (point as usize) < span.len()))?;
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
-        let lengths = curve.lengths()?;
+        let lengths = curve.lengths(&Job::default())?;
         for (i, &landmark) in own.iter().enumerate() {
             let last = i + 1 == each;
             if last && !sections.closed {

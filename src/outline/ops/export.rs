@@ -61,16 +61,9 @@ impl CurveView<'_> {
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not
-    /// have: see [`reduced`](Self::reduced)), [`Error::OutOfMemory`]. O(points).
-    pub fn svg_path(&self) -> Result<String> {
-        self.svg_path_cancellable(&Job::default())
-    }
-
-    /// The same, for long curves: the host can cancel.
-    ///
-    /// # Errors
-    /// Also [`Error::Cancelled`].
-    pub(crate) fn svg_path_cancellable(&self, job: &Job<'_>) -> Result<String> {
+    /// have: see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// O(points).
+    pub fn svg_path(&self, job: &Job<'_>) -> Result<String> {
         self.check_plane()?;
         self.check_degrees(1..=3)?;
         let mut text = String::new();

@@ -27,23 +27,15 @@ impl<'a> CurveView<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn length(&self) -> Result<f64> {
-        Ok(self.lengths()?.total())
+        Ok(self.lengths(&Job::default())?.total())
     }
 
     /// Measures all segments: degrees 1 and 2 in closed form, others by adaptive Gauss-Legendre
     /// integration, to 1e-13 of the length of the segment's control polygon. O(points).
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn lengths(&self) -> Result<Lengths<'a>> {
-        self.lengths_cancellable(&Job::default())
-    }
-
-    /// The same, for long curves: the host can cancel.
-    ///
-    /// # Errors
-    /// Also [`Error::Cancelled`].
-    pub(crate) fn lengths_cancellable(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn lengths(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
         let frame = UnitFrame::of(self.points());
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;

@@ -50,5 +50,4 @@ pub use near_misses::{NearMiss, NearMisses};
 pub use nearest::Nearest;
 pub(crate) use nearest::nearest_of_any;
 pub use offset::{Offset, OffsetOptions};
-pub use resample::Samples;
-pub(crate) use resample::Spacing;
+pub use resample::{Samples, Spacing};

@@ -63,16 +63,8 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent),
     /// [`Error::OptionOutOfRange`] (distance not finite or beyond 1e100 sizes of the curve; an
-    /// option), [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub fn offset(&self, distance: f64, options: &OffsetOptions) -> Result<Offset> {
-        self.offset_cancellable(distance, options, &Job::default())
-    }
-
-    /// The same, for long curves: the host can cancel.
-    ///
-    /// # Errors
-    /// Also [`Error::Cancelled`].
-    pub(crate) fn offset_cancellable(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
+    /// option), [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn offset(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
         self.check_plane()?;
         let frame = UnitFrame::of(self.points());
         let d = frame.length(distance);

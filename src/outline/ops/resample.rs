@@ -17,12 +17,18 @@ const STAGE: &str = "points along a curve";
 
 /// Where points along a curve are.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Spacing {
-    /// See [`CurveView::sampled_by_count`].
+pub enum Spacing {
+    /// So many points at equal arc lengths: an open curve from its start to its end (at least 2), a
+    /// closed one from its start once round (at least 1). Lengths as exact as
+    /// [`lengths`](CurveView::lengths). O(points + count log points).
     Count(usize),
-    /// See [`CurveView::sampled_by_step`].
+    /// Points every so far along the curve, in the unit of the points, above 0: at 0, step, 2 step
+    /// and so on; the end of an open curve is always the last point, however near the one before,
+    /// and of a closed one never.
     Step(f64),
-    /// See [`CurveView::sampled_by_chord`].
+    /// Points such that no point of the curve is farther than this (above 0, in the unit of the
+    /// points) from the chord between its neighbours: segments are halved until their control
+    /// points prove it, at most 20 times, which leaves 1e-12 of a segment's size. O(points found).
     Chord(f64),
 }
 
@@ -36,42 +42,13 @@ pub struct Samples {
 }
 
 impl CurveView<'_> {
-    /// `count` points at equal arc lengths: an open curve from its start to its end (at least 2), a
-    /// closed one from its start once round (at least 1). Lengths as exact as
-    /// [`lengths`](Self::lengths). O(points + count log points).
+    /// Points along the curve.
     ///
     /// # Errors
-    /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count),
-    /// [`Error::TooLarge`] (above [`MAX_POINTS`]), [`Error::OutOfMemory`].
-    pub fn sampled_by_count(&self, count: usize) -> Result<Samples> {
-        self.sampled(Spacing::Count(count), &Job::default())
-    }
-
-    /// Points every `step` along the curve, in the unit of the points, above 0: at 0, step, 2 step
-    /// and so on; the end of an open curve is always the last point, however near the one before,
-    /// and of a closed one never.
-    ///
-    /// # Errors
-    /// As for [`sampled_by_count`](Self::sampled_by_count).
-    pub fn sampled_by_step(&self, step: f64) -> Result<Samples> {
-        self.sampled(Spacing::Step(step), &Job::default())
-    }
-
-    /// Points such that no point of the curve is farther than `tolerance` (above 0, in the unit of
-    /// the points) from the chord between its neighbours: segments are halved until their control
-    /// points prove it, at most 20 times, which leaves 1e-12 of a segment's size.
-    ///
-    /// # Errors
-    /// As for [`sampled_by_count`](Self::sampled_by_count). O(points found).
-    pub fn sampled_by_chord(&self, tolerance: f64) -> Result<Samples> {
-        self.sampled(Spacing::Chord(tolerance), &Job::default())
-    }
-
-    /// The same, for long curves: the host can cancel.
-    ///
-    /// # Errors
-    /// Also [`Error::Cancelled`].
-    pub(crate) fn sampled(&self, spacing: Spacing, job: &Job<'_>) -> Result<Samples> {
+    /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count, step or
+    /// tolerance), [`Error::TooLarge`] (above [`MAX_POINTS`]), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn sampled(&self, spacing: Spacing, job: &Job<'_>) -> Result<Samples> {
         let least_count = if self.is_closed() { 1.0 } else { 2.0 };
         let (option, value, least) = match spacing {
             Spacing::Count(count) => ("count", count as f64, least_count),
@@ -86,10 +63,10 @@ impl CurveView<'_> {
         match spacing {
             Spacing::Count(count) => {
                 within_limit(count as u64)?;
-                Walk::new(self, count, &second)?.by_count(count, &self.lengths_cancellable(&first)?)
+                Walk::new(self, count, &second)?.by_count(count, &self.lengths(&first)?)
             }
             Spacing::Step(step) => {
-                let lengths = self.lengths_cancellable(&first)?;
+                let lengths = self.lengths(&first)?;
                 let whole = (lengths.total() / step).floor();
                 within_limit(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
                 Walk::new(self, whole as usize + 2, &second)?.by_step(step, whole as usize, &lengths)
