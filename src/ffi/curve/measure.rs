@@ -2,6 +2,7 @@
 
 use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
 use crate::ffi::prelude::*;
+use crate::job::Job;
 use crate::outline::{CurveView, Place};
 use glam::DVec3;
 

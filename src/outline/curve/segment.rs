@@ -1,6 +1,6 @@
 //! One Bézier segment by its control points: points, derivatives, parts.
 
-use crate::geom::bernstein;
+use crate::geom::bernstein::{self, MAX_COEFFICIENTS, Roots, add_product, roots};
 use glam::DVec3;
 use std::ops::{Deref, DerefMut};
 
@@ -60,6 +60,26 @@ pub(crate) fn first_leg(controls: &[DVec3]) -> DVec3 {
 pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
     let last = controls[controls.len() - 1];
     controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
+}
+
+/// The parameters at which the distance from `q` is stationary: the roots of (C - q) . C', of degree
+/// 2 n - 1. Multiple ones are no minima that matter: what rounding may have made counts as 0.
+pub(crate) fn stationary_points(controls: &[DVec3], q: DVec3) -> Roots {
+    let n = controls.len() - 1;
+    let mut product = [0.0; MAX_COEFFICIENTS];
+    let product = &mut product[..2 * n];
+    for axis in 0..3 {
+        let (mut place, mut step) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE]);
+        for (to, p) in place.iter_mut().zip(controls) {
+            *to = p[axis] - q[axis];
+        }
+        for (to, pair) in step.iter_mut().zip(controls.windows(2)) {
+            *to = pair[1][axis] - pair[0][axis];
+        }
+        add_product(&place[..=n], &step[..n], 1.0, product);
+    }
+    let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    roots(product, 4.0 * f64::EPSILON * largest)
 }
 
 /// The control points of a segment of any degree, kept in place: no allocation.

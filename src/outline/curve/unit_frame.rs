@@ -4,6 +4,9 @@
 //! centre o cannot overflow, then the extent does. Powers of 2 change no digits.
 
 use super::segment::SegmentBuffer;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::Aabb;
 use glam::DVec3;
 
 /// A translation and a scaling by a power of 2.
@@ -24,13 +27,8 @@ fn power_to_one(x: f64) -> f64 {
 impl UnitFrame {
     /// The frame of the box of some finite points.
     pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for &p in points {
-            (low, high) = (low.min(p), high.max(p));
-        }
-        if !low.is_finite() {
-            (low, high) = (DVec3::ZERO, DVec3::ZERO);
-        }
+        let whole = Aabb::of(points);
+        let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::of([DVec3::ZERO]) };
         let coarse = power_to_one(low.abs().max(high.abs()).max_element());
         let (low, high) = (low * coarse, high * coarse);
         UnitFrame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }
@@ -39,6 +37,11 @@ impl UnitFrame {
     /// A point in the frame; the components of those that the frame was made for are at most 1.
     pub(crate) fn point(&self, p: DVec3) -> DVec3 {
         (p * self.coarse - self.origin) * self.fine
+    }
+
+    /// Points in the frame.
+    pub(crate) fn points(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {
+        alloc::collect(points.iter().map(|&p| self.point(p)))
     }
 
     /// The control points of a segment in the frame.

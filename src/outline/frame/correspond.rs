@@ -43,8 +43,14 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
                 let turn = turn_of(sections, k);
                 let backwards = sections.closed && turn.dot(*first_turn.get_or_insert(turn)) < 0.0;
                 found.turned[k] = backwards.into();
+                let lengths = curve.lengths(&Job::default())?;
                 let start = curves.place(sections.span(k).start);
-                add_even(&curve, start, columns, backwards, sections.closed, &mut found.nodes)?;
+                let (whole, steps) = match sections.closed {
+                    true => (lengths.total(), columns),
+                    false => (lengths.total() - lengths.up_to(start)?, columns.saturating_sub(1)),
+                };
+                let whole = if backwards { -whole } else { whole };
+                add_even(&lengths, start, whole, [steps, columns], sections.closed, &mut found.nodes)?;
             }
         }
         Correspondence::Angle { columns, point, direction, reference } => {
@@ -143,33 +149,25 @@ fn turn_of(sections: &Outlines<'_>, k: usize) -> DVec3 {
     area.normalize_or_zero()
 }
 
-/// Adds `columns` nodes that divide a curve evenly: a closed one from a place on all round, an open
-/// one from there to its end.
+/// Adds `count` nodes from a place on, each by the same of `steps` parts of a length farther along,
+/// backwards if that is negative; round the end of a curve that is `closed`.
 fn add_even(
-    curve: &CurveView<'_>,
+    lengths: &Lengths<'_>,
     from: Place,
-    columns: usize,
-    backwards: bool,
-    round: bool,
+    whole: f64,
+    [steps, count]: [usize; 2],
+    closed: bool,
     nodes: &mut Vec<DVec3>,
 ) -> Result<()> {
-    let lengths = curve.lengths(&Job::default())?;
-    let total = lengths.total();
-    let start = lengths.up_to(from)?;
-    let whole = if round { total } else { total - start };
-    let steps = if round { columns } else { columns.saturating_sub(1) };
-    nodes.push(curve.point(from)?);
-    for i in 1..columns {
-        let part = whole * (i as f64 / steps as f64);
-        let at = if backwards { start - part } else { start + part };
-        // Round the end of a closed curve.
-        let at = match at {
-            _ if !round => at,
-            at if at < 0.0 => at + total,
-            at if at >= total => at - total,
+    let (start, total) = (lengths.up_to(from)?, lengths.total());
+    nodes.push(lengths.curve().point(from)?);
+    for i in 1..count {
+        let at = match start + whole * (i as f64 / steps as f64) {
+            at if closed && at < 0.0 => at + total,
+            at if closed && at >= total => at - total,
             at => at,
         };
-        nodes.push(curve.point(lengths.place(at)?)?);
+        nodes.push(lengths.curve().point(lengths.place(at)?)?);
     }
     Ok(())
 }
@@ -204,32 +202,14 @@ fn add_landmarks(
                 found.nodes.push(curve.point(place(landmark))?);
                 break;
             }
-            let ends = [place(landmark), place(own[(i + 1) % each])];
-            add_between(&curve, &lengths, ends, each == 1, parts, &mut found.nodes)?;
+            let (from, to) = (place(landmark), place(own[(i + 1) % each]));
+            let mut whole = lengths.up_to(to)? - lengths.up_to(from)?;
+            // Landmarks at one place have nothing between them; the only one has all round.
+            if whole < 0.0 || each == 1 {
+                whole += lengths.total();
+            }
+            add_even(&lengths, from, whole, [parts, parts], true, &mut found.nodes)?;
         }
-    }
-    Ok(())
-}
-
-/// Adds `parts` nodes from one landmark on, without the next one; all round if it is the only one.
-fn add_between(
-    curve: &CurveView<'_>,
-    lengths: &Lengths<'_>,
-    [from, to]: [Place; 2],
-    only: bool,
-    parts: usize,
-    nodes: &mut Vec<DVec3>,
-) -> Result<()> {
-    let (start, total) = (lengths.up_to(from)?, lengths.total());
-    let mut whole = lengths.up_to(to)? - start;
-    // Landmarks at one place have nothing between them.
-    if whole < 0.0 || only {
-        whole += total;
-    }
-    nodes.push(curve.point(from)?);
-    for i in 1..parts {
-        let at = start + whole * (i as f64 / parts as f64);
-        nodes.push(curve.point(lengths.place(if at >= total { at - total } else { at })?)?);
     }
     Ok(())
 }

@@ -24,7 +24,7 @@ use crate::outline::identify::{Fit, Options, Outlines, Points, fit};
 
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::scale::common_unit;
+use crate::geom::{Aabb, scale::common_unit};
 use crate::job::Job;
 use glam::DVec3;
 
@@ -97,11 +97,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     let (on_along, directions) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
     grid.along = directions;
     let unit = common_unit(&grid.nodes);
-    let (low, high) = grid
-        .nodes
-        .iter()
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p / unit), high.max(p / unit)));
-    let size = (high - low).max_element();
+    let size = Aabb::of(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
     for (node, (&p, &q)) in on_across.iter().zip(&on_along).enumerate() {
         grid.max_gap = grid.max_gap.max((p / unit).distance(q / unit) / size);
         grid.min_sine = grid.min_sine.min(grid.across[node].cross(grid.along[node]).length());

@@ -11,6 +11,7 @@
 
 use crate::error::Result;
 use crate::geom::bernstein::{add_product, integral, integral_of_product};
+use crate::outline::curve::segment::SegmentBuffer;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, MAX_DEGREE};
 use glam::DVec3;
@@ -27,23 +28,19 @@ pub struct Moments {
     pub second: [f64; 3],
 }
 
-/// A component of a segment's control points.
-type Component = [f64; MAX_DEGREE + 1];
-
 /// The components of the control points seen from `start`, in the frame, and those of the
 /// derivative.
-fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> ([Component; 3], [Component; 3]) {
-    let (mut r, mut d) = ([[0.0; MAX_DEGREE + 1]; 3], [[0.0; MAX_DEGREE + 1]; 3]);
-    let n = controls.len() - 1;
-    for axis in 0..3 {
-        for (i, &p) in controls.iter().enumerate() {
-            r[axis][i] = (frame.point(p) - start)[axis];
+fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
+    let r = SegmentBuffer::mapped(controls, |p| frame.point(p) - start);
+    let mut d = r;
+    d.derive();
+    [r, d].map(|points| {
+        let mut components = [[0.0; MAX_DEGREE + 1]; 3];
+        for (i, p) in points.iter().enumerate() {
+            (0..3).for_each(|axis| components[axis][i] = p[axis]);
         }
-        for i in 0..n {
-            d[axis][i] = n as f64 * (r[axis][i + 1] - r[axis][i]);
-        }
-    }
-    (r, d)
+        components
+    })
 }
 
 impl CurveView<'_> {
@@ -58,7 +55,7 @@ impl CurveView<'_> {
         let mut doubled = DVec3::ZERO;
         for controls in self.segments() {
             let n = controls.len() - 1;
-            let (r, d) = components(&frame, frame.point(start), controls);
+            let [r, d] = components(&frame, frame.point(start), controls);
             let swept = |a: usize, b: usize| {
                 integral_of_product(&r[a][..=n], &d[b][..n]) - integral_of_product(&r[b][..=n], &d[a][..n])
             };
@@ -90,7 +87,7 @@ impl CurveView<'_> {
         let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
         for controls in self.segments() {
             let n = controls.len() - 1;
-            let (r, d) = components(&frame, start, controls);
+            let [r, d] = components(&frame, start, controls);
             let (x, y) = (&r[0][..=n], &r[1][..=n]);
             let mut swept = [0.0; 2 * MAX_DEGREE];
             let swept = &mut swept[..2 * n];

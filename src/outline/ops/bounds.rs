@@ -1,10 +1,12 @@
 //! The smallest box with sides along the axes.
 
 use crate::error::Result;
+use crate::geom::Aabb;
 use crate::geom::bernstein::roots;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, MAX_DEGREE, segment};
 use glam::DVec3;
+use std::iter;
 
 /// A box with sides along the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,11 +26,9 @@ impl CurveView<'_> {
     /// [`EmptyCurve`](crate::Error::EmptyCurve): not a single point.
     pub fn bounding_box(&self) -> Result<Bounds> {
         self.check_not_empty()?;
-        let first = self.points()[0];
-        let mut bounds = Bounds { low: first, high: first };
-        for controls in self.segments() {
-            bounds.include(controls[controls.len() - 1]);
-        }
+        let ends = self.segments().map(|controls| controls[controls.len() - 1]);
+        let Aabb { low, high } = Aabb::of(iter::once(self.points()[0]).chain(ends));
+        let mut bounds = Bounds { low, high };
         for controls in self.segments() {
             // Only control points outside, in a coordinate, let the curve reach outside there.
             for axis in 0..3 {
@@ -43,10 +43,6 @@ impl CurveView<'_> {
 }
 
 impl Bounds {
-    fn include(&mut self, p: DVec3) {
-        (self.low, self.high) = (self.low.min(p), self.high.max(p));
-    }
-
     /// Includes the extrema of one coordinate of a segment.
     fn extend(&mut self, controls: &[DVec3], axis: usize) {
         let n = controls.len() - 1;

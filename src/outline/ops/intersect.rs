@@ -1,7 +1,7 @@
 //! Intersections of two plane curves, and of one with itself: pairs of segments whose boxes meet,
 //! found in a tree.
 
-use super::part::{Part, sort_distinct};
+use super::part::{Part, by_places, coincide, sort_distinct};
 use super::segment_intersection::{
     BOX_SLACK, Joined, MAX_COMMON_DISTANCE, SAME_PARAMETER, SegmentIntersections, advances, intersect,
 };
@@ -80,15 +80,7 @@ impl CurveView<'_> {
         other.check_plane()?;
         let frame = UnitFrame::of(self.points().iter().chain(other.points()));
         let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
-        let tree = BoxTree::new(theirs.iter().map(Piece::bounds))?;
-        let mut all = Intersections::default();
-        let mut found = SegmentIntersections::default();
-        for (k, piece) in ours.iter().enumerate() {
-            job.step_every(64, k, ours.len(), "intersections")?;
-            tree.overlapping(&piece.bounds(), BOX_SLACK, |i| {
-                all.add(piece, &theirs[i], Joined::default(), &mut found)
-            })?;
-        }
+        let mut all = Intersections::of(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
         all.merge([self.period(), other.period()]);
         Ok(all)
     }
@@ -105,19 +97,10 @@ impl CurveView<'_> {
         let frame = UnitFrame::of(self.points());
         let pieces = self.pieces(&frame, MAX_DEPTH)?;
         let last = pieces.len().saturating_sub(1);
-        let tree = BoxTree::new(pieces.iter().map(Piece::bounds))?;
-        let mut all = Intersections::default();
-        let mut found = SegmentIntersections::default();
-        for (k, piece) in pieces.iter().enumerate() {
-            job.step_every(64, k, pieces.len(), "self-intersections")?;
-            tree.overlapping(&piece.bounds(), BOX_SLACK, |i| {
-                if i <= k {
-                    return Ok(());
-                }
-                let joined = Joined { after: i == k + 1, before: self.is_closed() && k == 0 && i == last };
-                all.add(piece, &pieces[i], joined, &mut found)
-            })?;
-        }
+        let joined = |k: usize, i: usize| {
+            (i > k).then_some(Joined { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
+        };
+        let mut all = Intersections::of(&pieces, &pieces, joined, job)?;
         let period = self.period();
         for found in &mut all.points {
             // The end of a closed curve is its start.
@@ -160,6 +143,25 @@ fn push_simple(part: Part, segment: u32, depth: u32, pieces: &mut Vec<Piece>) ->
 }
 
 impl Intersections {
+    /// Those of pieces; `joined`: `None` for two that are not to be compared.
+    fn of(
+        ours: &[Piece],
+        theirs: &[Piece],
+        joined: impl Fn(usize, usize) -> Option<Joined>,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let tree = BoxTree::new(theirs.iter().map(Piece::bounds))?;
+        let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
+        for (k, piece) in ours.iter().enumerate() {
+            job.step_every(64, k, ours.len(), "intersections")?;
+            tree.overlapping(&piece.bounds(), BOX_SLACK, |i| match joined(k, i) {
+                Some(joined) => all.add(piece, &theirs[i], joined, &mut found),
+                None => Ok(()),
+            })?;
+        }
+        Ok(all)
+    }
+
     fn add(&mut self, p: &Piece, q: &Piece, joined: Joined, found: &mut SegmentIntersections) -> Result<()> {
         intersect(&p.controls, &q.controls, joined, found)?;
         let points = found.at.iter().map(|&[s, t]| Intersection { a: p.place(s), b: q.place(t) });
@@ -172,15 +174,9 @@ impl Intersections {
 
     /// Sorts, and removes the ends of overlaps, and points that joints have reported twice.
     fn merge(&mut self, periods: [f64; 2]) {
-        let same = |x: Place, y: Place, period: f64| {
-            let gap = (x.along() - y.along()).abs();
-            gap <= SAME_PARAMETER || (period - gap).abs() <= SAME_PARAMETER
-        };
+        let same = |x: Place, y: Place, period: f64| coincide(x.along(), y.along(), period, SAME_PARAMETER);
         let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
-        self.overlaps.sort_by(|x, y| {
-            let (x, y) = (start(x), start(y));
-            x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1]))
-        });
+        self.overlaps.sort_by(|x, y| by_places(start(x), start(y)));
         let overlaps = &self.overlaps;
         self.points.retain(|m| {
             let at_end = |o: &Overlap| (0..2).any(|i| same(o.a[i], m.a, periods[0]) && same(o.b[i], m.b, periods[1]));

@@ -2,11 +2,11 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::bernstein::{Roots, add_product, bracketed_root, roots};
+use crate::geom::bernstein::{Roots, bracketed_root};
 use crate::job::Job;
-use crate::outline::curve::segment::{self, SegmentBuffer};
+use crate::outline::curve::segment::{self, SegmentBuffer, stationary_points};
 use crate::outline::curve::unit_frame::UnitFrame;
-use crate::outline::curve::{CurveView, MAX_DEGREE, Place};
+use crate::outline::curve::{CurveView, Place};
 use glam::DVec3;
 
 /// Segments between two reports of progress.
@@ -48,7 +48,12 @@ impl<'a> CurveView<'a> {
     }
 }
 
-impl Lengths<'_> {
+impl<'a> Lengths<'a> {
+    /// The curve.
+    pub(in crate::outline) fn curve(&self) -> &CurveView<'a> {
+        &self.curve
+    }
+
     /// The arc length of the whole curve, in the unit of the points.
     pub fn total(&self) -> f64 {
         self.frame.length_back(self.ends.last().copied().unwrap_or(0.0))
@@ -123,7 +128,7 @@ impl Arc {
     fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
         let mut velocity = frame.segment(controls);
         velocity.derive();
-        let turns = if velocity.len() > 2 { turns(&velocity) } else { Roots::new() };
+        let turns = if velocity.len() > 2 { stationary_points(&velocity, DVec3::ZERO) } else { Roots::new() };
         Arc { velocity, turns }
     }
 
@@ -172,25 +177,6 @@ impl Arc {
 
 /// The most halvings of the intervals of one segment.
 const MAX_HALVINGS: u32 = 2000;
-
-/// The roots of C' . C'', half the derivative of the squared speed.
-fn turns(velocity: &[DVec3]) -> Roots {
-    let n = velocity.len() - 1;
-    let mut product = [0.0; 2 * MAX_DEGREE];
-    let product = &mut product[..2 * n];
-    for axis in 0..3 {
-        let (mut speed, mut change) = ([0.0; MAX_DEGREE], [0.0; MAX_DEGREE]);
-        for (to, v) in speed.iter_mut().zip(velocity) {
-            *to = v[axis];
-        }
-        for i in 0..n {
-            change[i] = speed[i + 1] - speed[i];
-        }
-        add_product(&speed[..=n], &change[..n], 1.0, product);
-    }
-    let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    roots(product, 4.0 * f64::EPSILON * largest)
-}
 
 /// The positive nodes of the Gauss-Legendre rule with 16 points on -1 to 1, and their weights:
 /// roots of the Legendre polynomial P_16, and 2 / ((1 - x^2) P_16'(x)^2).

@@ -19,7 +19,7 @@
 //! segments, O(degree^2) each.
 
 use super::intersect::Overlap;
-use super::part::{Part, chord, halve, separates, sort_distinct};
+use super::part::{Part, by_places, chord, halve, separates, sort_distinct};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::subdivision::{
@@ -87,7 +87,7 @@ impl CurveView<'_> {
         }
         Error::check_option("within", within, (0.0..f64::INFINITY).contains(&within))?;
         let frame = UnitFrame::of(self.points().iter().chain(other.points()));
-        let points = [local_points(self, &frame)?, local_points(other, &frame)?];
+        let points = [frame.points(self.points())?, frame.points(other.points())?];
         let sides = [
             CurveView::trusted(&points[0], self.ends(), self.is_closed()),
             CurveView::trusted(&points[1], other.ends(), other.is_closed()),
@@ -101,10 +101,6 @@ impl CurveView<'_> {
         }
         search.finish(&frame)
     }
-}
-
-fn local_points(curve: &CurveView<'_>, frame: &UnitFrame) -> Result<Vec<DVec3>> {
-    alloc::collect(curve.points().iter().map(|&p| frame.point(p)))
 }
 
 /// The direction in which a curve goes on beyond segment k at one of its ends; `None` if it ends
@@ -230,7 +226,7 @@ impl Search<'_> {
             let segment = (at.max(0.0) as usize).min(sides[k].len() - 1);
             Place { segment: segment as u32, t: (at - segment as f64).clamp(0.0, 1.0) }
         };
-        self.unresolved.sort_by(|x, y| x.middle.x.total_cmp(&y.middle.x).then(x.middle.y.total_cmp(&y.middle.y)));
+        self.unresolved.sort_by(|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
         cluster(&self.unresolved, &mut clusters)?;
         for UnresolvedCluster { best, low, high } in clusters {

@@ -7,11 +7,11 @@
 use super::cubic;
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::bernstein::{MAX_COEFFICIENTS, add_product, roots};
 use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
+use crate::outline::curve::segment::{self, stationary_points};
 use crate::outline::curve::unit_frame::UnitFrame;
-use crate::outline::curve::{CurveView, MAX_DEGREE, Place, check_finite, segment};
+use crate::outline::curve::{CurveView, Place, check_finite};
 use crate::par;
 use glam::DVec3;
 
@@ -117,7 +117,7 @@ struct CurveSearch<'a> {
 impl<'a> CurveSearch<'a> {
     fn new(curve: &CurveView<'a>) -> Result<Self> {
         let frame = UnitFrame::of(curve.points());
-        let points = alloc::collect(curve.points().iter().map(|&p| frame.point(p)))?;
+        let points = frame.points(curve.points())?;
         let boxes = CurveView::trusted(&points, curve.ends(), false);
         let tree = BoxTree::new(boxes.segments().map(Aabb::of))?;
         Ok(CurveSearch { curve: *curve, frame, points, tree })
@@ -209,7 +209,6 @@ impl<'a> CurveSetSearch<'a> {
 
 /// The parameter of the nearest point of one segment, and the square of its distance.
 pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
-    let last = controls.len() - 1;
     let mut best = (0.0, controls[0].distance_squared(q));
     let mut offer = |t: f64| {
         let distance = segment::point(controls, t).distance_squared(q);
@@ -234,31 +233,10 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
                 Some((found, count)) => {
                     found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t));
                 }
-                None => offer_feet(controls, q, last, &mut offer),
+                None => stationary_points(controls, q).as_slice().iter().for_each(|&t| offer(t)),
             }
         }
-        _ => offer_feet(controls, q, last, &mut offer),
+        _ => stationary_points(controls, q).as_slice().iter().for_each(|&t| offer(t)),
     }
     best
-}
-
-/// Offers the roots of (C - q) . C'.
-fn offer_feet(controls: &[DVec3], q: DVec3, degree: usize, offer: &mut impl FnMut(f64)) {
-    let mut product = [0.0; MAX_COEFFICIENTS];
-    let product = &mut product[..2 * degree];
-    for axis in 0..3 {
-        let (mut place, mut step) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE]);
-        for (i, p) in controls.iter().enumerate() {
-            place[i] = p[axis] - q[axis];
-        }
-        for i in 0..degree {
-            step[i] = controls[i + 1][axis] - controls[i][axis];
-        }
-        add_product(&place[..=degree], &step[..degree], 1.0, product);
-    }
-    let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    // Multiple roots are no minima that matter: a little below the noise is as good.
-    for &t in roots(product, 4.0 * f64::EPSILON * largest).as_slice() {
-        offer(t);
-    }
 }

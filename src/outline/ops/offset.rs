@@ -29,7 +29,7 @@ pub struct OffsetOptions {
 }
 
 /// An offset curve.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Offset {
     /// The curve; it may cross itself, and what lies nearer than the distance to other parts is not
     /// taken away.
@@ -80,10 +80,7 @@ impl CurveView<'_> {
             options: *options,
             pieces: 0,
             end: DVec3::ZERO,
-            curve: None,
-            deviation: 0.0,
-            tight: false,
-            corners: 0,
+            offset: Offset::default(),
         };
         for (k, controls) in self.segments().enumerate() {
             if controls.iter().all(|&p| p == controls[0]) {
@@ -119,10 +116,8 @@ struct OffsetFit<'a> {
     pieces: usize,
     /// The end of the last one, in the frame.
     end: DVec3,
-    curve: Option<Curve>,
-    deviation: f64,
-    tight: bool,
-    corners: usize,
+    /// What there is so far; its deviation in the frame.
+    offset: Offset,
 }
 
 /// A quarter turn to the left.
@@ -139,13 +134,12 @@ impl OffsetFit<'_> {
 
     /// Begins the curve, or goes on with a straight segment if there is a corner.
     fn begin(&mut self, at: DVec3) -> Result<()> {
-        match &mut self.curve {
-            None => self.curve = Some(Curve::from_point(self.frame.point_back(at))?),
-            Some(curve) if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) => {
-                self.corners += 1;
-                curve.push(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
-            }
-            Some(_) => {}
+        let curve = &mut self.offset.curve;
+        if curve.points.is_empty() {
+            *curve = Curve::from_point(self.frame.point_back(at))?;
+        } else if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) {
+            self.offset.corners += 1;
+            curve.push(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
         }
         self.end = at;
         Ok(())
@@ -159,53 +153,39 @@ impl OffsetFit<'_> {
             first + left((second - along * along.dot(second)) / pace) * self.d
         } else {
             // A cusp of the curve itself.
-            self.tight = true;
+            self.offset.tight = true;
             DVec3::ZERO
         };
-        self.tight |= speed.dot(along) <= 0.0;
+        self.offset.tight |= speed.dot(along) <= 0.0;
         OffsetPoint { t, point: point + left(along) * self.d, along, speed }
     }
 
     /// Fits a piece, or its halves.
     fn piece(&mut self, controls: &[DVec3], from: OffsetPoint, to: OffsetPoint, depth: u32) -> Result<()> {
-        let fitted = match self.options.degree {
-            2 => quadratic(&from, &to),
-            _ => Some(cubic(&from, &to)),
-        };
-        let deviation = match &fitted {
-            Some((inner, count)) => self.measure(controls, &from, &to, &inner[..*count]),
-            None => f64::INFINITY,
-        };
+        let degree = self.options.degree;
+        let fitted = if degree == 2 { quadratic(&from, &to) } else { Some(cubic(&from, &to)) };
+        let mut measure = |fitted: [DVec3; 4]| self.measure(controls, &from, &to, &fitted[..=degree]);
+        let deviation = fitted.map_or(f64::INFINITY, &mut measure);
         if deviation > self.tolerance && depth > 0 && self.pieces + 1 < self.options.max_segments {
             let middle = self.spot(controls, 0.5 * (from.t + to.t));
             self.piece(controls, from, middle, depth - 1)?;
             return self.piece(controls, middle, to, depth - 1);
         }
-        let chord = || ([from.point.midpoint(to.point), DVec3::ZERO], 1);
-        let (inner, count) = fitted.unwrap_or_else(chord);
+        let fitted = fitted.unwrap_or_else(|| [from.point, from.point.midpoint(to.point), to.point, to.point]);
         if self.pieces.is_multiple_of(PIECES_PER_REPORT) {
             self.job.step(from.t, STAGE)?;
         }
-        let deviation =
-            if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &inner[..count]) };
-        self.deviation = self.deviation.max(deviation);
+        let deviation = if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &fitted[..=degree]) };
+        self.offset.deviation = self.offset.deviation.max(deviation);
         self.pieces += 1;
         self.end = to.point;
-        let rest = [inner[0], if count == 2 { inner[1] } else { to.point }, to.point].map(|p| self.frame.point_back(p));
-        match &mut self.curve {
-            Some(curve) => curve.push(&rest[..=count]),
-            None => Ok(()),
-        }
+        self.offset.curve.push(&fitted.map(|p| self.frame.point_back(p))[1..=degree])
     }
 
     /// The largest distance of the piece's points from the true offset: at the same parameter, or
     /// at the foot on the curve found from there by a step of Newton's method for (C - Q) . C' = 0,
     /// if that is nearer.
-    fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, inner: &[DVec3]) -> f64 {
-        let mut room = [from.point; 4];
-        room[1..=inner.len()].copy_from_slice(inner);
-        room[inner.len() + 1] = to.point;
-        let fitted = &room[..inner.len() + 2];
+    fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, fitted: &[DVec3]) -> f64 {
         let mut max = 0.0f64;
         for k in 1..=SAMPLES_PER_PIECE {
             let u = f64::from(k) / f64::from(SAMPLES_PER_PIECE + 1);
@@ -227,23 +207,21 @@ impl OffsetFit<'_> {
     }
 
     fn finish(mut self, closed: bool) -> Result<Offset> {
-        let Some(start) = self.curve.as_ref().and_then(|curve| curve.points.first().copied()) else {
+        let Some(&start) = self.offset.curve.points.first() else {
             return Err(Error::EmptyCurve);
         };
         if closed {
             self.begin(self.frame.point(start))?;
-        }
-        let mut curve = self.curve.take().unwrap_or_default();
-        if closed && let Some(last) = curve.points.last_mut() {
-            *last = start;
+            let curve = &mut self.offset.curve;
             curve.closed = true;
+            curve.points.pop();
+            curve.points.push(start);
         }
+        let deviation = self.offset.deviation;
         Ok(Offset {
-            curve,
-            deviation: self.frame.length_back(self.deviation),
-            reached: self.deviation <= self.tolerance,
-            tight: self.tight,
-            corners: self.corners,
+            deviation: self.frame.length_back(deviation),
+            reached: deviation <= self.tolerance,
+            ..self.offset
         })
     }
 }
@@ -254,25 +232,26 @@ fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] 
         .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
 }
 
-/// The inner control points of the cubic with the ends and derivatives given.
-fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> ([DVec3; 2], usize) {
+/// The cubic with the ends and derivatives given.
+fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
     let third = (to.t - from.t) / 3.0;
-    ([from.point + from.speed * third, to.point - to.speed * third], 2)
+    [from.point, from.point + from.speed * third, to.point - to.speed * third, to.point]
 }
 
-/// The inner control point of the quadratic with the ends and directions given: where the tangents
-/// cross, if that is ahead of the one end and behind the other; in the middle for a straight piece.
-fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<([DVec3; 2], usize)> {
+/// The quadratic with the ends and directions given, and its last control point once more. The
+/// tangents cross at the inner one, if that is ahead of the one end and behind the other; it is in
+/// the middle of a straight piece.
+fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
     let turn = cross(from.along, to.along);
     let length = chord.length();
     if turn.abs() < 1e-12 {
         let aligned = cross(from.along, chord).abs() <= 1e-12 * length;
-        return aligned.then(|| ([from.point + chord * 0.5, DVec3::ZERO], 1));
+        return aligned.then_some([from.point, from.point + chord * 0.5, to.point, to.point]);
     }
     let (ahead, behind) = (cross(chord, to.along) / turn, cross(from.along, chord) / turn);
     // Both have the sign of the direction in which the offset runs; far ones are no good fit.
     let good = ahead * behind > 0.0 && ahead.abs().max(behind.abs()) <= length;
-    good.then(|| ([from.point + from.along * ahead, DVec3::ZERO], 1))
+    good.then_some([from.point, from.point + from.along * ahead, to.point, to.point])
 }

@@ -4,6 +4,7 @@
 use crate::geom::Aabb;
 use crate::outline::curve::segment::SegmentBuffer;
 use glam::DVec3;
+use std::cmp::Ordering;
 
 /// The part of a segment between two parameters.
 #[derive(Clone, Copy)]
@@ -55,6 +56,17 @@ pub(super) fn chord(controls: &[DVec3]) -> DVec3 {
     (controls[controls.len() - 1] - controls[0]).normalize_or_zero()
 }
 
+/// The order of places on two curves, by the first one first.
+pub(super) fn by_places(x: [f64; 2], y: [f64; 2]) -> Ordering {
+    x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1]))
+}
+
+/// Whether two places on a curve of a period are one within `tolerance`.
+pub(super) fn coincide(x: f64, y: f64, period: f64, tolerance: f64) -> bool {
+    let gap = (x - y).abs();
+    gap <= tolerance || (period - gap).abs() <= tolerance
+}
+
 /// Sorts solutions by their places on two curves, and removes those that repeat another within
 /// `tolerance`, round the ends of closed curves too; see
 /// [`CurveView::period`](crate::outline::CurveView). O(n log n), and O(1) for each place with few
@@ -65,19 +77,11 @@ pub(super) fn sort_distinct<T: Copy>(
     periods: [f64; 2],
     tolerance: f64,
 ) {
-    found.sort_by(|x, y| {
-        let (x, y) = (places(x), places(y));
-        x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1]))
-    });
+    found.sort_by(|x, y| by_places(places(x), places(y)));
     let mut kept = 0;
     for i in 0..found.len() {
         let at = places(&found[i]);
-        let same = |other: &T| {
-            (0..2).all(|k| {
-                let gap = (at[k] - places(other)[k]).abs();
-                gap <= tolerance || (periods[k] - gap).abs() <= tolerance
-            })
-        };
+        let same = |other: &T| (0..2).all(|k| coincide(at[k], places(other)[k], periods[k], tolerance));
         // Repeats are near in this order, or at the start of a closed curve.
         let near = found[..kept].iter().rev().take_while(|other| at[0] - places(other)[0] <= tolerance);
         let first = found[..kept].iter().take_while(|other| places(other)[0] <= tolerance);

@@ -131,8 +131,7 @@ impl<'a> Walk<'a> {
         let frame = UnitFrame::of(self.curve.points());
         self.add(Place { segment: 0, t: 0.0 })?;
         for (k, controls) in self.curve.segments().enumerate() {
-            let flattening = Flattening { segment: k as u32, tolerance: frame.length(tolerance) };
-            flattening.halve(frame.segment(controls), 0.0, 1.0, 20, &mut self)?;
+            self.flatten(k as u32, frame.segment(controls), [0.0, 1.0], frame.length(tolerance), 20)?;
         }
         if self.curve.is_closed() && self.samples.places.len() > 1 {
             self.samples.places.pop();
@@ -140,30 +139,29 @@ impl<'a> Walk<'a> {
         }
         Ok(self.samples)
     }
-}
 
-/// One segment and how near its chords are to be.
-struct Flattening {
-    segment: u32,
-    tolerance: f64,
-}
-
-impl Flattening {
-    /// Adds the ends of the chords of one part, but not its start.
+    /// Adds the ends of the chords of one part of a segment, but not its start.
     ///
     /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t)
     /// d(B_i) over the inner control points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 -
     /// 2^(1 - n).
-    fn halve(&self, mut controls: SegmentBuffer, from: f64, to: f64, left: u32, walk: &mut Walk<'_>) -> Result<()> {
+    fn flatten(
+        &mut self,
+        segment: u32,
+        mut controls: SegmentBuffer,
+        [from, to]: [f64; 2],
+        tolerance: f64,
+        halvings: u32,
+    ) -> Result<()> {
         let n = controls.len() - 1;
         let most = controls[1..n].iter().map(|&p| off_chord(p, controls[0], controls[n])).fold(0.0, f64::max);
-        if left == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= self.tolerance {
-            return walk.add(Place { segment: self.segment, t: to });
+        if halvings == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= tolerance {
+            return self.add(Place { segment, t: to });
         }
         let before = controls.split_off_front(0.5);
         let middle = 0.5 * (from + to);
-        self.halve(before, from, middle, left - 1, walk)?;
-        self.halve(controls, middle, to, left - 1, walk)
+        self.flatten(segment, before, [from, middle], tolerance, halvings - 1)?;
+        self.flatten(segment, controls, [middle, to], tolerance, halvings - 1)
     }
 }
 
