@@ -143,6 +143,8 @@ impl Boundary {
     }
 }
 
+const STAGE: &str = "walking along the boundary";
+
 /// Walks between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
@@ -162,14 +164,13 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         && let Some(walks) = ordinary_walks(mesh, &job.part(0.0, 0.5))?
     {
         let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
-        for (number, walk) in walks.iter().enumerate() {
-            if number % REPORT_INTERVAL == 0 {
-                job.step(0.5 + 0.5 * number as f64 / walks.len() as f64, "walking along the boundary")?;
-            }
-            let walk_of = Walk { number: number as u32, closed: true, is_split: false };
-            boundary.add(mesh, walk, true, &Ordinary, &walk_of)?;
+        let walking = job.part(0.5, 1.0);
+        for (number, darts) in walks.iter().enumerate() {
+            walking.step_every(REPORT_INTERVAL, number, walks.len(), STAGE)?;
+            let piece = Piece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
+            boundary.add(mesh, &piece, None)?;
         }
-        job.step(1.0, "walking along the boundary")?;
+        job.step(1.0, STAGE)?;
         return Ok(boundary);
     }
     let done = if options.survey == Survey::BoundaryOnly { 0.5 } else { 0.0 };
@@ -179,166 +180,100 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     let mut walker = Walker::new(mesh, &topology, options.non_manifold, job)?;
     let mut place = alloc::filled(NONE, mesh.positions().len())?;
     let mut walk = Vec::new();
-    while let Some(closed_walk) = walker.next_walk(&mut walk)? {
-        job.step(0.9 + 0.1 * walker.fraction(), "walking along the boundary")?;
+    while let Some(walk_closed) = walker.next_walk(&mut walk)? {
+        job.step(0.9 + 0.1 * walker.fraction(), STAGE)?;
         let number = boundary.walks;
         boundary.walks += 1;
-        split_simple(
-            &walk,
-            |dart| dart.tail(mesh),
-            |dart| dart.head(mesh),
-            &mut place,
-            |piece, closed| {
-                let is_split = piece.len() < walk.len();
-                boundary.add(mesh, piece, closed, &walker, &Walk { number, closed: closed_walk, is_split })
-            },
-        )?;
+        let add = |darts: &[Dart], closed: bool| {
+            let piece = Piece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
+            boundary.add(mesh, &piece, Some(&walker))
+        };
+        split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, add)?;
     }
     // In place: a stable sort would ask for memory that may not be there.
     boundary.records.sort_unstable_by_key(|r| r.smallest);
     alloc::extend(&mut boundary.defects, walker.bow_ties().map(|vertex| Defect::BowTie { vertex }))?;
-    job.step(1.0, "walking along the boundary")?;
+    job.step(1.0, STAGE)?;
     Ok(boundary)
 }
 
-/// What is known of the edges and vertices that a loop passes.
-trait Marks {
-    /// The edge of `h` has three or more faces.
-    fn is_singular(&self, h: u32) -> bool;
-    /// The faces at `v` form more than one fan.
-    fn is_bow_tie(&self, v: u32) -> bool;
-}
-
-/// Nothing unusual.
-struct Ordinary;
-
-impl Marks for Ordinary {
-    fn is_singular(&self, _: u32) -> bool {
-        false
-    }
-
-    fn is_bow_tie(&self, _: u32) -> bool {
-        false
-    }
-}
-
-impl Marks for Walker<'_, '_> {
-    fn is_singular(&self, h: u32) -> bool {
-        self.is_singular(h)
-    }
-
-    fn is_bow_tie(&self, v: u32) -> bool {
-        self.is_bow_tie(v)
-    }
-}
-
-/// What a piece inherits from the walk that it was cut from.
-struct Walk {
-    number: u32,
+/// A simple loop or chain, and what it inherits from the walk that it was cut from.
+struct Piece<'a> {
+    darts: &'a [Dart],
     closed: bool,
+    /// The number of the walk.
+    walk: u32,
+    walk_closed: bool,
+    /// The walk has other pieces.
     is_split: bool,
 }
 
-impl Boundary {
-    /// Appends one simple loop or chain.
-    fn add(
-        &mut self,
-        mesh: &MeshView<'_>,
-        piece: &[Dart],
-        closed: bool,
-        marks: &impl Marks,
-        walk: &Walk,
-    ) -> Result<()> {
-        let against = piece.iter().filter(|dart| !dart.forward).count();
-        let turned = 2 * against > piece.len();
-        let order = Order { piece, turned, first: first_place(piece, closed, turned) };
+impl Piece<'_> {
+    /// The darts in the order in which they become edges: `turned` round if most run against their
+    /// faces, and from the smallest half-edge on if closed.
+    fn edges(&self, turned: bool) -> impl Iterator<Item = Dart> {
+        let n = self.darts.len();
+        let smallest = (0..n).min_by_key(|&i| self.darts[i].half_edge).unwrap_or(0);
+        let first = match (self.closed, turned) {
+            (false, _) => 0,
+            (true, false) => smallest,
+            (true, true) => n - 1 - smallest,
+        };
+        (first..first + n).map(move |i| match turned {
+            true => self.darts[n - 1 - i % n].turned(),
+            false => self.darts[i % n],
+        })
+    }
+}
 
-        let mut flags = 0;
-        if !closed {
-            flags |= LoopFlags::OPEN;
-        }
-        if walk.is_split {
-            flags |= LoopFlags::SPLIT;
-        }
-        if against != 0 && against != piece.len() {
-            flags |= LoopFlags::NOT_ORIENTED;
-        }
-        if !walk.closed {
-            flags |= LoopFlags::NON_MANIFOLD;
-        }
+impl Boundary {
+    /// Appends a piece. `walker`: what is known of the edges and vertices that it passes; `None` if
+    /// they are ordinary.
+    fn add(&mut self, mesh: &MeshView<'_>, piece: &Piece<'_>, walker: Option<&Walker<'_, '_>>) -> Result<()> {
+        let count = piece.darts.len();
+        let against = piece.darts.iter().filter(|dart| !dart.forward).count();
+        let mut flags = (u32::from(!piece.closed) * LoopFlags::OPEN)
+            | (u32::from(piece.is_split) * LoopFlags::SPLIT)
+            | (u32::from(against != 0 && against != count) * LoopFlags::NOT_ORIENTED)
+            | (u32::from(!piece.walk_closed) * LoopFlags::NON_MANIFOLD);
+        let bow_tie = |v: u32| u32::from(walker.is_some_and(|walker| walker.is_bow_tie(v))) * LoopFlags::BOW_TIE;
 
         let (vertex_start, edge_start) = (self.vertices.len(), self.half_edges.len());
-        alloc::reserve(&mut self.vertices, piece.len() + 1)?;
-        alloc::reserve(&mut self.half_edges, piece.len())?;
-        alloc::reserve(&mut self.faces, piece.len())?;
-        alloc::reserve(&mut self.edge_flags, piece.len())?;
-        let mut length = 0.0;
-        for dart in order.darts() {
+        alloc::reserve(&mut self.vertices, count + 1)?;
+        alloc::reserve(&mut self.half_edges, count)?;
+        alloc::reserve(&mut self.faces, count)?;
+        alloc::reserve(&mut self.edge_flags, count)?;
+        let (mut length, mut end) = (0.0, NONE);
+        for dart in piece.edges(2 * against > count) {
             let (tail, head) = (dart.tail(mesh), dart.head(mesh));
             let (from, to) = (mesh.positions().get(tail), mesh.positions().get(head));
             length += distance(from, to);
-            let mut edge = 0;
-            if !dart.forward {
-                edge |= EdgeFlags::REVERSED;
-            }
-            if marks.is_singular(dart.half_edge) {
-                edge |= EdgeFlags::NON_MANIFOLD;
-                flags |= LoopFlags::NON_MANIFOLD;
-            }
-            if from == to {
-                edge |= EdgeFlags::ZERO_LENGTH;
-                flags |= LoopFlags::ZERO_LENGTH;
-            }
-            if marks.is_bow_tie(tail) {
-                flags |= LoopFlags::BOW_TIE;
-            }
+            let singular = walker.is_some_and(|walker| walker.is_singular(dart.half_edge));
+            flags |= (u32::from(singular) * LoopFlags::NON_MANIFOLD)
+                | (u32::from(from == to) * LoopFlags::ZERO_LENGTH)
+                | bow_tie(tail);
             self.vertices.push(tail);
             self.half_edges.push(dart.half_edge);
             self.faces.push(mesh.faces().face_of(dart.half_edge));
-            self.edge_flags.push(edge);
-            if !closed && self.half_edges.len() == edge_start + piece.len() {
-                self.vertices.push(head);
-                if marks.is_bow_tie(head) {
-                    flags |= LoopFlags::BOW_TIE;
-                }
-            }
+            self.edge_flags.push(
+                (u8::from(!dart.forward) * EdgeFlags::REVERSED)
+                    | (u8::from(singular) * EdgeFlags::NON_MANIFOLD)
+                    | (u8::from(from == to) * EdgeFlags::ZERO_LENGTH),
+            );
+            end = head;
+        }
+        if !piece.closed {
+            self.vertices.push(end);
+            flags |= bow_tie(end);
         }
         let record = Record {
             smallest: self.half_edges[edge_start..].iter().copied().min().unwrap_or(NONE),
             vertices: vertex_start..self.vertices.len(),
             edges: edge_start..self.half_edges.len(),
             flags,
-            walk: walk.number,
+            walk: piece.walk,
             length,
         };
         alloc::push(&mut self.records, record)
     }
-}
-
-/// The order in which the darts of a piece become edges: turned round if most run against their
-/// faces, and from the smallest half-edge on if closed.
-struct Order<'a> {
-    piece: &'a [Dart],
-    turned: bool,
-    first: usize,
-}
-
-impl Order<'_> {
-    fn darts(&self) -> impl Iterator<Item = Dart> {
-        let n = self.piece.len();
-        (0..n).map(move |i| {
-            let i = (self.first + i) % n;
-            if self.turned { self.piece[n - 1 - i].turned() } else { self.piece[i] }
-        })
-    }
-}
-
-/// Where the smallest half-edge of a closed piece lies in the (possibly turned) order; 0 for an
-/// open chain.
-fn first_place(piece: &[Dart], closed: bool, turned: bool) -> usize {
-    if !closed {
-        return 0;
-    }
-    let smallest = (0..piece.len()).min_by_key(|&i| piece[i].half_edge).unwrap_or(0);
-    if turned { piece.len() - 1 - smallest } else { smallest }
 }

@@ -49,20 +49,23 @@ pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Optio
     for found in boundary.iter() {
         found.vertices.iter().for_each(|&v| passes[v as usize] = passes[v as usize].saturating_add(1));
     }
-    let mut plan = Plan::new(mesh, &candidates, &job.part(0.2, 0.3))?;
+    let mut plan = Plan::new(mesh, &candidates, &passes, &job.part(0.2, 0.3))?;
     let all: usize = candidates.iter().map(|candidate| candidate.vertices.len()).sum();
     let mut done = 0;
     for candidate in &candidates {
         let part = |vertices: usize| 0.3 + 0.4 * vertices as f64 / all as f64;
         let job = job.part(part(done), part(done + candidate.vertices.len()));
         done += candidate.vertices.len();
-        plan.enter(mesh, candidate, &passes, options, &job)?;
+        plan.enter(candidate, options, &job)?;
     }
-    plan.finish(mesh, &job.part(0.7, 1.0))
+    plan.finish(&job.part(0.7, 1.0))
 }
 
 /// The patches of the holes so far.
-struct Plan {
+struct Plan<'a> {
+    mesh: &'a MeshView<'a>,
+    /// Per vertex of the mesh, how many loops pass it.
+    passes: &'a [u8],
     surroundings: Surroundings,
     /// New edges between old vertices that more than one loop passes: no later hole may repeat
     /// them.
@@ -74,13 +77,15 @@ struct Plan {
     points: Vec<glam::DVec3>,
 }
 
-impl Plan {
-    fn new(mesh: &MeshView<'_>, candidates: &[Candidate], job: &Job<'_>) -> Result<Plan> {
+impl<'a> Plan<'a> {
+    fn new(mesh: &'a MeshView<'a>, candidates: &[Candidate], passes: &'a [u8], job: &Job<'_>) -> Result<Self> {
         let mut on_rim = alloc::filled(false, mesh.positions().len())?;
         for candidate in candidates.iter().filter(|candidate| candidate.status == HoleStatus::Filled) {
             candidate.vertices.iter().for_each(|&v| on_rim[v as usize] = true);
         }
         Ok(Plan {
+            mesh,
+            passes,
             surroundings: Surroundings::new(mesh, &on_rim, job)?,
             bridges: BTreeSet::new(),
             holes: alloc::with_capacity(candidates.len())?,
@@ -90,18 +95,9 @@ impl Plan {
         })
     }
 
-    fn enter(
-        &mut self,
-        mesh: &MeshView<'_>,
-        candidate: &Candidate,
-        passes: &[u8],
-        options: &Options,
-        job: &Job<'_>,
-    ) -> Result<()> {
-        let old_faces = mesh.faces().len();
-        let counts =
-            |plan: &Plan| (old_faces + plan.faces.offsets.len() - 1, mesh.positions().len() + plan.points.len());
-        let (first_face, first_vertex) = counts(self);
+    fn enter(&mut self, candidate: &Candidate, options: &Options, job: &Job<'_>) -> Result<()> {
+        let (mesh, passes) = (self.mesh, self.passes);
+        let [first_face, first_vertex] = self.counts();
         let mut status = candidate.status;
         if status == HoleStatus::Filled {
             let rim = self.surroundings.rim(mesh, &candidate.vertices, |v| passes[v as usize] == 1)?;
@@ -113,31 +109,31 @@ impl Plan {
                 self.surroundings.has_edge(u, v) || self.bridges.contains(&(u.min(v), u.max(v)))
             };
             match patch(&rim, options, &taken, job)? {
-                Some(patch) => self.add(mesh, &patch, n, name, passes)?,
+                Some(patch) => self.add(&patch, n, name)?,
                 None => status = HoleStatus::NoTriangulation,
             }
         }
-        let (end_face, end_vertex) = counts(self);
+        let [end_face, end_vertex] = self.counts();
         let start = self.rims.len();
         alloc::append(&mut self.rims, &candidate.vertices)?;
         self.holes.push(Hole {
             status,
             rim: start..self.rims.len(),
-            faces: first_face as u32..end_face as u32,
-            vertices: first_vertex as u32..end_vertex as u32,
+            faces: first_face..end_face,
+            vertices: first_vertex..end_vertex,
         });
         Ok(())
     }
 
+    /// The faces and the vertices of the result so far.
+    fn counts(&self) -> [u32; 2] {
+        let faces = self.mesh.faces().len() + self.faces.offsets.len() - 1;
+        [faces as u32, (self.mesh.positions().len() + self.points.len()) as u32]
+    }
+
     /// Adds a patch whose rim vertex v is `name(v)` of the mesh.
-    fn add(
-        &mut self,
-        mesh: &MeshView<'_>,
-        patch: &Patch,
-        rim: usize,
-        name: impl Fn(u32) -> u32,
-        passes: &[u8],
-    ) -> Result<()> {
+    fn add(&mut self, patch: &Patch, rim: usize, name: impl Fn(u32) -> u32) -> Result<()> {
+        let (mesh, passes) = (self.mesh, self.passes);
         let first = mesh.positions().len() + self.points.len();
         let corners = mesh.faces().half_edge_count() + self.faces.corners.len() + 3 * patch.triangles.len();
         check_size((first + patch.points.len()) as u64, corners as u64)?;
@@ -159,7 +155,8 @@ impl Plan {
         Ok(())
     }
 
-    fn finish(self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Filled> {
+    fn finish(self, job: &Job<'_>) -> Result<Filled> {
+        let mesh = self.mesh;
         job.step(0.0, "putting the pieces together")?;
         let room = [self.points.len(), self.faces.iter().len(), self.faces.corners.len()];
         let mut whole = concat::empty(std::iter::once(mesh), room)?;

@@ -135,9 +135,7 @@ impl<'a> KdTree<'a> {
     /// The nearest point that `accept`s, as (squared distance, index), among those not farther than
     /// `limit` (squared); of equally near ones the smallest index.
     pub(crate) fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
-        let mut best = (limit, u32::MAX);
-        self.search(0..self.order.len(), query, self.whole.outside(query), MIXED, &accept, &mut best);
-        (best.1 != u32::MAX).then_some(best)
+        self.nearest_elsewhere(query, limit, MIXED, accept)
     }
 
     /// Searches a range of `order`. `off` is how far the query lies outside the range's cell along

@@ -23,7 +23,7 @@ pub(crate) use components::vertex_components;
 pub use concat::{Piece, concatenate};
 pub use defect::Defect;
 pub use owned::{Mesh, PositionBuffer};
-pub use topology::Topology;
+pub use pairing::Topology;
 pub(crate) use topology::{Across, half_edges, unordered};
 pub(crate) use view::{Visitor, check_size};
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};

@@ -36,8 +36,8 @@ const MIN_FACES_PER_PART: usize = 1 << 11;
 /// The longest bucket that is not sorted.
 const MAX_UNSORTED_BUCKET: usize = 32;
 
-/// What is found out about the half-edges of a mesh.
-pub(super) struct Pairs {
+/// The pairing of half-edges.
+pub struct Topology {
     /// Per half-edge: its partner, or [`FREE`], or [`SINGULAR`], or itself if it is ignored.
     pub(super) mate: Vec<u32>,
     /// Per vertex: the number of half-edges that start there, ignored ones apart.
@@ -46,10 +46,8 @@ pub(super) struct Pairs {
     pub(super) defects: Vec<Defect>,
 }
 
-/// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
-/// memory: 12 bytes a half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most 8
-/// take part.
-pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
+/// Pairs the half-edges of `mesh`: see [`Topology::new`].
+pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Topology> {
     let faces = mesh.faces();
     let mut parts = parts(mesh, job.threads())?;
     each_part(&mut parts, &job.part(0.0, 0.3), |part, range| faces.visit(range, &mut Count { faces, part }))?;
@@ -90,7 +88,7 @@ pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
     }
     defects.sort_unstable();
     let mate = mate.into_iter().map(AtomicU32::into_inner).collect();
-    Ok(Pairs { mate, corner_count, defects })
+    Ok(Topology { mate, corner_count, defects })
 }
 
 /// Consecutive ranges of `length` elements that cover `range`.

@@ -1,15 +1,12 @@
 //! Which half-edges share an edge.
 
 use super::defect::Defect;
-use super::pairing::{FREE, Pairs, SINGULAR, pairs};
+use super::pairing::{FREE, SINGULAR, Topology, pairs};
 use super::view::MeshView;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::par;
-
-/// The pairing of half-edges.
-pub struct Topology(Pairs);
 
 /// Half-edges that one thread looks at at a time.
 const CHUNK: usize = 1 << 18;
@@ -34,12 +31,12 @@ impl Topology {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
-        pairs(mesh, job).map(Topology)
+        pairs(mesh, job)
     }
 
     /// What lies across half-edge `h`, which must not be an ignored one.
     pub(crate) fn across(&self, h: u32) -> Across {
-        match self.0.mate[h as usize] {
+        match self.mate[h as usize] {
             FREE => Across::Free,
             SINGULAR => Across::Singular,
             mate => Across::Mate(mate),
@@ -48,15 +45,14 @@ impl Topology {
 
     /// True if `h` takes no part: it has no length, or its face is degenerate.
     pub(crate) fn is_ignored(&self, h: u32) -> bool {
-        self.0.mate[h as usize] == h
+        self.mate[h as usize] == h
     }
 
     /// The half-edges of free edges and those of edges with three or more faces, in ascending
     /// order.
     pub(crate) fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
-        let mate = &self.0.mate;
-        let found = par::map(job.threads(), par::ranges(mate.len(), CHUNK), |range| {
-            let half_edges = (range.start as u32..).zip(&mate[range]);
+        let found = par::map(job.threads(), par::ranges(self.mate.len(), CHUNK), |range| {
+            let half_edges = (range.start as u32..).zip(&self.mate[range]);
             alloc::gather(half_edges.filter(|&(_, &mate)| mate >= SINGULAR).map(|(h, _)| h))
         });
         let mut border = Vec::new();
@@ -66,36 +62,26 @@ impl Topology {
 
     /// The number of faces' corners at vertex `v`, ignored half-edges apart.
     pub(crate) fn corner_count(&self, v: u32) -> u32 {
-        self.0.corner_count[v as usize]
+        self.corner_count[v as usize]
     }
 
     /// The degenerate faces, orientation conflicts and non-manifold edges, in this order.
     pub fn defects(&self) -> &[Defect] {
-        &self.0.defects
+        &self.defects
     }
 
     /// The half-edge of the same face that follows `h`, those without length left out.
     pub(crate) fn next(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
-        let mut n = h;
-        loop {
-            n = if n as usize + 1 == range.end { range.start as u32 } else { n + 1 };
-            if !self.is_ignored(n) {
-                return n;
-            }
-        }
+        let (before, after) = (range.start as u32..h, h + 1..range.end as u32);
+        after.chain(before).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
 
     /// The half-edge of the same face that precedes `h`, those without length left out.
     pub(crate) fn previous(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
-        let mut n = h;
-        loop {
-            n = if n as usize == range.start { range.end as u32 - 1 } else { n - 1 };
-            if !self.is_ignored(n) {
-                return n;
-            }
-        }
+        let (before, after) = (range.start as u32..h, h + 1..range.end as u32);
+        before.rev().chain(after.rev()).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
 }
 

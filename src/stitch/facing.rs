@@ -287,8 +287,12 @@ impl Arc {
 /// area of its polygon) and the line of the centres. 1 for coaxial rims, which are best joined
 /// whole; 0 for loops side by side in a plane.
 pub fn squareness(points: &[DVec3], planes: &Planes) -> f64 {
-    let n = points.len();
-    let centre = centre(points);
+    normal(points).dot(planes.normals[0].normalize_or_zero()).abs()
+}
+
+/// The direction of the vector area of a closed polyline, seen from its centre; 0 if it has none.
+pub(super) fn normal(points: &[DVec3]) -> DVec3 {
+    let (n, centre) = (points.len(), centre(points));
     let area: DVec3 = (0..n).map(|i| (points[i] - centre).cross(points[(i + 1) % n] - centre)).sum();
-    area.normalize_or_zero().dot(planes.normals[0].normalize_or_zero()).abs()
+    area.normalize_or_zero()
 }

@@ -1,4 +1,4 @@
-//! Points at equal arc lengths along a polyline. Linear.
+//! Arc lengths along a polyline, and points at equal ones. Linear.
 
 use crate::alloc;
 use crate::error::Result;
@@ -24,4 +24,15 @@ pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Ve
         *sample = points[i].lerp(points[(i + 1) % n], t);
     }
     Ok(samples)
+}
+
+/// The length of a polyline before each of its points; of a closed one also all round.
+pub(super) fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
+    let n = points.len();
+    let edges = if closed { n } else { n - 1 };
+    let mut along = alloc::filled(0.0, edges + 1)?;
+    for i in 0..edges {
+        along[i + 1] = along[i] + points[i].distance(points[(i + 1) % n]);
+    }
+    Ok(along)
 }

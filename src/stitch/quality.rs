@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_3;
 const REPORT_INTERVAL: usize = 1 << 16;
 
 /// Measures of the strip, and of the whole result's connectivity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quality {
     /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate. Quads are
     /// measured as the two triangles that their shorter diagonals make.
@@ -35,16 +35,7 @@ pub struct Quality {
 
 impl Quality {
     pub(crate) fn of(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
-        let mut quality = Quality {
-            min_angle: FRAC_PI_3,
-            max_aspect: 1.0,
-            max_edge: 0.0,
-            area: 0.0,
-            degenerate_faces: 0,
-            loops_left: 0,
-            non_manifold_edges: 0,
-            orientation_conflicts: 0,
-        };
+        let mut quality = Quality { min_angle: FRAC_PI_3, max_aspect: 1.0, ..Quality::default() };
         quality.measure_strip(strip, &job.part(0.0, 0.1))?;
 
         let boundary =

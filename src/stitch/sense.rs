@@ -5,7 +5,7 @@
 //! out. The test compares the curves: each is sampled at equal arc lengths and centred, and the
 //! second is fitted to the first in both directions, at the best rotation.
 
-use super::facing::centre;
+use super::facing::{centre, normal};
 use super::polyline::samples;
 use super::rim::Rim;
 use crate::error::Result;
@@ -56,10 +56,7 @@ const MIN_MEAN_DIRECTION: f64 = 0.3;
 /// The cosine of the angle between a rim's area vector and the direction in which it leads off its
 /// surface.
 fn turns(rim: &Rim) -> f64 {
-    let n = rim.points.len();
-    let centre = centre(&rim.points);
-    let area: DVec3 = (0..n).map(|i| (rim.points[i] - centre).cross(rim.points[(i + 1) % n] - centre)).sum();
-    area.normalize_or_zero().dot(rim.outward.normalize_or_zero())
+    normal(&rim.points).dot(rim.outward.normalize_or_zero())
 }
 
 /// True if the centres are nearer to each other than half the larger rim's greatest radius.

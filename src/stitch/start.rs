@@ -5,9 +5,8 @@
 //! best, which differs where one rim comes near the other in an unrelated place. Meridians are
 //! found from both, and the better ones kept.
 
-use super::polyline::samples;
+use super::polyline::{lengths, samples};
 use super::rim::{Bridges, Rim};
-use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
@@ -107,14 +106,8 @@ fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
 
 /// The part of a closed polyline's length that lies before each of its points.
 fn parts(points: &[DVec3]) -> Result<Vec<f64>> {
-    let n = points.len();
-    let mut along = alloc::with_capacity(n)?;
-    let mut length = 0.0;
-    for i in 0..n {
-        along.push(length);
-        length += points[i].distance(points[(i + 1) % n]);
-    }
-    if length > 0.0 {
+    let mut along = lengths(points, true)?;
+    if let Some(length) = along.pop().filter(|&length| length > 0.0) {
         along.iter_mut().for_each(|t| *t /= length);
     }
     Ok(along)

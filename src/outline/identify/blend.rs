@@ -17,41 +17,34 @@
 //! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
-use super::curve_builder::CurveBuilder;
 use super::method::{Method, through};
 use super::options::Mode;
 use super::solution::Solution;
-use super::subcurve::{PointResult, Subcurve};
+use super::subcurve::{Output, Subcurve};
 use crate::error::Result;
-use crate::outline::curve::Place;
 
 /// Appends the blended curve of a subcurve's points.
-pub(super) fn append(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    solution: &mut Solution,
-    builder: &mut CurveBuilder,
-) -> Result<()> {
+pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
     let (points, n, method) = (sub.points, sub.len(), sub.options.method);
     solution.resize(n)?;
     let (controls, parameters) = (&mut solution.controls, &mut solution.t);
     for i in sub.sections() {
         let [a, p, c] = sub.triple(i);
         let t = method.parameter(a, p, c).or_else(|status| {
-            results[i].status = status;
+            out.results[i].status = status;
             Method::Bisector.parameter(a, p, c)
         });
         let section = t.and_then(|t| through(a, p, c, t)).or_else(|status| {
             // So near its neighbour that only the median will do.
-            results[i].flag(status);
+            out.results[i].flag(status);
             through(a, p, c, 0.5)
         });
         if let Ok(section) = section {
             (controls[i], parameters[i]) = (section.control, section.t);
         }
     }
-    builder.begin(points[0])?;
-    for i in 0..if sub.closed { n } else { n - 1 } {
+    out.builder.begin(points[0])?;
+    for i in sub.spans() {
         let next = sub.next(i);
         let (p, q) = (points[i], points[next]);
         let half = 0.5 * p.distance(q);
@@ -61,21 +54,13 @@ pub(super) fn append(
         let y = backward.or_else(|| sub.tangents[1].map(|tangent| q - tangent * half));
         let middle = p.midpoint(q);
         let (x, y) = (x.or(y).unwrap_or(middle), y.or(x).unwrap_or(middle));
-        let segment = builder.len() as u32;
-        match sub.options.mode {
-            Mode::BlendC1 => builder.push(&[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?,
-            _ => builder.push(&[
-                (p * 3.0 + x * 2.0) / 5.0,
-                (p * 3.0 + x * 6.0 + q) / 10.0,
-                (p + y * 6.0 + q * 3.0) / 10.0,
-                (y * 2.0 + q * 3.0) / 5.0,
-                q,
-            ])?,
+        if sub.options.mode == Mode::BlendC1 {
+            out.push_span(sub, i, &[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?;
+            continue;
         }
-        results[i].place = Place { segment, t: 0.0 };
-        if i + 2 == n && !sub.closed {
-            results[i + 1].place = Place { segment, t: 1.0 };
-        }
+        let (first, second) = ((p * 3.0 + x * 2.0) / 5.0, (p * 3.0 + x * 6.0 + q) / 10.0);
+        let (third, fourth) = ((p + y * 6.0 + q * 3.0) / 10.0, (y * 2.0 + q * 3.0) / 5.0);
+        out.push_span(sub, i, &[first, second, third, fourth, q])?;
     }
     Ok(())
 }

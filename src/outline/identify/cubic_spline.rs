@@ -14,21 +14,14 @@
 //! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
 //! IV; Bessel's end condition).
 
-use super::curve_builder::CurveBuilder;
 use super::method::power;
 use super::solution::Solution;
-use super::subcurve::{PointResult, Subcurve};
+use super::subcurve::{Output, Subcurve};
 use crate::error::Result;
 use crate::geom::linear::tridiagonal::{self, Cyclic};
-use crate::outline::curve::Place;
 
 /// Appends the spline of a subcurve's points.
-pub(super) fn append(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    solution: &mut Solution,
-    builder: &mut CurveBuilder,
-) -> Result<()> {
+pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
     let (points, n) = (sub.points, sub.len());
     solution.resize(n)?;
     let Solution { t: intervals, controls: derivatives, upper, across, .. } = solution;
@@ -68,15 +61,10 @@ pub(super) fn append(
         };
         tridiagonal::solve(derivatives, upper, |i| row(i, i - 1), known);
     }
-    builder.begin(points[0])?;
-    for i in 0..if sub.closed { n } else { n - 1 } {
+    out.builder.begin(points[0])?;
+    for i in sub.spans() {
         let (p, q, third) = (points[i], points[sub.next(i)], intervals[i] / 3.0);
-        let segment = builder.len() as u32;
-        builder.push(&[p + derivatives[i] * third, q - derivatives[sub.next(i)] * third, q])?;
-        results[i].place = Place { segment, t: 0.0 };
-        if !sub.closed && i + 2 == n {
-            results[i + 1].place = Place { segment, t: 1.0 };
-        }
+        out.push_span(sub, i, &[p + derivatives[i] * third, q - derivatives[sub.next(i)] * third, q])?;
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use super::options::{Mode, Options};
 use super::outlines::{Constraint, Outlines};
 use super::report::{FitStatus, PointStatus, Report};
 use super::single::{self, Collocation};
-use super::subcurve::{PointResult, Subcurve};
+use super::subcurve::{Output, PointResult, Subcurve};
 use super::{blend, cubic_spline, residuals};
 use crate::alloc;
 use crate::error::Result;
@@ -169,8 +169,7 @@ impl<'a> Worker<'a> {
             return self.identify_smooth(&span, first_status, report);
         }
         self.solve(&mut report)?;
-        let Nodes { points, results, closed, .. } = &self.nodes;
-        residuals::measure(points, results, &self.builder, *closed, placement.size, &mut report);
+        residuals::measure(&self.nodes, &self.builder, &mut report);
         self.deliver(&span, first_status, report)
     }
 
@@ -183,14 +182,16 @@ impl<'a> Worker<'a> {
         }
         if self.nodes.cuts.is_empty() {
             let (sub, results) = self.nodes.whole(self.options);
-            return append(&sub, results, &mut self.composite, &mut self.single, &mut self.builder, report);
+            let mut out = Output { results, report, builder: &mut self.builder };
+            return append(&sub, &mut self.composite, &mut self.single, &mut out);
         }
         for k in 0..self.nodes.cuts.len() - 1 {
             if k > 0 && self.nodes.cuts[k].tangent.is_none() {
                 self.builder.mark_corner()?;
             }
             let (sub, results) = self.nodes.between_cuts(k, self.options);
-            append(&sub, results, &mut self.composite, &mut self.single, &mut self.builder, report)?;
+            let mut out = Output { results, report, builder: &mut self.builder };
+            append(&sub, &mut self.composite, &mut self.single, &mut out)?;
         }
         if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
             self.builder.mark_corner()?;
@@ -226,7 +227,8 @@ impl<'a> Worker<'a> {
     fn identify_smooth(&mut self, span: &Range<usize>, first: usize, mut report: Report) -> Result<()> {
         let placement = self.nodes.placement;
         let (sub, results) = self.nodes.whole(self.options);
-        composite::solve(&sub, results, &mut self.composite, &mut report)?;
+        let mut out = Output { results, report: &mut report, builder: &mut self.builder };
+        composite::solve(&sub, &mut self.composite, &mut out)?;
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         let base = done.points.len();
         alloc::reserve(&mut done.points, 2 * n + 1)?;
@@ -240,7 +242,7 @@ impl<'a> Worker<'a> {
         if n == span.len() {
             done.segments.extend(0..n as u32);
             done.parameters.extend_from_slice(&solution.t[..n]);
-            done.statuses.extend(results.iter().map(|result| result.status));
+            done.statuses.extend(self.nodes.results.iter().map(|result| result.status));
         } else {
             let mut taken = 0;
             for (i, &node) in self.nodes.node_of.iter().enumerate() {
@@ -331,16 +333,14 @@ impl<'a> Worker<'a> {
 /// Appends the curve of a subcurve's points.
 fn append(
     sub: &Subcurve<'_>,
-    results: &mut [PointResult],
     composite: &mut CompositeWorkspace,
     single: &mut Collocation,
-    builder: &mut CurveBuilder,
-    report: &mut Report,
+    out: &mut Output<'_>,
 ) -> Result<()> {
     match sub.options.mode {
-        Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, results, composite.solution(), builder),
-        Mode::CubicC2 => cubic_spline::append(sub, results, composite.solution(), builder),
-        Mode::Single => single::append(sub, results, single, composite, builder, report),
-        Mode::Composite => composite::append(sub, results, composite, builder, report),
+        Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, composite.solution(), out),
+        Mode::CubicC2 => cubic_spline::append(sub, composite.solution(), out),
+        Mode::Single => single::append(sub, single, composite, out),
+        Mode::Composite => composite::append(sub, composite, out),
     }
 }

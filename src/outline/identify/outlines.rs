@@ -2,17 +2,16 @@
 //! constraints.
 
 use crate::error::{Error, Result};
+use crate::geom::strided::Strided;
 use crate::outline::curve::check_finite;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any
 /// alignment. Plane points have z = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Points<'a> {
-    bytes: &'a [u8],
-    stride: usize,
-    count: usize,
+    elements: Strided<'a>,
     dimension: usize,
 }
 
@@ -20,46 +19,31 @@ impl<'a> Points<'a> {
     /// `dimension`: 2 or 3; `stride`: in bytes, 0 for points without gaps.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
-    /// [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
+    /// Those of [`Points::bytes_needed`], [`Error::ArrayTooShort`].
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, dimension: usize) -> Result<Self> {
-        let needed = Self::bytes_needed(stride, count, dimension)?;
-        if bytes.len() < needed {
-            let (needed, given) = (needed as u64, bytes.len() as u64);
-            return Err(Error::ArrayTooShort { what: "points", needed, given });
-        }
-        let stride = if stride == 0 { 8 * dimension } else { stride };
-        Ok(Points { bytes: &bytes[..needed], stride, count, dimension })
+        Self::bytes_needed(stride, count, dimension)?;
+        Ok(Points { elements: Strided::new(bytes, count, stride, 8 * dimension, "points")?, dimension })
     }
 
     /// The number of bytes that `count` points span.
     ///
     /// # Errors
-    /// Those of [`Points::strided`].
+    /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
+    /// [`Error::SizeOverflow`].
     pub fn bytes_needed(stride: usize, count: usize, dimension: usize) -> Result<usize> {
-        if !(2..=3).contains(&dimension) {
-            return Err(Error::OptionOutOfRange { option: "dimension", value: dimension as f64 });
-        }
-        if count > MAX_POINTS {
-            return Err(Error::TooLarge { what: "points", count: count as u64, limit: MAX_POINTS as u64 });
-        }
-        let size = 8 * dimension;
-        if stride != 0 && stride < size {
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
-        }
-        let stride = if stride == 0 { size } else { stride };
-        let bytes = count.saturating_sub(1).checked_mul(stride).and_then(|n| n.checked_add(size * count.min(1)));
-        bytes.filter(|&n| n <= isize::MAX as usize).ok_or(Error::SizeOverflow { what: "points", count: count as u64 })
+        Error::check_option("dimension", dimension as f64, (2..=3).contains(&dimension))?;
+        Error::check_count("points", count as u64, MAX_POINTS as u64)?;
+        Strided::span(count, stride, 8 * dimension, "points")
     }
 
     /// The number of points.
     pub fn len(&self) -> usize {
-        self.count
+        self.elements.len()
     }
 
     /// True if there are none.
     pub fn is_empty(&self) -> bool {
-        self.count == 0
+        self.len() == 0
     }
 
     /// 2 or 3.
@@ -69,14 +53,9 @@ impl<'a> Points<'a> {
 
     /// Appends the points of a range to a list of sufficient capacity.
     pub(super) fn read(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
-        let rows = |size: usize| range.clone().map(move |i| &self.bytes[i * self.stride..][..size]);
-        if self.dimension == 2 {
-            list.extend(rows(16).map(|row| {
-                let [x, y]: [f64; 2] = bytemuck::pod_read_unaligned(row);
-                DVec3::new(x, y, 0.0)
-            }));
-        } else {
-            list.extend(rows(24).map(|row| DVec3::from_array(bytemuck::pod_read_unaligned(row))));
+        match self.dimension {
+            2 => list.extend(range.map(|i| DVec2::from_array(self.elements.get(i)).extend(0.0))),
+            _ => list.extend(range.map(|i| DVec3::from_array(self.elements.get(i)))),
         }
     }
 
@@ -86,25 +65,22 @@ impl<'a> Points<'a> {
     /// If there is none.
     #[inline]
     pub fn get(&self, i: usize) -> DVec3 {
-        let at = i * self.stride;
-        if self.dimension == 2 {
-            let [x, y]: [f64; 2] = bytemuck::pod_read_unaligned(&self.bytes[at..at + 16]);
-            DVec3::new(x, y, 0.0)
-        } else {
-            DVec3::from_array(bytemuck::pod_read_unaligned(&self.bytes[at..at + 24]))
+        match self.dimension {
+            2 => DVec2::from_array(self.elements.get(i)).extend(0.0),
+            _ => DVec3::from_array(self.elements.get(i)),
         }
     }
 }
 
 impl<'a> From<&'a [[f64; 2]]> for Points<'a> {
     fn from(points: &'a [[f64; 2]]) -> Self {
-        Points { bytes: bytemuck::cast_slice(points), stride: 16, count: points.len(), dimension: 2 }
+        Points { elements: Strided::packed(points), dimension: 2 }
     }
 }
 
 impl<'a> From<&'a [[f64; 3]]> for Points<'a> {
     fn from(points: &'a [[f64; 3]]) -> Self {
-        Points { bytes: bytemuck::cast_slice(points), stride: 24, count: points.len(), dimension: 3 }
+        Points { elements: Strided::packed(points), dimension: 3 }
     }
 }
 

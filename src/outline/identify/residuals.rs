@@ -1,26 +1,20 @@
 //! Residuals of an identified curve: its distances from the points, and the angles at its joints.
 
 use super::curve_builder::CurveBuilder;
+use super::nodes::Nodes;
 use super::report::{PointStatus, Report};
-use super::subcurve::PointResult;
 use crate::outline::curve::segment;
 use glam::DVec3;
 
 /// Measures the curve of an outline near the origin; the joint of a closed curve's end and start
 /// counts too. O(segments).
-pub(super) fn measure(
-    nodes: &[DVec3],
-    results: &[PointResult],
-    curve: &CurveBuilder,
-    closed: bool,
-    size: f64,
-    report: &mut Report,
-) {
+pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) {
+    let size = nodes.placement.size;
     if curve.is_empty() || size == 0.0 {
         return;
     }
     let mut farthest = 0.0f64;
-    for (node, result) in nodes.iter().zip(results) {
+    for (node, result) in nodes.points.iter().zip(&nodes.results) {
         if result.status != PointStatus::Missed {
             let at = segment::point(curve.segment(result.place.segment as usize), result.place.t);
             farthest = farthest.max(at.distance_squared(*node));
@@ -30,7 +24,7 @@ pub(super) fn measure(
 
     let mut angle = MaxJointSine::default();
     let mut corners = curve.corners().iter().peekable();
-    let joints = if closed { 1..curve.len() + 1 } else { 1..curve.len() };
+    let joints = if nodes.closed { 1..curve.len() + 1 } else { 1..curve.len() };
     for joint in joints {
         if corners.next_if(|&&corner| corner as usize == joint).is_none() {
             let next = if joint == curve.len() { 0 } else { joint };

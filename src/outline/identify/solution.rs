@@ -22,6 +22,17 @@ pub(super) struct Solution {
     pub(super) upper: Vec<f64>,
     /// Those of the last unknown, in a cyclic system.
     pub(super) across: Vec<f64>,
+    /// While a composite curve is iterated: the joint parameters, the ends of an open subcurve
+    /// included.
+    pub(super) joints: Vec<f64>,
+    /// Whether a point has fallen back to the parameter by the data's own triangle.
+    pub(super) fell_back: Vec<bool>,
+    /// Whether the section did not cross the guide of its point when it was last placed.
+    pub(super) missed_guide: Vec<bool>,
+    /// The direction of the guide through a point, of length 1; 0 where there is none.
+    pub(super) guides: Vec<DVec3>,
+    /// The control points before an iteration.
+    pub(super) previous: Vec<DVec3>,
 }
 
 impl Solution {
@@ -31,6 +42,32 @@ impl Solution {
             alloc::grow(list, n, 0.0)?;
         }
         alloc::grow(&mut self.controls, n, DVec3::ZERO)
+    }
+
+    /// Enters the joint parameters of a subcurve to be iterated; no point has fallen back.
+    pub(super) fn begin(&mut self, sub: &Subcurve<'_>) -> Result<()> {
+        let n = sub.len();
+        let mut joints = std::mem::take(&mut self.joints);
+        joints.clear();
+        alloc::extend(&mut joints, (0..n).map(|i| self.joint_parameter(sub, i)))?;
+        self.joints = joints;
+        alloc::reset(&mut self.fell_back, n, false)?;
+        alloc::reset(&mut self.missed_guide, n, false)?;
+        alloc::reset(&mut self.previous, n, DVec3::ZERO)
+    }
+
+    /// Keeps the control points as they are before an iteration.
+    pub(super) fn remember(&mut self) {
+        self.previous.copy_from_slice(&self.controls[..self.previous.len()]);
+    }
+
+    /// The control point of section `i`, and its first and last joint, seen from its point.
+    #[inline(always)]
+    pub(super) fn legs(&self, sub: &Subcurve<'_>, i: usize) -> [DVec3; 3] {
+        let (previous, next) = (sub.previous(i), sub.next(i));
+        let p = sub.points[i];
+        let [a, b, c] = [previous, i, next].map(|k| self.controls[k] - p);
+        [b, a + (b - a) * self.joints[previous], b + (c - b) * self.joints[i]]
     }
 
     /// Sets all joint parameters to 1/2.

@@ -1,8 +1,10 @@
 //! Subcurves: the part of an outline between two of its cuts, or a whole closed one, as one system
 //! of equations sees it.
 
+use super::curve_builder::CurveBuilder;
 use super::options::Options;
-use super::report::PointStatus;
+use super::report::{PointStatus, Report};
+use crate::error::Result;
 use crate::outline::curve::Place;
 use glam::DVec3;
 use std::ops::Range;
@@ -42,6 +44,11 @@ impl Subcurve<'_> {
     /// The sections by the numbers of their points: one for each point that is no end.
     pub(super) fn sections(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 1..self.len() - 1 }
+    }
+
+    /// The spans from each point to the next, by the numbers of their first points.
+    pub(super) fn spans(&self) -> Range<usize> {
+        if self.closed { 0..self.len() } else { 0..self.len() - 1 }
     }
 
     /// The three points of section `i`.
@@ -93,5 +100,33 @@ impl PointResult {
         if self.status == PointStatus::Ok {
             self.status = status;
         }
+    }
+}
+
+/// What becomes of a subcurve.
+pub(super) struct Output<'a> {
+    /// The outcome at each of its points.
+    pub(super) results: &'a mut [PointResult],
+    /// The account of the outline.
+    pub(super) report: &'a mut Report,
+    /// The outline's curve so far.
+    pub(super) builder: &'a mut CurveBuilder,
+}
+
+impl Output<'_> {
+    /// Sets the status of all points that have none: see [`PointResult::flag`].
+    pub(super) fn flag_all(&mut self, status: PointStatus) {
+        self.results.iter_mut().for_each(|result| result.flag(status));
+    }
+
+    /// Appends a segment over span `i`, by its control points but the first.
+    pub(super) fn push_span(&mut self, sub: &Subcurve<'_>, i: usize, rest: &[DVec3]) -> Result<()> {
+        let segment = self.builder.len() as u32;
+        self.builder.push(rest)?;
+        self.results[i].place = Place { segment, t: 0.0 };
+        if i + 2 == sub.len() && !sub.closed {
+            self.results[i + 1].place = Place { segment, t: 1.0 };
+        }
+        Ok(())
     }
 }

@@ -17,6 +17,7 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort::sort_distinct;
 use crate::stitch::facing::{Arc, centre, cyclic_runs};
+use crate::stitch::polyline;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
 
@@ -211,7 +212,7 @@ impl FacingSearch<'_> {
 
     /// What each loop sees of each other one, in ascending order of the loops.
     fn proximities(&self, nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<LoopProximity>> {
-        let lengths = alloc::try_gather(self.rims.iter().map(lengths_of))?;
+        let lengths = alloc::try_gather(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let mut proximities = Vec::new();
         for (r, of_rim) in nearest_vertices.iter().enumerate() {
             let mut pairs = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
@@ -309,17 +310,6 @@ fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
         last -= 1;
     }
     Arc { first: (arc.first + first) % nearest_vertices.len(), count: last + 1 - first }
-}
-
-/// The length of a closed rim from place 0 to each place, and all round.
-fn lengths_of(rim: &Rim) -> Result<Vec<f64>> {
-    let mut at = alloc::with_capacity(rim.points.len() + 1)?;
-    let mut length = 0.0;
-    for i in 0..=rim.points.len() as u32 {
-        at.push(length);
-        length += rim.at(i).distance(rim.at(i + 1));
-    }
-    Ok(at)
 }
 
 /// Whether some places in order go round a rim of these lengths once, each next one reached the

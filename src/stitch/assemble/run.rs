@@ -38,16 +38,16 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         Error::check_option("max_gap", gap, (0.0..f64::INFINITY).contains(&gap))?;
     }
     let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
-    let mut loops = Loops::of(&base.mesh, &job.part(0.3, 0.4))?;
+    let mut loops = Loops::of(&base.done.mesh, &job.part(0.3, 0.4))?;
     let mut found = chosen_pairs(&base, &loops, options, &job.part(0.4, 0.5))?;
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
     // Components that face each other are made to agree, nearest first.
     let outcomes = base.make_agree(&mut loops, &mut found, options.keep_orientation)?;
-    let mut joints = alloc::with_capacity(found.len())?;
+    base.done.joints = alloc::with_capacity(found.len())?;
     let mut hangs = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
-    let mut edges = loops.edges_between(&base.mesh)?;
+    let mut edges = loops.edges_between(&base.done.mesh)?;
     let mean_side = std::cell::OnceCell::new();
     let strips = stitch::Options { twist: 0, ..options.strip };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
@@ -70,13 +70,13 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             let [a, mut b] = sides;
             b.reverse();
             let bridges = edges.between(facing.rims);
-            let mean = || *mean_side.get_or_init(|| base.mesh.mean_side()) / loops.unit;
+            let mean = || *mean_side.get_or_init(|| base.done.mesh.mean_side()) / loops.unit;
             match Strip::between(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let checked = fair_and_check(&base.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
-                    let attached = append_strip(&mut base.mesh, &strip, loops.unit)?;
+                    let checked = fair_and_check(&base.done.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
+                    let attached = append_strip(&mut base.done.mesh, &strip, loops.unit)?;
                     edges.enter_strip(&strip)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = attached.vertices;
@@ -86,22 +86,17 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                 }
             }
         }
-        joints.push(joint);
+        base.done.joints.push(joint);
     }
-    let left = loops.left(&hangs, &tried)?;
-    base.finish(joints, left, options, &job.part(0.8, 1.0))
+    base.done.left = loops.left(&hangs, &tried)?;
+    base.finish(options, &job.part(0.8, 1.0))
 }
 
 /// The pieces put together, welded and oriented.
 struct Base {
-    mesh: Mesh,
-    maps: Vec<IndexMap>,
+    done: Assembly,
     /// Per vertex of the mesh, the piece that it comes from first.
     piece: Vec<u32>,
-    turned: Vec<bool>,
-    welded_vertices: u32,
-    sewn_edges: u32,
-    one_sided: Vec<u32>,
 }
 
 impl Base {
@@ -134,7 +129,21 @@ impl Base {
             }
             maps.push(IndexMap { vertices: alloc::copied(vertices)?, faces: alloc::copied(faces)? });
         }
-        Ok(Base { mesh, maps, piece, turned, welded_vertices, sewn_edges, one_sided })
+        let done = Assembly {
+            mesh,
+            maps,
+            turned,
+            welded_vertices,
+            sewn_edges,
+            one_sided,
+            joints: Vec::new(),
+            left: Vec::new(),
+            holes: Vec::new(),
+            hole_rims: Vec::new(),
+            loops_left: 0,
+            non_manifold_edges: 0,
+        };
+        Ok(Base { done, piece })
     }
 
     /// Decides which components are turned over, turns them, and says of each pair whether it can
@@ -163,11 +172,12 @@ impl Base {
         let mut turned = alloc::copied(&components)?;
         turned.retain(|&component| agreement.find(place(component)).1);
         let is_turned = |component: u32| turned.binary_search(&component).is_ok();
-        for f in 0..self.mesh.face_count() {
-            let [start, end] = [self.mesh.face_offsets[f], self.mesh.face_offsets[f + 1]].map(|at| at as usize);
-            if is_turned(loops.components.find(self.mesh.face_corners[start])) {
-                self.mesh.face_corners[start + 1..end].reverse();
-                self.turned[f] ^= true;
+        let Assembly { mesh, turned: faces_turned, .. } = &mut self.done;
+        for (face, turned) in mesh.face_offsets.windows(2).zip(faces_turned) {
+            let corners = &mut mesh.face_corners[face[0] as usize..face[1] as usize];
+            if is_turned(loops.components.find(corners[0])) {
+                corners[1..].reverse();
+                *turned ^= true;
             }
         }
         for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
@@ -190,35 +200,21 @@ impl Base {
     }
 
     /// Fills holes, and closes the account.
-    fn finish(self, joints: Vec<Joint>, left: Vec<LeftLoop>, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
-        let mut mesh = self.mesh;
-        let (mut holes, mut hole_rims) = (Vec::new(), Vec::new());
-        if let (Some(how), true) = (&options.fill, mesh.face_count() > 0) {
-            let filled = fill_holes(&mesh.view(&job.part(0.0, 0.1))?, None, how, &job.part(0.1, 0.6))?;
-            (mesh, holes, hole_rims) = (filled.mesh, filled.holes, filled.rims);
+    fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
+        let mut done = self.done;
+        if done.mesh.face_count() == 0 {
+            return Ok(done);
         }
-        let (mut loops_left, mut non_manifold_edges) = (0, 0);
-        if mesh.face_count() > 0 {
-            let view = mesh.view(&job.part(0.6, 0.7))?;
-            let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
-            loops_left = boundary.len() as u32;
-            let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
-            non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        if let Some(how) = &options.fill {
+            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, None, how, &job.part(0.1, 0.6))?;
+            (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
         }
-        Ok(Assembly {
-            mesh,
-            maps: self.maps,
-            turned: self.turned,
-            welded_vertices: self.welded_vertices,
-            sewn_edges: self.sewn_edges,
-            one_sided: self.one_sided,
-            joints,
-            left,
-            holes,
-            hole_rims,
-            loops_left,
-            non_manifold_edges,
-        })
+        let view = done.mesh.view(&job.part(0.6, 0.7))?;
+        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
+        done.loops_left = boundary.len() as u32;
+        let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
+        done.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        Ok(done)
     }
 }
 
@@ -319,7 +315,7 @@ impl Loops {
 
     /// The loops that a selector names, in ascending order.
     fn named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
-        let Some(map) = base.maps.get(selector.piece as usize) else {
+        let Some(map) = base.done.maps.get(selector.piece as usize) else {
             return Ok(Vec::new());
         };
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
@@ -401,7 +397,7 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
     for (k, pair) in options.excluded.iter().enumerate() {
         let (first, second) = (loops.named(base, &places, pair[0])?, loops.named(base, &places, pair[1])?);
         let exists = |selector: &Selector| {
-            let map = base.maps.get(selector.piece as usize);
+            let map = base.done.maps.get(selector.piece as usize);
             map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())
         };
         Error::check_option("excluded", k as f64, pair.iter().all(exists))?;

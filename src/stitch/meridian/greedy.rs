@@ -3,6 +3,7 @@
 use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
+use crate::stitch::polyline::lengths;
 use glam::DVec3;
 
 /// Both rims are laid out on a segment by their arc lengths, and walked at the same pace: the next
@@ -37,14 +38,8 @@ fn walk(rails: &RimPair<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<
 
 /// The part of the whole length that lies before each point; by index if there is no length.
 fn parameters(points: &[DVec3]) -> Result<Vec<f64>> {
-    let mut along = alloc::with_capacity(points.len())?;
-    let mut length = 0.0;
-    along.push(0.0);
-    for pair in points.windows(2) {
-        length += pair[0].distance(pair[1]);
-        along.push(length);
-    }
-    let segments = (points.len() - 1) as f64;
+    let mut along = lengths(points, false)?;
+    let (length, segments) = (along[points.len() - 1], (points.len() - 1) as f64);
     for (i, t) in along.iter_mut().enumerate() {
         *t = if length > 0.0 { *t / length } else { i as f64 / segments };
     }

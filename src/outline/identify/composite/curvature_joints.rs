@@ -30,9 +30,9 @@ use super::knot_joints::solve_with_fallback;
 use super::lock::LockWorkspace;
 use crate::alloc;
 use crate::error::Result;
-use crate::outline::identify::report::{FitStatus, PointStatus, Report};
+use crate::outline::identify::report::{FitStatus, PointStatus};
 use crate::outline::identify::solution::Solution;
-use crate::outline::identify::subcurve::{PointResult, Subcurve};
+use crate::outline::identify::subcurve::{Output, PointResult, Subcurve};
 use std::ops::Range;
 
 /// Joint parameters are between this and 1 less this.
@@ -78,36 +78,35 @@ pub(super) struct JointNewton {
 /// Finds the curve with joints by curvatures.
 pub(super) fn solve_by_curvatures(
     sub: &Subcurve<'_>,
-    results: &mut [PointResult],
     workspace: &mut LockWorkspace,
     newton: &mut JointNewton,
-    report: &mut Report,
+    out: &mut Output<'_>,
 ) -> Result<()> {
     workspace.solution.reset_joints(sub.len())?;
-    solve_with_fallback(sub, results, workspace, report)?;
+    solve_with_fallback(sub, workspace, out)?;
     newton.begin(sub)?;
     if newton.joints.is_empty() {
         return Ok(());
     }
     let tolerance = sub.options.tolerance.max(4.0 * f64::EPSILON);
-    newton.iterate(sub, results, workspace, tolerance, report)?;
+    newton.iterate(sub, workspace, tolerance, out)?;
     // The curve is smooth and passes its points with any joint parameters: those that still move
     // keep the best found.
-    if report.last_move > tolerance {
+    if out.report.last_move > tolerance {
         workspace.solution.beta[..sub.len()].copy_from_slice(&newton.best);
-        solve_with_fallback(sub, results, workspace, report)?;
+        solve_with_fallback(sub, workspace, out)?;
     }
     for i in newton.joints.clone() {
         let (target, beta) = (target(sub, &workspace.solution, i), workspace.solution.beta[i]);
         let status = if (clamped(target) - beta).abs() > 10.0 * tolerance {
-            report.status = FitStatus::NotConverged;
+            out.report.status = FitStatus::NotConverged;
             PointStatus::NotConverged
         } else if clamped(target) != target {
             PointStatus::FellBack
         } else {
             continue;
         };
-        [i, sub.next(i)].iter().for_each(|&k| results[k].flag(status));
+        [i, sub.next(i)].iter().for_each(|&k| out.results[k].flag(status));
     }
     Ok(())
 }
@@ -156,17 +155,16 @@ impl JointNewton {
     fn iterate(
         &mut self,
         sub: &Subcurve<'_>,
-        results: &mut [PointResult],
         workspace: &mut LockWorkspace,
         tolerance: f64,
-        report: &mut Report,
+        out: &mut Output<'_>,
     ) -> Result<()> {
         let n = sub.len();
         let (mut smallest, mut by_map) = (f64::INFINITY, false);
         let (mut best, mut stale) = (f64::INFINITY, 0);
         for _ in 0..sub.options.max_sweeps {
-            let (farthest, sum) = self.measure(sub, &workspace.solution, results);
-            report.last_move = farthest;
+            let (farthest, sum) = self.measure(sub, &workspace.solution, out.results);
+            out.report.last_move = farthest;
             if sum < best {
                 stale = if sum < 0.5 * best && stale < MAX_STALE_ROUNDS { 0 } else { stale + 1 };
                 best = sum;
@@ -177,7 +175,7 @@ impl JointNewton {
             if farthest <= tolerance {
                 break;
             }
-            report.iterations += 1;
+            out.report.iterations += 1;
             // Newton's method, unless it has just made the sum larger: then the map itself once.
             // Without progress for long the map itself, from the best on.
             let gives_up = stale == MAX_STALE_ROUNDS;
@@ -186,14 +184,14 @@ impl JointNewton {
             if gives_up || (by_map && stale < MAX_STALE_ROUNDS) {
                 solution.beta[..n].copy_from_slice(if gives_up { &self.best } else { &self.previous });
                 equations::solve(sub, solution);
-                self.measure(sub, solution, results);
+                self.measure(sub, solution, out.results);
             }
             smallest = if by_map { f64::INFINITY } else { sum };
             self.previous.copy_from_slice(&solution.beta[..n]);
-            if by_map || !self.step(sub, solution, results)? {
+            if by_map || !self.step(sub, solution, out.results) {
                 self.joints.clone().for_each(|i| solution.beta[i] = self.previous[i] + self.residual[i]);
             }
-            solve_with_fallback(sub, results, workspace, report)?;
+            solve_with_fallback(sub, workspace, out)?;
         }
         Ok(())
     }
@@ -212,10 +210,10 @@ impl JointNewton {
 
     /// One step of Newton's method from the previous joint parameters, with the parameters as they
     /// are. False if the equations are singular.
-    fn step(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, results: &[PointResult]) -> Result<bool> {
+    fn step(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, results: &[PointResult]) -> bool {
         self.differentiate(sub, solution, results);
         if !self.eliminate(sub) {
-            return Ok(false);
+            return false;
         }
         let n = sub.len();
         for (k, i) in self.order(sub).enumerate() {
@@ -225,7 +223,7 @@ impl JointNewton {
                 solution.beta[i] = clamped(self.previous[i] + step);
             }
         }
-        Ok(true)
+        true
     }
 
     /// Enters the derivatives of the residuals by differences, for all joints of one colour at

@@ -7,12 +7,13 @@
 
 use super::equations;
 use super::lock::{self, LockWorkspace};
+use crate::alloc;
 use crate::error::Result;
 use crate::outline::curve::segment;
 use crate::outline::identify::method::power;
-use crate::outline::identify::report::{PointStatus, Report};
+use crate::outline::identify::report::PointStatus;
 use crate::outline::identify::solution::Solution;
-use crate::outline::identify::subcurve::{PointResult, Subcurve};
+use crate::outline::identify::subcurve::{Output, Subcurve};
 
 /// The distance of a control point from its point, in sizes of the outline, beyond which it has run
 /// away. With joints in the middle it cannot be farther, as the inverse of the equations has at
@@ -26,12 +27,7 @@ const MAX_MISS: f64 = 1e-14;
 const MAX_FALLBACK_ROUNDS: u32 = 3;
 
 /// Finds the curve with joints by knots.
-pub(super) fn solve_by_knots(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    workspace: &mut LockWorkspace,
-    report: &mut Report,
-) -> Result<()> {
+pub(super) fn solve_by_knots(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, out: &mut Output<'_>) -> Result<()> {
     let n = sub.len();
     workspace.solution.reset_joints(n)?;
     let alpha = sub.options.method.alpha().unwrap_or(0.5);
@@ -47,36 +43,31 @@ pub(super) fn solve_by_knots(
             workspace.solution.beta[i] = here / (here + there);
         }
     }
-    solve_with_fallback(sub, results, workspace, report)
+    solve_with_fallback(sub, workspace, out)
 }
 
 /// Finds the curve for the joint parameters as they are; where it runs away, they fall back to 1/2.
 pub(super) fn solve_with_fallback(
     sub: &Subcurve<'_>,
-    results: &mut [PointResult],
     workspace: &mut LockWorkspace,
-    report: &mut Report,
+    out: &mut Output<'_>,
 ) -> Result<()> {
+    let none_runs_away = |solution: &Solution| !sub.sections().any(|i| runs_away(sub, solution, i));
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let regular = equations::solve(sub, &mut workspace.solution)
-            && runaways(sub, &workspace.solution).next().is_none()
-            && lock::solve(sub, results, workspace, report)?;
-        if regular && runaways(sub, &workspace.solution).next().is_none() {
+            && none_runs_away(&workspace.solution)
+            && lock::solve(sub, workspace, out)?;
+        if regular && none_runs_away(&workspace.solution) {
             return Ok(());
         }
-        let LockWorkspace { solution, iteration, .. } = workspace;
-        iteration.begin(sub, solution)?;
-        for i in runaways(sub, solution) {
-            iteration.fell_back[i] = true;
+        let solution = &mut workspace.solution;
+        let (n, all) = (sub.len(), !regular && round + 1 >= MAX_FALLBACK_ROUNDS);
+        let fallen = alloc::gather(sub.sections().filter(|&i| all || runs_away(sub, solution, i)))?;
+        for i in fallen {
+            out.results[i].flag(PointStatus::FellBack);
+            solution.beta[i] = 0.5;
+            solution.beta[sub.previous(i)] = 0.5;
         }
-        for i in sub.sections() {
-            if !regular && round + 1 >= MAX_FALLBACK_ROUNDS || iteration.fell_back[i] {
-                results[i].flag(PointStatus::FellBack);
-                solution.beta[i] = 0.5;
-                solution.beta[sub.previous(i)] = 0.5;
-            }
-        }
-        let n = sub.len();
         solution.t[..n].copy_from_slice(&solution.data_t[..n]);
     }
     // Not even with joints in the middle does the lock have a solution near by: now all is by
@@ -85,21 +76,21 @@ pub(super) fn solve_with_fallback(
     Ok(())
 }
 
-/// Sections whose control points are farther away than they could be with joints in the middle, or
-/// that miss their points, as the elimination may lose digits where rows are not dominant.
-fn runaways<'a>(sub: &'a Subcurve<'_>, solution: &'a Solution) -> impl Iterator<Item = usize> + 'a {
-    sub.sections().filter(|&i| {
-        let (p, b) = (sub.points[i], solution.controls[i]);
-        let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
-        let (away, miss) = (b.distance(p), segment::point(&section, solution.t[i]).distance(p));
-        away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_MISS * sub.size
-    })
+/// Whether the control point of a section is farther away than it could be with joints in the
+/// middle, or the section misses its point, as the elimination may lose digits where rows are not
+/// dominant.
+fn runs_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
+    let (p, b) = (sub.points[i], solution.controls[i]);
+    let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
+    let (away, miss) = (b.distance(p), segment::point(&section, solution.t[i]).distance(p));
+    away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_MISS * sub.size
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::outline::identify::options::Options;
+    use crate::outline::identify::subcurve::PointResult;
     use glam::DVec3;
 
     #[test]
@@ -107,7 +98,8 @@ mod tests {
         let points: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i % 3), f64::from(i * i % 7), 0.0)).collect();
         let options = Options::default();
         let sub = Subcurve { points: &points, closed: true, tangents: [None, None], size: 6.0, options: &options };
-        let (mut workspace, mut report) = (LockWorkspace::default(), Report::default());
+        let mut workspace = LockWorkspace::default();
+        let (mut report, mut builder) = Default::default();
         let mut results = [PointResult::default(); 9];
         workspace.solution.resize(9).unwrap();
         workspace.solution.t.fill(0.4);
@@ -116,15 +108,17 @@ mod tests {
         let halves = workspace.solution.controls.clone();
         workspace.solution.reset_joints(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;
-        solve_with_fallback(&sub, &mut results, &mut workspace, &mut report).unwrap();
+        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder };
+        solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);
         assert!(results.iter().all(|result| result.status == PointStatus::FellBack));
         // A runaway only before the equations are solved does no harm.
         let mut results = [PointResult::default(); 9];
+        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder };
         workspace.solution.controls[4] = DVec3::splat(1e3);
         // With it its neighbours miss their points.
-        assert_eq!(runaways(&sub, &workspace.solution).collect::<Vec<_>>(), [3, 4, 5]);
-        solve_with_fallback(&sub, &mut results, &mut workspace, &mut report).unwrap();
+        assert!((0..9).all(|i| runs_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));
+        solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
         assert!(results.iter().all(|result| result.status == PointStatus::Ok));
     }
 }

@@ -14,19 +14,17 @@
 
 mod curvature_joints;
 mod equations;
-mod iteration;
 mod knot_joints;
 mod lock;
 mod self_consistent;
 mod sweeps;
 
-use super::curve_builder::CurveBuilder;
 use super::method::{Method, power};
 use super::options::{JointParameter, Lock, Solver};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
 use super::solution::Solution;
-use super::subcurve::{PointResult, Subcurve};
+use super::subcurve::{Output, PointResult, Subcurve};
 use crate::error::Result;
 use crate::outline::curve::{Place, segment};
 use curvature_joints::JointNewton;
@@ -48,45 +46,34 @@ impl CompositeWorkspace {
 }
 
 /// Appends the composite curve of a subcurve's points.
-pub(super) fn append(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    workspace: &mut CompositeWorkspace,
-    builder: &mut CurveBuilder,
-    report: &mut Report,
-) -> Result<()> {
-    solve(sub, results, workspace, report)?;
+pub(super) fn append(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
+    solve(sub, workspace, out)?;
     let solution = workspace.solution();
     if !sub.closed {
-        return append_open(sub, solution, results, builder);
+        return append_open(sub, solution, out);
     }
     let places = (0..).zip(&solution.t).map(|(segment, &t)| Place { segment, t });
-    results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
-    write_closed(sub, solution, |p| p, builder.closed_quadratics(sub.len())?, report);
+    out.results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
+    write_closed(sub, solution, |p| p, out.builder.closed_quadratics(sub.len())?, out.report);
     Ok(())
 }
 
 /// Finds parameters, joint parameters and control points.
-pub(super) fn solve(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    workspace: &mut CompositeWorkspace,
-    report: &mut Report,
-) -> Result<()> {
+pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
     solution.resize(n)?;
     solution.beta.clear();
-    find_parameters(sub, solution, results);
+    find_parameters(sub, solution, out.results);
     equations::solve(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
         return Ok(());
     }
     solution.data_t[..n].copy_from_slice(&solution.t[..n]);
     match options.joint {
-        JointParameter::Half => lock::solve(sub, results, workspace, report).map(|_| ()),
-        JointParameter::Knot => knot_joints::solve_by_knots(sub, results, workspace, report),
-        JointParameter::G2 => curvature_joints::solve_by_curvatures(sub, results, workspace, joints, report),
+        JointParameter::Half => lock::solve(sub, workspace, out).map(|_| ()),
+        JointParameter::Knot => knot_joints::solve_by_knots(sub, workspace, out),
+        JointParameter::G2 => curvature_joints::solve_by_curvatures(sub, workspace, joints, out),
     }
 }
 
@@ -148,12 +135,8 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
 }
 
 /// Appends the segments of an open subcurve, and enters the places of the points.
-fn append_open(
-    sub: &Subcurve<'_>,
-    solution: &Solution,
-    results: &mut [PointResult],
-    builder: &mut CurveBuilder,
-) -> Result<()> {
+fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
+    let Output { results, builder, .. } = out;
     let first = builder.len() as u32;
     let last = sub.len() - 1;
     let ends = sub.end_controls();

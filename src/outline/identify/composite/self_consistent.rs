@@ -20,14 +20,13 @@
 //! Source: ours.
 
 use super::equations;
-use super::iteration::Iteration;
 use crate::alloc;
 use crate::error::Result;
 use crate::outline::identify::method::{Method, power};
 use crate::outline::identify::options::Options;
 use crate::outline::identify::report::{FitStatus, PointStatus, Report};
 use crate::outline::identify::solution::Solution;
-use crate::outline::identify::subcurve::{PointResult, Subcurve};
+use crate::outline::identify::subcurve::{Output, Subcurve};
 use glam::DVec3;
 
 /// Rows of a closed subcurve that are repeated before its first and after its last: the influence
@@ -82,10 +81,8 @@ impl<const D: usize> Newton<D> {
     pub(super) fn solve(
         &mut self,
         sub: &Subcurve<'_>,
-        results: &mut [PointResult],
         solution: &mut Solution,
-        iteration: &mut Iteration,
-        report: &mut Report,
+        out: &mut Output<'_>,
     ) -> Result<bool> {
         let n = sub.len();
         let length = n + if sub.closed { 2 * MAX_OVERLAP } else { 0 };
@@ -96,17 +93,17 @@ impl<const D: usize> Newton<D> {
         alloc::grow(&mut self.step, n, [0.0; D])?;
         let mut regular = true;
         for round in 0..=MAX_FALLBACK_ROUNDS {
-            if self.converge(sub, solution, iteration, report) {
+            if self.converge(sub, solution, out.report) {
                 break;
             }
             // Points that still move fall back; in the last round all do.
-            report.status = FitStatus::NotConverged;
+            out.report.status = FitStatus::NotConverged;
             for i in sub.sections() {
-                let t = section_parameter(sub, solution, iteration, i);
+                let t = section_parameter(sub, solution, i);
                 if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.t[i]).abs() > sub.options.tolerance {
-                    iteration.fell_back[i] = true;
+                    solution.fell_back[i] = true;
                     solution.t[i] = solution.data_t[i];
-                    results[i].flag(PointStatus::FellBack);
+                    out.results[i].flag(PointStatus::FellBack);
                 }
             }
             regular = equations::solve(sub, solution);
@@ -114,8 +111,8 @@ impl<const D: usize> Newton<D> {
         let [low, high] = sub.parameter_range();
         for i in sub.sections() {
             let free = low < solution.t[i] && solution.t[i] < high;
-            if !free && !iteration.fell_back[i] {
-                results[i].flag(PointStatus::ClampedParameter);
+            if !free && !solution.fell_back[i] {
+                out.results[i].flag(PointStatus::ClampedParameter);
             }
         }
         Ok(regular)
@@ -123,23 +120,17 @@ impl<const D: usize> Newton<D> {
 
     /// Iterates until the control points rest. At the end they solve the linear equations for the
     /// parameters.
-    fn converge(
-        &mut self,
-        sub: &Subcurve<'_>,
-        solution: &mut Solution,
-        iteration: &mut Iteration,
-        report: &mut Report,
-    ) -> bool {
+    fn converge(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, report: &mut Report) -> bool {
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
         for sweep in 0..sub.options.max_sweeps {
             let overlap = (MIN_OVERLAP << (sweep / 4).min(8)).min(MAX_OVERLAP);
-            let mut sum = self.evaluate(sub, solution, iteration);
+            let mut sum = self.evaluate(sub, solution);
             while sum > smallest && halvings < MAX_HALVINGS {
                 halvings += 1;
                 scale *= 0.5;
                 self.add_step(sub, solution, -scale);
-                sum = self.evaluate(sub, solution, iteration);
+                sum = self.evaluate(sub, solution);
             }
             report.iterations += 1;
             if sum > smallest || !self.eliminate(sub, overlap) {
@@ -151,9 +142,9 @@ impl<const D: usize> Newton<D> {
             (smallest, scale, halvings) = (sum, 1.0, 0);
             let farthest = self.add_step(sub, solution, 1.0);
             if farthest <= MAX_LAST_STEP * sub.size {
-                iteration.remember(sub, solution);
-                apply_map(sub, solution, iteration);
-                let moves = sub.sections().map(|i| solution.controls[i].distance_squared(iteration.previous[i]));
+                solution.remember();
+                apply_map(sub, solution);
+                let moves = sub.sections().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
                 report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
                 if report.last_move * sub.size <= tolerance {
                     return true;
@@ -161,16 +152,16 @@ impl<const D: usize> Newton<D> {
                 smallest = f64::INFINITY;
             }
         }
-        apply_map(sub, solution, iteration);
+        apply_map(sub, solution);
         false
     }
 
     /// Enters all rows; the sum of the squares of the F_i.
-    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, iteration: &Iteration) -> f64 {
+    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) -> f64 {
         let mut sum = 0.0;
         for i in sub.sections() {
-            let [b, u, v] = iteration.legs(sub, solution, i);
-            let (t, gradients) = match iteration.fell_back[i] {
+            let [b, u, v] = solution.legs(sub, i);
+            let (t, gradients) = match solution.fell_back[i] {
                 true => (solution.data_t[i], [DVec3::ZERO; 2]),
                 false => parameter(sub.options, u, v),
             };
@@ -178,7 +169,7 @@ impl<const D: usize> Newton<D> {
             let s = 1.0 - t;
             let value = u * (s * s) + b * (2.0 * t * s) + v * (t * t);
             sum += value.length_squared();
-            let (before, after) = (iteration.beta[sub.previous(i)], iteration.beta[i]);
+            let (before, after) = (solution.joints[sub.previous(i)], solution.joints[i]);
             self.rows[i] = Row {
                 factors: equations::row(t, before, after),
                 gradients: [
@@ -265,19 +256,19 @@ impl<const D: usize> Newton<D> {
 }
 
 /// Reads off the parameters and solves for the control points: the map whose fixed point is sought.
-fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution, iteration: &Iteration) {
+fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution) {
     for i in sub.sections() {
-        solution.t[i] = section_parameter(sub, solution, iteration, i);
+        solution.t[i] = section_parameter(sub, solution, i);
     }
     equations::solve(sub, solution);
 }
 
 /// The parameter of point `i` on its section as it is now.
-fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, iteration: &Iteration, i: usize) -> f64 {
-    if iteration.fell_back[i] {
+fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
+    if solution.fell_back[i] {
         return solution.data_t[i];
     }
-    let [_, u, v] = iteration.legs(sub, solution, i);
+    let [_, u, v] = solution.legs(sub, i);
     parameter(sub.options, u, v).0
 }
 

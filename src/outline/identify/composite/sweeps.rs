@@ -17,7 +17,6 @@
 //! are on one side there is no crossing. O(n) for each sweep.
 
 use super::equations;
-use super::iteration::Iteration;
 use super::self_consistent;
 use crate::alloc;
 use crate::error::Result;
@@ -26,7 +25,7 @@ use crate::outline::identify::options::{Lock, Solver};
 use crate::outline::identify::report::{FitStatus, PointStatus, Report};
 use crate::outline::identify::solution::Solution;
 use crate::outline::identify::stepping;
-use crate::outline::identify::subcurve::{PointResult, Subcurve};
+use crate::outline::identify::subcurve::{Output, PointResult, Subcurve};
 use glam::DVec3;
 
 /// Crossings nearer than this to an end of the section are none: the equations would be too nearly
@@ -41,26 +40,20 @@ const MAX_FALLBACK_ROUNDS: u32 = 3;
 
 /// Solves by sweeps, from control points that solve the linear equations. False if these have
 /// become singular, which takes joint parameters other than 1/2.
-pub(super) fn solve(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    solution: &mut Solution,
-    iteration: &mut Iteration,
-    report: &mut Report,
-) -> Result<bool> {
-    start(sub, results, solution, iteration)?;
+pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+    start(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let rests = converge(sub, solution, iteration, report);
+        let rests = converge(sub, solution, out.report);
         for i in sub.sections() {
-            let moves = solution.controls[i].distance(iteration.previous[i]) > sub.options.tolerance * sub.size;
+            let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
             let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
-            if fails && !iteration.fell_back[i] {
-                iteration.fell_back[i] = true;
-                results[i].flag(PointStatus::FellBack);
-                report.status = FitStatus::NotConverged;
+            if fails && !solution.fell_back[i] {
+                solution.fell_back[i] = true;
+                out.results[i].flag(PointStatus::FellBack);
+                out.report.status = FitStatus::NotConverged;
             }
-            if iteration.fell_back[i] {
+            if solution.fell_back[i] {
                 solution.t[i] = solution.data_t[i];
             }
         }
@@ -73,9 +66,9 @@ pub(super) fn solve(
     let [low, high] = sub.parameter_range();
     for i in sub.sections() {
         match lock {
-            _ if iteration.fell_back[i] || iteration.missed_guide[i] => results[i].flag(PointStatus::NoCrossing),
+            _ if solution.fell_back[i] || solution.missed_guide[i] => out.results[i].flag(PointStatus::NoCrossing),
             Lock::SelfConsistent if !(low < solution.t[i] && solution.t[i] < high) => {
-                results[i].flag(PointStatus::ClampedParameter);
+                out.results[i].flag(PointStatus::ClampedParameter);
             }
             _ => {}
         }
@@ -84,18 +77,13 @@ pub(super) fn solve(
 }
 
 /// Moves the control points to where the sweeps begin.
-fn start(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    solution: &mut Solution,
-    iteration: &mut Iteration,
-) -> Result<()> {
+fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
-        find_guides(sub, results, iteration)?;
+        find_guides(sub, solution, results)?;
         for i in sub.sections() {
-            if !iteration.fell_back[i] {
+            if !solution.fell_back[i] {
                 // The nearest place on the guide.
-                let (p, guide) = (sub.points[i], iteration.guides[i]);
+                let (p, guide) = (sub.points[i], solution.guides[i]);
                 solution.controls[i] = p + guide * guide.dot(solution.controls[i] - p);
             }
         }
@@ -110,17 +98,17 @@ fn start(
 
 /// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r /
 /// (1 - r) of the last one. The control points before the last sweep remain known.
-fn converge(sub: &Subcurve<'_>, solution: &mut Solution, iteration: &mut Iteration, report: &mut Report) -> bool {
+fn converge(sub: &Subcurve<'_>, solution: &mut Solution, report: &mut Report) -> bool {
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
     let rounding = 16.0 * f64::EPSILON * sub.size;
     let mut last = f64::INFINITY;
     for sweep in 0..sub.options.max_sweeps {
         report.iterations += 1;
-        iteration.remember(sub, solution);
+        solution.remember();
         let (mut farthest, mut all_placed) = (0.0f64, true);
         for i in sub.sections() {
             let before = solution.controls[i];
-            all_placed &= place(sub, solution, iteration, sweep, i, report);
+            all_placed &= place(sub, solution, sweep, i, report);
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
@@ -136,36 +124,29 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, iteration: &mut Iterati
 }
 
 /// Places one control point. False if the steps are used up.
-fn place(
-    sub: &Subcurve<'_>,
-    solution: &mut Solution,
-    iteration: &mut Iteration,
-    sweep: u32,
-    i: usize,
-    report: &mut Report,
-) -> bool {
-    let [b, u, v] = iteration.legs(sub, solution, i);
+fn place(sub: &Subcurve<'_>, solution: &mut Solution, sweep: u32, i: usize, report: &mut Report) -> bool {
+    let [b, u, v] = solution.legs(sub, i);
     let mut guide = None;
     let t = match sub.options.lock {
-        _ if iteration.fell_back[i] => solution.data_t[i],
+        _ if solution.fell_back[i] => solution.data_t[i],
         Lock::Parameter => solution.data_t[i],
         Lock::SelfConsistent => self_consistent::parameter(sub.options, u, v).0,
-        Lock::DataGuide => match crossing(sub, solution, iteration, i) {
+        Lock::DataGuide => match crossing(sub, solution, i) {
             Some(t) => {
-                guide = Some(iteration.guides[i]);
-                iteration.missed_guide[i] = false;
+                guide = Some(solution.guides[i]);
+                solution.missed_guide[i] = false;
                 t
             }
             None => {
-                iteration.missed_guide[i] = true;
-                iteration.fell_back[i] = sweep >= MAX_SWEEPS_WITHOUT_CROSSING;
+                solution.missed_guide[i] = true;
+                solution.fell_back[i] = sweep >= MAX_SWEEPS_WITHOUT_CROSSING;
                 solution.data_t[i]
             }
         },
     };
     solution.t[i] = t;
     let s = 1.0 - t;
-    let [_, slope, _] = equations::row(t, iteration.beta[sub.previous(i)], iteration.beta[i]);
+    let [_, slope, _] = equations::row(t, solution.joints[sub.previous(i)], solution.joints[i]);
     // A point that has come back to its guide is put on it first.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
@@ -188,8 +169,8 @@ fn place(
 }
 
 /// The parameter at which the section crosses the guide of its point; `None` if it does not.
-fn crossing(sub: &Subcurve<'_>, solution: &Solution, iteration: &Iteration, i: usize) -> Option<f64> {
-    let guide = iteration.guides[i];
+fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
+    let guide = solution.guides[i];
     let (before, after) = (sub.previous(i), sub.next(i));
     let p = sub.points[i];
     let (a, c) = (solution.controls[before] - p, solution.controls[after] - p);
@@ -198,24 +179,24 @@ fn crossing(sub: &Subcurve<'_>, solution: &Solution, iteration: &Iteration, i: u
     if a.dot(c) >= 0.0 {
         return None;
     }
-    let first = ((1.0 - iteration.beta[before]) * a.length()).sqrt();
-    let last = (iteration.beta[i] * c.length()).sqrt();
+    let first = ((1.0 - solution.joints[before]) * a.length()).sqrt();
+    let last = (solution.joints[i] * c.length()).sqrt();
     let t = first / (first + last);
     (MIN_CROSSING_PARAMETER..=1.0 - MIN_CROSSING_PARAMETER).contains(&t).then_some(t)
 }
 
 /// Finds the guides of the data's own triangles. Points without one, and all points of a subcurve
 /// that is not plane, fall back.
-fn find_guides(sub: &Subcurve<'_>, results: &mut [PointResult], iteration: &mut Iteration) -> Result<()> {
-    alloc::reset(&mut iteration.guides, sub.len(), DVec3::ZERO)?;
+fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+    alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
     let normal = plane_normal(sub);
     for i in sub.sections() {
         let [a, p, c] = sub.triple(i);
         let found = normal.ok_or(PointStatus::OutOfPlane);
         match found.and_then(|normal| guide(sub.options.method, a - p, c - p, normal)) {
-            Ok(guide) => iteration.guides[i] = guide,
+            Ok(guide) => solution.guides[i] = guide,
             Err(status) => {
-                iteration.fell_back[i] = true;
+                solution.fell_back[i] = true;
                 results[i].flag(status);
             }
         }

@@ -21,7 +21,7 @@ use crate::outline::curve::segment;
 use crate::outline::identify::options::Solver;
 use crate::outline::identify::report::{FitStatus, PointStatus, Report};
 use crate::outline::identify::stepping;
-use crate::outline::identify::subcurve::{PointResult, Subcurve};
+use crate::outline::identify::subcurve::{Output, Subcurve};
 use glam::DVec3;
 
 /// Sweeps before Newton's method.
@@ -38,41 +38,30 @@ const MIN_STEP_FRACTION: f64 = 1e-3;
 
 impl Collocation {
     /// Finds the control points for the parameters as they are.
-    pub(super) fn solve_for_parameters(
-        &mut self,
-        sub: &Subcurve<'_>,
-        results: &mut [PointResult],
-        report: &mut Report,
-    ) -> Result<()> {
+    pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut Output<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
             self.start_at_points();
-            if !self.sweep(sub, None, sub.options.max_sweeps, report) {
-                flag_unconverged(results, report);
+            if !self.sweep(sub, None, sub.options.max_sweeps, out.report) {
+                flag_unconverged(out);
             }
         }
         self.eliminate()
     }
 
     /// Finds control points on the guides. False if it fails.
-    pub(super) fn solve_on_guides(
-        &mut self,
-        sub: &Subcurve<'_>,
-        results: &mut [PointResult],
-        normal: DVec3,
-        report: &mut Report,
-    ) -> Result<bool> {
+    pub(super) fn solve_on_guides(&mut self, sub: &Subcurve<'_>, normal: DVec3, out: &mut Output<'_>) -> Result<bool> {
         self.start_at_points();
         if sub.options.solver == Solver::Fast {
-            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), report);
-            report.iterations = 0;
-            return self.newton(sub, normal, report);
+            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out.report);
+            out.report.iterations = 0;
+            return self.newton(sub, normal, out.report);
         }
-        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps, report);
+        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps, out.report);
         if !self.is_in_order() {
             return Ok(false);
         }
         if !rests {
-            flag_unconverged(results, report);
+            flag_unconverged(out);
         }
         // Removes the deviations that the steps leave; the guides are left by no more than that.
         self.eliminate()?;
@@ -243,9 +232,9 @@ impl Collocation {
 }
 
 /// Says that sweeps have ended before they came to rest.
-fn flag_unconverged(results: &mut [PointResult], report: &mut Report) {
-    report.status = FitStatus::NotConverged;
-    results.iter_mut().for_each(|result| result.flag(PointStatus::NotConverged));
+fn flag_unconverged(out: &mut Output<'_>) {
+    out.report.status = FitStatus::NotConverged;
+    out.flag_all(PointStatus::NotConverged);
 }
 
 /// The root of a function between two places where its signs differ: false position, with the value

@@ -15,12 +15,11 @@ mod collocation;
 mod guided;
 
 use super::composite::{self, CompositeWorkspace};
-use super::curve_builder::CurveBuilder;
 use super::guide::plane_normal;
 use super::method::Method;
 use super::options::{Lock, Options, Solver};
-use super::report::{FitStatus, PointStatus, Report};
-use super::subcurve::{PointResult, Subcurve};
+use super::report::{FitStatus, PointStatus};
+use super::subcurve::{Output, Subcurve};
 use crate::error::Result;
 use crate::outline::curve::{MAX_DEGREE, Place};
 pub(super) use collocation::Collocation;
@@ -37,39 +36,29 @@ const MAX_ROUNDING: f64 = 1e-14;
 /// Appends the single curve of a subcurve's points.
 pub(super) fn append(
     sub: &Subcurve<'_>,
-    results: &mut [PointResult],
     collocation: &mut Collocation,
     composite: &mut CompositeWorkspace,
-    builder: &mut CurveBuilder,
-    report: &mut Report,
+    out: &mut Output<'_>,
 ) -> Result<()> {
-    let status = match solve(sub, results, collocation, report)? {
-        None => {
-            let segment = builder.len() as u32;
-            for (i, (result, &t)) in results.iter_mut().zip(&collocation.t).enumerate() {
-                if collocation.distance(i) > MAX_ROUNDING * sub.size {
-                    result.flag(PointStatus::NotConverged);
-                }
-                result.place = Place { segment, t };
-            }
-            builder.begin(collocation.controls[0])?;
-            return builder.push(&collocation.controls[1..]);
+    if let Some(status) = solve(sub, collocation, out)? {
+        out.report.status = status;
+        out.flag_all(PointStatus::FellBack);
+        let options = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*sub.options };
+        return composite::append(&Subcurve { options: &options, ..*sub }, composite, out);
+    }
+    let segment = out.builder.len() as u32;
+    for (i, (result, &t)) in out.results.iter_mut().zip(&collocation.t).enumerate() {
+        if collocation.distance(i) > MAX_ROUNDING * sub.size {
+            result.flag(PointStatus::NotConverged);
         }
-        Some(status) => status,
-    };
-    report.status = status;
-    results.iter_mut().for_each(|result| result.flag(PointStatus::FellBack));
-    let options = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*sub.options };
-    composite::append(&Subcurve { options: &options, ..*sub }, results, composite, builder, report)
+        result.place = Place { segment, t };
+    }
+    out.builder.begin(collocation.controls[0])?;
+    out.builder.push(&collocation.controls[1..])
 }
 
 /// Finds parameters and control points; `Some` if there is no such curve, and why.
-fn solve(
-    sub: &Subcurve<'_>,
-    results: &mut [PointResult],
-    collocation: &mut Collocation,
-    report: &mut Report,
-) -> Result<Option<FitStatus>> {
+fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>) -> Result<Option<FitStatus>> {
     let tangents = if sub.closed { [Some(seam_tangent(sub)); 2] } else { sub.tangents };
     let inner = sub.len() - if sub.closed { 0 } else { 1 };
     let degree = inner + tangents.iter().flatten().count();
@@ -79,26 +68,26 @@ fn solve(
     collocation.begin(sub, degree)?;
     let normal = if sub.options.lock == Lock::Parameter { None } else { plane_normal(sub) };
     if sub.options.lock != Lock::Parameter && normal.is_none() {
-        results.iter_mut().for_each(|result| result.flag(PointStatus::OutOfPlane));
+        out.flag_all(PointStatus::OutOfPlane);
     }
-    collocation.find_parameters(sub, results);
+    collocation.find_parameters(sub, out.results);
     collocation.place_ends(tangents);
     let mut solved = false;
     if let Some(normal) = normal {
-        collocation.find_guides(sub, results, normal);
-        solved = collocation.solve_on_guides(sub, results, normal, report)?;
+        collocation.find_guides(sub, out.results, normal);
+        solved = collocation.solve_on_guides(sub, normal, out)?;
         if !solved {
-            report.status = FitStatus::NotConverged;
-            results.iter_mut().for_each(|result| result.flag(PointStatus::FellBack));
-            collocation.find_parameters(sub, results);
+            out.report.status = FitStatus::NotConverged;
+            out.flag_all(PointStatus::FellBack);
+            collocation.find_parameters(sub, out.results);
             collocation.place_ends(tangents);
         }
     }
     if !solved {
-        collocation.solve_for_parameters(sub, results, report)?;
+        collocation.solve_for_parameters(sub, out)?;
     }
     if collocation.farthest_control() > MAX_CONTROL_DISTANCE * sub.size {
-        report.status = FitStatus::IllConditioned;
+        out.report.status = FitStatus::IllConditioned;
     }
     let miss = collocation.residual().0;
     Ok((miss.is_nan() || miss > MAX_MISS * sub.size).then_some(FitStatus::IllConditioned))
