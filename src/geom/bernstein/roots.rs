@@ -11,7 +11,7 @@
 //! derivatives, changes its sign, or else the middle. So a root of multiplicity m is found once;
 //! places that come closer to 0 than the noise without reaching it count as double roots.
 
-use super::casteljau::halve;
+use super::casteljau::{derive, halve};
 use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
 
 /// Roots in ascending order.
@@ -195,7 +195,7 @@ impl Search<'_> {
         }
         let changes = sign_changes(c.iter().filter(|x| x.abs() > noise).map(|&x| x < 0.0));
         if changes == 1 && first.abs() > noise && last.abs() > noise {
-            let t = low + (high - low) * bracketed(c);
+            let t = low + (high - low) * bracketed_root(0.0, 1.0, c[0], |t| value_and_slope(c, t));
             self.add(t, t);
         } else if changes > 0 && high - low <= MIN_WIDTH {
             self.add(low, high);
@@ -248,19 +248,10 @@ impl Search<'_> {
             if n == 1 {
                 break;
             }
-            for i in 0..n - 1 {
-                derived[i] = (n - 1) as f64 * (derived[i + 1] - derived[i]);
-            }
-            n -= 1;
+            n = derive(&mut derived[..n]);
         }
         0.5 * (low + high)
     }
-}
-
-/// The one root of a polynomial whose first and last coefficients have different signs, with one
-/// change between them.
-fn bracketed(c: &[f64]) -> f64 {
-    bracketed_root(0.0, 1.0, c[0], |t| value_and_slope(c, t))
 }
 
 /// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it

@@ -18,13 +18,8 @@ impl Dense {
     /// Zeros in `n` rows.
     pub(crate) fn resize(&mut self, n: usize) -> Result<()> {
         self.size = n;
-        self.entries.clear();
-        self.pivots.clear();
-        alloc::reserve(&mut self.entries, n * n)?;
-        alloc::reserve(&mut self.pivots, n)?;
-        self.entries.resize(n * n, 0.0);
-        self.pivots.resize(n, 0);
-        Ok(())
+        alloc::reset(&mut self.entries, n * n, 0.0)?;
+        alloc::reset(&mut self.pivots, n, 0)
     }
 
     /// Row `r`.

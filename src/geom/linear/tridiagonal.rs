@@ -40,13 +40,6 @@ pub(crate) fn solve(
     sound
 }
 
-/// A cyclic system of n >= 3 unknowns, and the room to solve it in: n factors of each kind.
-pub(crate) struct Cyclic<'a> {
-    pub(crate) unknowns: &'a mut [DVec3],
-    pub(crate) upper: &'a mut [f64],
-    pub(crate) across: &'a mut [f64],
-}
-
 /// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached
 /// last is `known` - `ratio` * (the next one) - `across` * (the last unknown).
 struct Front {
@@ -91,76 +84,80 @@ impl Front {
     }
 }
 
-impl Cyclic<'_> {
-    /// Solves it. `row(i, before)`: the coefficients of unknowns `before` (i - 1, round the end), i
-    /// and i + 1; `known(i)`: the right side. False if the system is singular.
-    ///
-    /// As for an open system, but from both ends at once, which keeps a processor busy while it
-    /// divides; and with the last unknown carried along in the rows next to it, until it has faded
-    /// away.
-    pub(crate) fn solve(self, row: impl Fn(usize, usize) -> [f64; 3], known: impl Fn(usize) -> DVec3) -> bool {
-        let Cyclic { unknowns, upper, across } = self;
-        let n = unknowns.len();
-        let (upper, across) = (&mut upper[..n], &mut across[..n]);
-        let forth = |i: usize| row(i, if i == 0 { n - 1 } else { i - 1 });
-        let back = |i: usize| {
-            let [behind, diagonal, ahead] = row(i, i - 1);
-            [ahead, diagonal, behind]
-        };
-        let [lower, diagonal, above] = row(n - 1, n - 2);
-        let mut last = (diagonal, known(n - 1));
-        let (mut first_end, mut last_end) = (Front::new(above), Front::new(lower));
-        let mut least = f64::INFINITY;
-        // Rows 0 to n - 2 but the middle one: in pairs, and row 0 before them if it has no partner.
-        let (pairs, alone) = ((n - 2) / 2, n % 2);
-        let middle = pairs + alone;
-        if alone == 1 {
-            least = first_end.carry(forth(0), known(0), &mut last).abs();
-            (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
-        }
-        let mut carried = 0;
-        while carried < pairs && !(first_end.is_free() && last_end.is_free()) {
-            let (i, j) = (alone + carried, n - 2 - carried);
-            let pivots = [first_end.carry(forth(i), known(i), &mut last), last_end.carry(back(j), known(j), &mut last)];
-            least = least.min(pivots[0].abs()).min(pivots[1].abs());
-            (unknowns[i], upper[i], across[i]) = (first_end.known, first_end.ratio, first_end.across);
-            (unknowns[j], upper[j], across[j]) = (last_end.known, last_end.ratio, last_end.across);
-            carried += 1;
-        }
-        for k in carried..pairs {
-            let (i, j) = (alone + k, n - 2 - k);
-            let [[p, _], [q, _]] = [first_end.eliminate(forth(i), known(i)), last_end.eliminate(back(j), known(j))];
-            least = least.min(p.abs()).min(q.abs());
-            (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
-            (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
-        }
-        // The middle row and the last one, in the middle unknown and the last one.
-        let [lower, diagonal, above] = forth(middle);
-        let pivot = diagonal - lower * first_end.ratio - above * last_end.ratio;
-        let scale = 1.0 / pivot;
-        let own = (known(middle) - first_end.known * lower - last_end.known * above) * scale;
-        let share = -(lower * first_end.across + above * last_end.across) * scale;
-        let far = first_end.far + last_end.far;
-        let last_pivot = last.0 - far * share;
-        let end = (last.1 - own * far) / last_pivot;
-        let centre = own - end * share;
-        (unknowns[n - 1], unknowns[middle]) = (end, centre);
-        let (mut after, mut before) = (centre, centre);
-        for k in (0..pairs).rev() {
-            let (i, j) = (alone + k, n - 2 - k);
-            after = unknowns[i] - after * upper[i];
-            before = unknowns[j] - before * upper[j];
-            if k < carried {
-                after -= end * across[i];
-                before -= end * across[j];
-            }
-            (unknowns[i], unknowns[j]) = (after, before);
-        }
-        if alone == 1 {
-            unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
-        }
-        least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT
+/// Solves a cyclic system of n >= 3 unknowns. `row(i, before)`: the coefficients of unknowns
+/// `before` (i - 1, round the end), i and i + 1; `known(i)`: the right side. `upper`, `across`:
+/// room for n factors each. False if the system is singular.
+///
+/// As for an open system, but from both ends at once, which keeps a processor busy while it
+/// divides; and with the last unknown carried along in the rows next to it, until it has faded
+/// away.
+pub(crate) fn solve_cyclic(
+    unknowns: &mut [DVec3],
+    upper: &mut [f64],
+    across: &mut [f64],
+    row: impl Fn(usize, usize) -> [f64; 3],
+    known: impl Fn(usize) -> DVec3,
+) -> bool {
+    let n = unknowns.len();
+    let (upper, across) = (&mut upper[..n], &mut across[..n]);
+    let forth = |i: usize| row(i, if i == 0 { n - 1 } else { i - 1 });
+    let back = |i: usize| {
+        let [behind, diagonal, ahead] = row(i, i - 1);
+        [ahead, diagonal, behind]
+    };
+    let [lower, diagonal, above] = row(n - 1, n - 2);
+    let mut last = (diagonal, known(n - 1));
+    let (mut first_end, mut last_end) = (Front::new(above), Front::new(lower));
+    let mut least = f64::INFINITY;
+    // Rows 0 to n - 2 but the middle one: in pairs, and row 0 before them if it has no partner.
+    let (pairs, alone) = ((n - 2) / 2, n % 2);
+    let middle = pairs + alone;
+    if alone == 1 {
+        least = first_end.carry(forth(0), known(0), &mut last).abs();
+        (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
     }
+    let mut carried = 0;
+    while carried < pairs && !(first_end.is_free() && last_end.is_free()) {
+        let (i, j) = (alone + carried, n - 2 - carried);
+        let pivots = [first_end.carry(forth(i), known(i), &mut last), last_end.carry(back(j), known(j), &mut last)];
+        least = least.min(pivots[0].abs()).min(pivots[1].abs());
+        (unknowns[i], upper[i], across[i]) = (first_end.known, first_end.ratio, first_end.across);
+        (unknowns[j], upper[j], across[j]) = (last_end.known, last_end.ratio, last_end.across);
+        carried += 1;
+    }
+    for k in carried..pairs {
+        let (i, j) = (alone + k, n - 2 - k);
+        let [[p, _], [q, _]] = [first_end.eliminate(forth(i), known(i)), last_end.eliminate(back(j), known(j))];
+        least = least.min(p.abs()).min(q.abs());
+        (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
+        (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
+    }
+    // The middle row and the last one, in the middle unknown and the last one.
+    let [lower, diagonal, above] = forth(middle);
+    let pivot = diagonal - lower * first_end.ratio - above * last_end.ratio;
+    let scale = 1.0 / pivot;
+    let own = (known(middle) - first_end.known * lower - last_end.known * above) * scale;
+    let share = -(lower * first_end.across + above * last_end.across) * scale;
+    let far = first_end.far + last_end.far;
+    let last_pivot = last.0 - far * share;
+    let end = (last.1 - own * far) / last_pivot;
+    let centre = own - end * share;
+    (unknowns[n - 1], unknowns[middle]) = (end, centre);
+    let (mut after, mut before) = (centre, centre);
+    for k in (0..pairs).rev() {
+        let (i, j) = (alone + k, n - 2 - k);
+        after = unknowns[i] - after * upper[i];
+        before = unknowns[j] - before * upper[j];
+        if k < carried {
+            after -= end * across[i];
+            before -= end * across[j];
+        }
+        (unknowns[i], unknowns[j]) = (after, before);
+    }
+    if alone == 1 {
+        unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
+    }
+    least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT
 }
 
 #[cfg(test)]
@@ -178,8 +175,7 @@ mod tests {
             let row = |i: usize| { let (l, d, u, _) = rows[i]; [l, l.abs() + u.abs() + d, u] };
             let known = |i: usize| DVec3::new(rows[i].3, 1.0, -rows[i].3);
             let (mut unknowns, mut upper, mut across) = (vec![DVec3::ZERO; n], vec![0.0; n], vec![0.0; n]);
-            let system = Cyclic { unknowns: &mut unknowns, upper: &mut upper, across: &mut across };
-            prop_assert!(system.solve(|i, _| row(i), known));
+            prop_assert!(solve_cyclic(&mut unknowns, &mut upper, &mut across, |i, _| row(i), known));
             for i in 0..n {
                 let [l, d, u] = row(i);
                 let left = unknowns[(i + n - 1) % n] * l + unknowns[i] * d + unknowns[(i + 1) % n] * u;
@@ -201,7 +197,6 @@ mod tests {
     fn singular_systems_are_told() {
         let (mut unknowns, mut upper, mut across) = ([DVec3::ONE; 4], [0.0; 4], [0.0; 4]);
         assert!(!solve(&mut unknowns, &mut upper, |_| [1.0, 0.0, 1.0], |_| DVec3::ZERO));
-        let system = Cyclic { unknowns: &mut unknowns, upper: &mut upper, across: &mut across };
-        assert!(!system.solve(|_, _| [-1.0, 2.0, -1.0], |_| DVec3::ZERO));
+        assert!(!solve_cyclic(&mut unknowns, &mut upper, &mut across, |_, _| [-1.0, 2.0, -1.0], |_| DVec3::ZERO));
     }
 }

@@ -18,7 +18,7 @@ use super::method::power;
 use super::solution::Solution;
 use super::subcurve::{Output, Subcurve};
 use crate::error::Result;
-use crate::geom::linear::tridiagonal::{self, Cyclic};
+use crate::geom::linear::tridiagonal;
 
 /// Appends the spline of a subcurve's points.
 pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
@@ -44,7 +44,7 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
         (slope(before) * ratio + slope(i) * (1.0 - ratio)) * 3.0
     };
     if sub.closed {
-        Cyclic { unknowns: derivatives, upper, across }.solve(row, known);
+        tridiagonal::solve_cyclic(derivatives, upper, across, row, known);
     } else {
         let last = n - 1;
         let speed = |i: usize| slope(i).length();

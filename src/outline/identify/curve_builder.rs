@@ -40,10 +40,8 @@ impl CurveBuilder {
     /// Makes the whole curve of `n` quadratic segments; their control points, to be filled in.
     pub(super) fn closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
         self.clear();
-        alloc::reserve(&mut self.points, 2 * n + 1)?;
-        alloc::reserve(&mut self.ends, n)?;
-        self.points.resize(2 * n + 1, DVec3::ZERO);
-        self.ends.extend((1..=n as u32).map(|k| 2 * k));
+        alloc::grow(&mut self.points, 2 * n + 1, DVec3::ZERO)?;
+        alloc::extend(&mut self.ends, (1..=n as u32).map(|k| 2 * k))?;
         Ok(&mut self.points)
     }
 

@@ -231,8 +231,7 @@ impl<'a> Worker<'a> {
         composite::solve(&sub, &mut self.composite, &mut out)?;
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         let base = done.points.len();
-        alloc::reserve(&mut done.points, 2 * n + 1)?;
-        done.points.resize(base + 2 * n + 1, DVec3::ZERO);
+        alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;
         composite::write_closed(&sub, solution, place, &mut done.points[base..], &mut report);
         alloc::reserve(&mut done.ends, n + 1)?;

@@ -131,11 +131,7 @@ fn normal_parameter(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
 /// [`PointStatus::OutOfPlane`].
 pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let (v, w) = (p - a, c - a);
-    let length = tau.length();
-    if length.is_nan() || length <= 0.0 {
-        return Err(PointStatus::NoTangent);
-    }
-    let tau = tau / length;
+    let tau = unit_tangent(tau)?;
     // The components of V and W across the tangent; in a plane both are along one line.
     let (across_v, across_w) = (v - tau * v.dot(tau), w - tau * w.dot(tau));
     let squared = across_w.length_squared();
@@ -178,11 +174,7 @@ pub fn section_by_end_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Resul
 /// [`PointStatus::TangentBackward`] (the curve passes P the other way),
 /// [`PointStatus::OutOfPlane`].
 pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
-    let length = tau.length();
-    if length.is_nan() || length <= 0.0 {
-        return Err(PointStatus::NoTangent);
-    }
-    let tau = tau / length;
+    let tau = unit_tangent(tau)?;
     let (u, w) = (a - p, c - p);
     let (across_u, across_w) = (u - tau * u.dot(tau), w - tau * w.dot(tau));
     let (before, after) = (across_u.length(), across_w.length());
@@ -200,6 +192,11 @@ pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Se
         return Err(PointStatus::TangentBackward);
     }
     Ok(section)
+}
+
+fn unit_tangent(tau: DVec3) -> Result<DVec3, PointStatus> {
+    let length = tau.length();
+    if length > 0.0 { Ok(tau / length) } else { Err(PointStatus::NoTangent) }
 }
 
 /// The sine of the angle by which a tangent may leave the plane of its section.

@@ -47,10 +47,8 @@ impl Solution {
     /// Enters the joint parameters of a subcurve to be iterated; no point has fallen back.
     pub(super) fn begin(&mut self, sub: &Subcurve<'_>) -> Result<()> {
         let n = sub.len();
-        let mut joints = std::mem::take(&mut self.joints);
-        joints.clear();
-        alloc::extend(&mut joints, (0..n).map(|i| self.joint_parameter(sub, i)))?;
-        self.joints = joints;
+        self.joints.clear();
+        alloc::extend(&mut self.joints, (0..n).map(|i| Self::joint_parameter(sub, &self.beta, i)))?;
         alloc::reset(&mut self.fell_back, n, false)?;
         alloc::reset(&mut self.missed_guide, n, false)?;
         alloc::reset(&mut self.previous, n, DVec3::ZERO)
@@ -78,13 +76,13 @@ impl Solution {
     /// beta_i, the joint parameter behind section `i`: 0 and 1 where a section itself begins or
     /// ends the subcurve.
     #[inline]
-    pub(super) fn joint_parameter(&self, sub: &Subcurve<'_>, i: usize) -> f64 {
+    pub(super) fn joint_parameter(sub: &Subcurve<'_>, beta: &[f64], i: usize) -> f64 {
         let outer = !sub.closed && (i == 0 || i + 2 == sub.len());
         match (outer, sub.tangents) {
             (true, [None, _]) if i == 0 => 0.0,
             (true, [_, None]) if i > 0 || sub.len() == 2 => 1.0,
-            _ if outer || self.beta.is_empty() => 0.5,
-            _ => self.beta[i],
+            _ if outer || beta.is_empty() => 0.5,
+            _ => beta[i],
         }
     }
 

@@ -80,15 +80,8 @@ pub(super) fn intersect(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Se
     };
     let first = [a, b].map(|controls| Part::whole(SegmentBuffer::new(controls)));
     let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
-    let mut search = PairSearch { whole: [a, b], joined, pairs_left: max_pairs, found };
-    match subdivide(&mut search, first, &mut Vec::new(), limits) {
-        Ok(()) => {}
-        Err(Stop::Failed(error)) => return Err(error),
-        Err(Stop::TooManyPairs) => {
-            found.undecided = true;
-            found.given_up += 1;
-        }
-    }
+    subdivide(&mut PairSearch { whole: [a, b], joined, pairs_left: max_pairs, found }, first, &mut Vec::new(), limits)?;
+    found.given_up += u32::from(found.undecided);
     let overlaps = &found.overlaps;
     found.at.retain(|&[s, t]| {
         let at_joint = (joined.after && s > 1.0 - SAME_PARAMETER && t < SAME_PARAMETER)
@@ -108,26 +101,18 @@ struct PairSearch<'a> {
     found: &'a mut SegmentIntersections,
 }
 
-/// Why a search ends early.
-enum Stop {
-    TooManyPairs,
-    Failed(Error),
-}
-
-impl From<Error> for Stop {
-    fn from(error: Error) -> Self {
-        Stop::Failed(error)
-    }
-}
-
 impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
     type Solution = [f64; 2];
     /// The number of the part that is halved.
     type Split = usize;
-    type Stop = Stop;
+    type Stop = Error;
 
-    fn classify(&mut self, [p, q]: &[Part; 2]) -> Result<BoxTest<[f64; 2], usize>, Stop> {
-        self.pairs_left = self.pairs_left.checked_sub(1).ok_or(Stop::TooManyPairs)?;
+    fn classify(&mut self, [p, q]: &[Part; 2]) -> Result<BoxTest<[f64; 2], usize>> {
+        let Some(pairs_left) = self.pairs_left.checked_sub(1) else {
+            self.found.undecided = true;
+            return Ok(BoxTest::Empty);
+        };
+        self.pairs_left = pairs_left;
         if apart(&p.controls, &q.controls) || self.found.covers(p, q) {
             return Ok(BoxTest::Empty);
         }
@@ -149,20 +134,21 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
         Ok(touch.map_or(BoxTest::Empty, BoxTest::Unique))
     }
 
-    fn accept(&mut self, _: [Part; 2], at: [f64; 2]) -> Result<(), Stop> {
-        Ok(self.found.add(at)?)
+    fn accept(&mut self, _: [Part; 2], at: [f64; 2]) -> Result<()> {
+        self.found.add(at)
     }
 
-    fn give_up(&mut self, _: [Part; 2], _: bool) -> Result<(), Stop> {
-        Err(Stop::TooManyPairs)
+    fn give_up(&mut self, _: [Part; 2], _: bool) -> Result<()> {
+        self.found.undecided = true;
+        Ok(())
     }
 
     fn split(&mut self, pair: [Part; 2], number: usize) -> [[Part; 2]; 2] {
         halve(pair, number)
     }
 
-    fn reserve(stack: &mut Stack<[Part; 2]>) -> Result<(), Stop> {
-        Ok(alloc::reserve(stack, 2)?)
+    fn reserve(stack: &mut Stack<[Part; 2]>) -> Result<()> {
+        alloc::reserve(stack, 2)
     }
 }
 

@@ -9,7 +9,6 @@
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
-use super::request::MaxGap;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
@@ -77,8 +76,8 @@ pub(super) struct FacingSearch<'a> {
     pub(super) excluded: &'a [[u32; 2]],
     pub(super) within_components: bool,
     pub(super) arcs: bool,
-    /// In the rims' unit.
-    pub(super) max_gap: MaxGap,
+    /// In the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
+    pub(super) max_gap: Option<f64>,
 }
 
 /// Vertices of one loop whose nearest vertices lie on another.
@@ -103,21 +102,13 @@ struct NearestVertex {
 impl FacingSearch<'_> {
     /// The greatest distance between loops `r` and `k`, if they are joined as wholes.
     fn limit(&self, r: usize, k: usize) -> f64 {
-        match self.max_gap {
-            MaxGap::Given(gap) => gap,
-            MaxGap::Auto => self.candidates[r].radius.min(self.candidates[k].radius),
-        }
+        self.max_gap.unwrap_or(self.candidates[r].radius.min(self.candidates[k].radius))
     }
 
     /// The same for arcs of them.
     fn arc_limit(&self, r: usize, k: usize) -> f64 {
-        match self.max_gap {
-            MaxGap::Given(gap) => gap,
-            MaxGap::Auto => {
-                let edges = MAX_ARC_GAP * self.candidates[r].spacing.max(self.candidates[k].spacing);
-                edges.min(0.5 * self.limit(r, k))
-            }
-        }
+        let edges = MAX_ARC_GAP * self.candidates[r].spacing.max(self.candidates[k].spacing);
+        self.max_gap.unwrap_or(edges.min(0.5 * self.limit(r, k)))
     }
 
     fn may_join(&self, r: usize, k: usize) -> bool {
@@ -186,10 +177,7 @@ impl FacingSearch<'_> {
         let mut done = 0;
         for (r, rim) in self.rims.iter().enumerate() {
             let mut of_rim = alloc::with_capacity(rim.points.len())?;
-            let widest = match self.max_gap {
-                MaxGap::Given(gap) => gap,
-                MaxGap::Auto => self.candidates[r].radius,
-            };
+            let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
                 job.step_every(REPORT_INTERVAL, done, total, "looking for loops that face each other")?;

@@ -407,8 +407,8 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
     excluded.sort_unstable();
     if options.max_gap != MaxGap::Given(0.0) {
         let max_gap = match options.max_gap {
-            MaxGap::Given(gap) => MaxGap::Given(gap / loops.unit),
-            MaxGap::Auto => MaxGap::Auto,
+            MaxGap::Given(gap) => Some(gap / loops.unit),
+            MaxGap::Auto => None,
         };
         let search = FacingSearch {
             rims: &loops.rims,

@@ -122,7 +122,7 @@ fn target(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
     let n = sub.len();
     let at = |k: usize| (i + k) % n;
     let [a, b, c, d] = [n - 1, 0, 1, 2].map(|k| solution.controls[at(k)]);
-    let (before, after) = (solution.joint_parameter(sub, at(n - 1)), solution.joint_parameter(sub, at(1)));
+    let [before, after] = [n - 1, 1].map(|k| Solution::joint_parameter(sub, &solution.beta, at(k)));
     let [u, v, w] = [b - a, c - b, d - c];
     let [here, there] = [(u, v), (v, w)].map(|(u, v)| u.cross(v).length().max(MIN_TURN_SINE * u.length() * v.length()));
     let [here, there] = [(1.0 - before) * here, after * there].map(f64::sqrt);

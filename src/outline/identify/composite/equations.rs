@@ -10,7 +10,7 @@
 //! so it has one solution for any points at all, in any dimension, and the norm of its inverse is
 //! at most 1 / min 2 t (1 - t): 3.6 for parameters between 1/6 and 5/6. O(n).
 
-use crate::geom::linear::tridiagonal::{self, Cyclic};
+use crate::geom::linear::tridiagonal;
 use crate::outline::identify::solution::Solution;
 use crate::outline::identify::subcurve::Subcurve;
 
@@ -22,24 +22,17 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
     let (t, controls) = (&t[..n], &mut controls[..n]);
     let known = |i: usize| sub.points[i];
     if sub.closed {
-        let system = Cyclic { unknowns: controls, upper, across };
         return if beta.is_empty() {
-            system.solve(|i, _| row(t[i], 0.5, 0.5), known)
+            tridiagonal::solve_cyclic(controls, upper, across, |i, _| row(t[i], 0.5, 0.5), known)
         } else {
-            system.solve(|i, before| row(t[i], beta[before], beta[i]), known)
+            tridiagonal::solve_cyclic(controls, upper, across, |i, before| row(t[i], beta[before], beta[i]), known)
         };
     }
     let last = n - 1;
     let [start, end] = sub.end_controls();
     controls[0] = start.unwrap_or(sub.points[0]);
     controls[last] = end.unwrap_or(sub.points[last]);
-    let joint_parameter = |i: usize| match (i, start, end) {
-        // The section itself begins or ends there.
-        (0, None, _) => 0.0,
-        (i, _, None) if i + 1 == last => 1.0,
-        (i, ..) if beta.is_empty() || i == 0 || i + 1 == last => 0.5,
-        (i, ..) => beta[i],
-    };
+    let joint_parameter = |i: usize| Solution::joint_parameter(sub, beta, i);
     tridiagonal::solve(controls, upper, |i| row(t[i], joint_parameter(i - 1), joint_parameter(i)), known)
 }
 

@@ -14,6 +14,7 @@ use crate::outline::identify::guide::guide;
 use crate::outline::identify::method::Method;
 use crate::outline::identify::subcurve::{PointResult, Subcurve};
 use glam::DVec3;
+use std::ops::Range;
 
 /// The distance from its points, in sizes of the outline, beyond which a curve does not pass them.
 pub(super) const MAX_MISS: f64 = 1e-12;
@@ -43,11 +44,7 @@ impl Collocation {
     pub(super) fn begin(&mut self, sub: &Subcurve<'_>, degree: usize) -> Result<()> {
         let count = sub.len() + usize::from(sub.closed);
         self.points.clear();
-        alloc::reserve(&mut self.points, count)?;
-        self.points.extend_from_slice(sub.points);
-        if sub.closed {
-            self.points.push(sub.points[0]);
-        }
+        alloc::extend(&mut self.points, sub.points.iter().copied().chain(sub.closed.then_some(sub.points[0])))?;
         alloc::reset(&mut self.t, count, 0.0)?;
         for list in [&mut self.controls, &mut self.slopes, &mut self.right, &mut self.guides, &mut self.previous] {
             alloc::reset(list, degree + 1, DVec3::ZERO)?;
@@ -65,9 +62,10 @@ impl Collocation {
         self.controls.len() - 1
     }
 
-    /// The number of the control point that belongs to point `i`.
-    pub(super) fn own(&self, i: usize) -> usize {
-        i + usize::from(self.tangents[0])
+    /// The numbers of the control points that belong to the points between the ends.
+    pub(super) fn own(&self) -> Range<usize> {
+        let first = 1 + usize::from(self.tangents[0]);
+        first..first + self.inner()
     }
 
     /// The parameters by the data's own triangles: neighbouring spans are to each other as t_i to
@@ -120,23 +118,18 @@ impl Collocation {
 
     /// Puts the control points on their points, where the paper begins.
     pub(super) fn start_at_points(&mut self) {
-        for i in 1..=self.inner() {
-            let own = self.own(i);
-            self.controls[own] = self.points[i];
-        }
+        let (own, inner) = (self.own(), self.inner());
+        self.controls[own].copy_from_slice(&self.points[1..=inner]);
     }
 
     /// Solves the linear equations for the parameters as they are.
     pub(super) fn eliminate(&mut self) -> Result<()> {
-        let (inner, first) = (self.inner(), self.own(1));
-        (1..=inner).for_each(|i| {
-            let own = self.own(i);
-            self.controls[own] = DVec3::ZERO;
-        });
+        let (inner, own) = (self.inner(), self.own());
+        self.controls[own.clone()].fill(DVec3::ZERO);
         self.matrix.resize(inner)?;
         for i in 1..=inner {
             bernstein::basis(&mut self.basis, self.t[i]);
-            self.matrix.row(i - 1).copy_from_slice(&self.basis[first..first + inner]);
+            self.matrix.row(i - 1).copy_from_slice(&self.basis[own.clone()]);
         }
         if !self.matrix.factor() {
             self.start_at_points();
@@ -149,18 +142,15 @@ impl Collocation {
                 self.right[i - 1] = self.points[i] - segment::point(&self.controls, self.t[i]);
             }
             self.matrix.solve(&mut self.right[..inner]);
-            for i in 1..=inner {
-                let own = self.own(i);
-                self.controls[own] += self.right[i - 1];
-            }
+            self.controls[own.clone()].iter_mut().zip(&self.right).for_each(|(control, &step)| *control += step);
         }
         Ok(())
     }
 
     /// The largest distance of a control point from its point.
     pub(super) fn farthest_control(&self) -> f64 {
-        let away = |i: usize| self.controls[self.own(i)].distance(self.points[i]);
-        (1..=self.inner()).map(away).fold(0.0, f64::max).min(1e300)
+        let pairs = self.controls[self.own()].iter().zip(&self.points[1..]);
+        pairs.map(|(control, &p)| control.distance(p)).fold(0.0, f64::max).min(1e300)
     }
 
     /// The distance of a point from its place on the curve.

@@ -77,11 +77,12 @@ impl Collocation {
     /// as they are, along the deviations. True if they come to rest.
     fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, report: &mut Report) -> bool {
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
+        let first = self.own().start;
         for _ in 0..count {
             report.iterations += 1;
             let mut farthest = 0.0f64;
             for i in 1..=self.inner() {
-                let (own, p) = (self.own(i), self.points[i]);
+                let (own, p) = (first + i - 1, self.points[i]);
                 if let Some(normal) = normal {
                     // A point whose guide the curve does not cross keeps its parameter.
                     if let Some(t) = self.crossing(p, normal.cross(self.guides[i]), self.t[i]) {
@@ -176,7 +177,7 @@ impl Collocation {
     /// Finds the steps along the guides and of the parameters, in x and y of `right`. False if the
     /// equations are singular.
     fn newton_step(&mut self, normal: DVec3) -> Result<bool> {
-        let (inner, first, degree) = (self.inner(), self.own(1), self.degree());
+        let (inner, first, degree) = (self.inner(), self.own().start, self.degree());
         self.previous.copy_from_slice(&self.controls);
         self.previous_t[..inner].copy_from_slice(&self.t[1..=inner]);
         for k in 0..degree {
@@ -213,7 +214,7 @@ impl Collocation {
     /// Goes the step, or a half of it, and so on until the residual falls; the residual and the
     /// fraction. `None` if it does not.
     fn line_search(&mut self, residual: (f64, f64), tolerance: f64) -> Option<((f64, f64), f64)> {
-        let first = self.own(1);
+        let first = self.own().start;
         let mut fraction = 1.0;
         while fraction >= MIN_STEP_FRACTION {
             for i in 1..=self.inner() {
