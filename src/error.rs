@@ -362,6 +362,14 @@ impl Error {
         if allowed { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
     }
 
+    /// [`Error::NotFinite`], if a coordinate of an element is not.
+    pub(crate) fn check_finite(element: Element, index: u64, p: glam::DVec3) -> Result<()> {
+        match p.to_array().into_iter().find(|x| !x.is_finite()) {
+            Some(value) => Err(Error::NotFinite { element, index, value }),
+            None => Ok(()),
+        }
+    }
+
     /// [`Error::TooLarge`], if the count is above the limit.
     pub(crate) fn check_count(what: &'static str, count: u64, limit: u64) -> Result<()> {
         if count <= limit { Ok(()) } else { Err(Error::TooLarge { what, count, limit }) }

@@ -6,7 +6,7 @@
 
 use super::order::dissect;
 use super::rings::{Rings, Weights};
-use super::sparse::{Factor, Symmetric};
+use super::sparse::Triangle;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::scale::common_unit;
@@ -54,7 +54,7 @@ pub(crate) fn thin_plate(
     let mut unknowns = anchored(&rings, free)?;
     dissect(&mut unknowns, layout.unwrap_or(&local), &rings, centres)?;
     let (matrix, mut moves) = equations(&local, &rings, &unknowns, centres)?;
-    Factor::new(&matrix, &job.part(0.2, 1.0))?.solve(&mut moves);
+    matrix.factor(&job.part(0.2, 1.0))?.solve(&mut moves);
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
         if by != DVec3::ZERO && place.is_finite() {
@@ -90,7 +90,7 @@ fn anchored(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
 
 /// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both
 /// halved.
-fn equations(points: &[DVec3], rings: &Rings, unknowns: &[u32], centres: &[bool]) -> Result<(Symmetric, Vec<DVec3>)> {
+fn equations(points: &[DVec3], rings: &Rings, unknowns: &[u32], centres: &[bool]) -> Result<(Triangle, Vec<DVec3>)> {
     // The Laplacian of each centre, scaled.
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
     for c in (0..points.len()).filter(|&c| centres[c]) {
@@ -103,7 +103,7 @@ fn equations(points: &[DVec3], rings: &Rings, unknowns: &[u32], centres: &[bool]
         place[v as usize] = k as u32;
     }
     let n = unknowns.len();
-    let mut matrix = Symmetric {
+    let mut matrix = Triangle {
         start: alloc::with_capacity(n + 1)?,
         entries: alloc::with_capacity(10 * n)?,
         diagonal: alloc::with_capacity(n)?,

@@ -10,19 +10,12 @@ use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
-/// The upper triangle of a symmetric matrix, column by column: the entries above the diagonal as
-/// (row, value), and the diagonal.
-pub(super) struct Symmetric {
+/// A triangle without its diagonal, column by column as (row, value), and a diagonal: the upper
+/// triangle of a symmetric matrix; or of its factor L, with the inverse of D as the diagonal.
+pub(super) struct Triangle {
     pub(super) start: Vec<usize>,
     pub(super) entries: Vec<(u32, f64)>,
     pub(super) diagonal: Vec<f64>,
-}
-
-/// L without its diagonal of ones, column by column, and the inverse of D.
-pub(super) struct Factor {
-    start: Vec<usize>,
-    entries: Vec<(u32, f64)>,
-    inverse: Vec<f64>,
 }
 
 /// The root of a tree.
@@ -32,46 +25,47 @@ const MIN_RELATIVE_PIVOT: f64 = 4.0 * f64::EPSILON;
 /// Rows between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
-impl Factor {
-    /// Factors `matrix`. An unknown whose pivot is not positive is left out: its solution will be
+impl Triangle {
+    /// The factor of a symmetric matrix. An unknown whose pivot is not positive is left out: its solution will be
     /// 0, and the others are found as if its row and column did not exist.
     ///
     /// O(sum of the squares of the columns' lengths); memory: 16 bytes an entry of L, and 36 a row.
-    pub(super) fn new(matrix: &Symmetric, job: &Job<'_>) -> Result<Self> {
-        let n = matrix.diagonal.len();
+    pub(super) fn factor(&self, job: &Job<'_>) -> Result<Self> {
+        let n = self.diagonal.len();
         let mut tree =
             Tree { parent: alloc::filled(NONE, n)?, mark: alloc::filled(NONE, n)?, path: alloc::filled(0, n)? };
-        let start = tree.grow(matrix)?;
-        let mut factor = Factor { entries: alloc::filled((0, 0.0), start[n])?, start, inverse: alloc::filled(0.0, n)? };
+        let start = tree.grow(self)?;
+        let (entries, diagonal) = (alloc::filled((0, 0.0), start[n])?, alloc::filled(0.0, n)?);
+        let mut factor = Triangle { start, entries, diagonal };
         let mut end = alloc::copied(&factor.start[..n])?;
         let mut row = alloc::filled(0.0, n)?;
         tree.mark.fill(NONE);
         for k in 0..n {
             job.step_every(REPORT_INTERVAL, k, n, "fairing")?;
-            for &(i, value) in matrix.column(k) {
+            for &(i, value) in self.column(k) {
                 row[i as usize] = value;
             }
-            let mut pivot = matrix.diagonal[k];
-            for &i in tree.reach(matrix, k) {
+            let mut pivot = self.diagonal[k];
+            for &i in tree.reach(self, k) {
                 let i = i as usize;
                 let value = std::mem::take(&mut row[i]);
                 for &(j, l) in &factor.entries[factor.start[i]..end[i]] {
                     row[j as usize] -= l * value;
                 }
-                let l = value * factor.inverse[i];
+                let l = value * factor.diagonal[i];
                 pivot -= l * value;
                 factor.entries[end[i]] = (k as u32, l);
                 end[i] += 1;
             }
             // Not `<=`: a pivot that is no number is left out as well.
-            if pivot > MIN_RELATIVE_PIVOT * matrix.diagonal[k] {
-                factor.inverse[k] = 1.0 / pivot;
+            if pivot > MIN_RELATIVE_PIVOT * self.diagonal[k] {
+                factor.diagonal[k] = 1.0 / pivot;
             }
         }
         Ok(factor)
     }
 
-    /// Solves for three right-hand sides at once, in place.
+    /// Solves by the factor for three right-hand sides at once, in place.
     pub(super) fn solve(&self, x: &mut [DVec3]) {
         for k in 0..x.len() {
             let value = x[k];
@@ -80,17 +74,11 @@ impl Factor {
             }
         }
         for k in (0..x.len()).rev() {
-            let sum = self.column(k).iter().fold(x[k] * self.inverse[k], |sum, &(i, l)| sum - l * x[i as usize]);
+            let sum = self.column(k).iter().fold(x[k] * self.diagonal[k], |sum, &(i, l)| sum - l * x[i as usize]);
             x[k] = sum;
         }
     }
 
-    fn column(&self, k: usize) -> &[(u32, f64)] {
-        &self.entries[self.start[k]..self.start[k + 1]]
-    }
-}
-
-impl Symmetric {
     fn column(&self, k: usize) -> &[(u32, f64)] {
         &self.entries[self.start[k]..self.start[k + 1]]
     }
@@ -105,7 +93,7 @@ struct Tree {
 
 impl Tree {
     /// Finds the tree and where each column of L starts.
-    fn grow(&mut self, matrix: &Symmetric) -> Result<Vec<usize>> {
+    fn grow(&mut self, matrix: &Triangle) -> Result<Vec<usize>> {
         let n = self.parent.len();
         let mut start = alloc::filled(0usize, n + 1)?;
         for k in 0..n as u32 {
@@ -129,7 +117,7 @@ impl Tree {
     }
 
     /// The columns in which row `k` of L has entries, each before its ancestors.
-    fn reach(&mut self, matrix: &Symmetric, k: usize) -> &[u32] {
+    fn reach(&mut self, matrix: &Triangle, k: usize) -> &[u32] {
         let n = self.path.len();
         let mut top = n;
         self.mark[k] = k as u32;

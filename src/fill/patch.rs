@@ -97,12 +97,7 @@ fn triangulate(
     }
     let squared = |i: usize| points[i].distance_squared(points[(i + 1) % n]);
     // The work starts from the longest side, wherever the caller's loop begins.
-    let mut root = 0;
-    for i in 1..n {
-        if squared(i) > squared(root) {
-            root = i;
-        }
-    }
+    let root = (0..n).rev().max_by(|&i, &j| squared(i).total_cmp(&squared(j))).unwrap_or(0);
     let name = |i: usize| ((root + 1 + i) % n) as u32;
     let own = alloc::collect((0..n).map(|i| points[name(i) as usize]))?;
     let across = alloc::collect((0..n).map(|i| unit_vector(rim.across[name(i) as usize])))?;

@@ -44,12 +44,9 @@ impl PositionBuffer {
         }
     }
 
-    /// Appends positions `vertices` of this buffer to `out`, bit for bit.
+    /// Positions `vertices` of this buffer, bit for bit.
     pub(crate) fn select(&self, vertices: &[u32]) -> Result<PositionBuffer> {
-        Ok(match self {
-            PositionBuffer::F32(p) => PositionBuffer::F32(alloc::collect(vertices.iter().map(|&v| p[v as usize]))?),
-            PositionBuffer::F64(p) => PositionBuffer::F64(alloc::collect(vertices.iter().map(|&v| p[v as usize]))?),
-        })
+        Self::gather(&self.view(), vertices)
     }
 
     /// Positions `vertices` of `from`, bit for bit.

@@ -413,9 +413,7 @@ impl<'a> MeshView<'a> {
             let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad));
             if let Some(&h) = firsts.iter().flatten().next() {
                 let vertex = faces.corner(h as u32);
-                let p = positions.get(vertex).to_array();
-                let value = p.into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-                return Err(Error::NotFinite { element: Element::Vertex, index: vertex.into(), value });
+                Error::check_finite(Element::Vertex, vertex.into(), positions.get(vertex))?;
             }
         }
         job.step(1.0, "checking the mesh")?;

@@ -173,13 +173,8 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
 /// # Errors
 /// [`Error::NotFinite`].
 pub(super) fn check_points(side: Side, points: &[DVec3]) -> Result<()> {
-    match points.iter().position(|p| !p.is_finite()) {
-        None => Ok(()),
-        Some(i) => {
-            let value = points[i].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            Err(Error::NotFinite { element: Element::LoopPoint(side), index: i as u64, value })
-        }
-    }
+    let mut numbered = (0..).zip(points);
+    numbered.try_for_each(|(i, &p)| Error::check_finite(Element::LoopPoint(side), i, p))
 }
 
 /// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's
@@ -212,9 +207,8 @@ pub(super) fn facing_in_unit(
     }
     let distances = |side, points: &[DVec3]| alloc::collect(points.iter().map(|&p| planes.distance(side, p)));
     let distances = [distances(Side::A, a)?, distances(Side::B, b)?];
-    let runs = distances.each_ref().map(|list| cyclic_runs(list, |&d| d > tolerance));
-    let [runs_a, runs_b] = runs;
-    let runs = [runs_a?, runs_b?];
+    let runs_of = |list: &[f64]| cyclic_runs(list, |&d| d > tolerance);
+    let runs = [runs_of(&distances[0])?, runs_of(&distances[1])?];
     for side in [Side::A, Side::B] {
         if runs[side as usize].is_empty() {
             return Err(Error::PlanesUndecided { side });

@@ -59,19 +59,13 @@ impl Rim {
         let mut along = alloc::with_capacity(count)?;
         for place in 0..count {
             let (u, v) = (vertices[place], vertices[(place + 1) % count]);
-            match (edges.face_that_runs(u, v), edges.face_that_runs(v, u)) {
-                (Some(face), _) => {
-                    faces[0] = Some(face);
-                    along.push(face);
-                }
-                (None, Some(face)) => {
-                    faces[1] = Some(face);
-                    along.push(face);
-                }
-                (None, None) => {
-                    return Err(Error::LoopEdgeNotFree { side, place: place as u32, vertex: u });
-                }
-            }
+            let (way, face) = match (edges.face_that_runs(u, v), edges.face_that_runs(v, u)) {
+                (Some(face), _) => (0, face),
+                (None, Some(face)) => (1, face),
+                (None, None) => return Err(Error::LoopEdgeNotFree { side, place: place as u32, vertex: u }),
+            };
+            faces[way] = Some(face);
+            along.push(face);
         }
         let mut vertices = alloc::copied(vertices)?;
         match faces {

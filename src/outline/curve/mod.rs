@@ -25,10 +25,7 @@ pub struct CurveView<'a> {
 
 /// That a point is finite; `point`: its number, for the error.
 pub(crate) fn check_finite(point: usize, p: DVec3) -> Result<()> {
-    match p.to_array().into_iter().find(|x| !x.is_finite()) {
-        Some(value) => Err(Error::NotFinite { element: Element::Point, index: point as u64, value }),
-        None => Ok(()),
-    }
+    Error::check_finite(Element::Point, point as u64, p)
 }
 
 /// A place on a curve: a segment, and the parameter there, 0 to 1.

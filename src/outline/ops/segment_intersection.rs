@@ -306,25 +306,19 @@ fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
 
 /// The common parts of segments that lie on the same curve.
 fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Result<()> {
-    let mut ends = [[0.0; 2]; 4];
-    let mut len = 0;
-    let mut offer = |s: f64, t: f64| {
-        ends[len] = [s, t];
-        len += 1;
+    let common = |controls: &[DVec3], p: DVec3| {
+        let (t, squared) = nearest_on(controls, p);
+        (squared <= MAX_COMMON_DISTANCE * MAX_COMMON_DISTANCE).then_some(t)
     };
-    for (end, t) in [(b[0], 0.0), (b[b.len() - 1], 1.0)] {
-        let (s, squared) = nearest_on(a, end);
-        if squared <= MAX_COMMON_DISTANCE * MAX_COMMON_DISTANCE {
-            offer(s, t);
-        }
-    }
-    for (end, s) in [(a[0], 0.0), (a[a.len() - 1], 1.0)] {
-        let (t, squared) = nearest_on(b, end);
-        if squared <= MAX_COMMON_DISTANCE * MAX_COMMON_DISTANCE {
-            offer(s, t);
-        }
-    }
-    let ends = &mut ends[..len];
+    let candidates = [
+        common(a, b[0]).map(|s| [s, 0.0]),
+        common(a, b[b.len() - 1]).map(|s| [s, 1.0]),
+        common(b, a[0]).map(|t| [0.0, t]),
+        common(b, a[a.len() - 1]).map(|t| [1.0, t]),
+    ];
+    let mut ends = [[0.0; 2]; 4];
+    let count = ends.iter_mut().zip(candidates.into_iter().flatten()).map(|(end, at)| *end = at).count();
+    let ends = &mut ends[..count];
     ends.sort_by(|x, y| x[0].total_cmp(&y[0]));
     // More than n m points in common; beyond 64 one may well believe it.
     let samples = ((a.len() - 1) * (b.len() - 1)).min(64) + 1;
@@ -333,11 +327,8 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
         if s1 - s <= 4.0 * SAME_PARAMETER {
             continue;
         }
-        let common = (1..=samples).all(|k| {
-            let x = s + (s1 - s) * k as f64 / (samples + 1) as f64;
-            nearest_on(b, segment::point(a, x)).1 <= MAX_COMMON_DISTANCE * MAX_COMMON_DISTANCE
-        });
-        if common {
+        let between = |k: usize| segment::point(a, s + (s1 - s) * k as f64 / (samples + 1) as f64);
+        if (1..=samples).all(|k| common(b, between(k)).is_some()) {
             alloc::push(found, [[s, s1], [t, t1]])?;
         }
     }

@@ -68,12 +68,10 @@ pub(super) fn is_simple(rails: &RimPair<'_>, path: &[Pair]) -> bool {
     let mut state = 0;
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
-        let by = if i == i2 {
-            Step::B
-        } else if j == j2 {
-            Step::A
-        } else {
-            Step::Both
+        let by = match (i == i2, j == j2) {
+            (true, _) => Step::B,
+            (_, true) => Step::A,
+            _ => Step::Both,
         };
         state |= advance(rails, by, i2 as usize, j2 as usize, false);
     }
@@ -107,7 +105,7 @@ pub(super) fn cheapest(
         line: Line::new(rails.b)?,
         steps: StepCosts::new(m + 1)?,
         row: alloc::filled(UNREACHABLE, m + 1)?,
-        normals: alloc::filled([DVec3::ZERO; 2], if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 })?,
+        normals: alloc::filled([DVec3::ZERO; 2], if bends { m + 1 } else { 0 })?,
         arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
     };
     let firsts: &[Option<Step>] = match cost {
