@@ -316,8 +316,11 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
         common(b, a[0]).map(|t| [0.0, t]),
         common(b, a[a.len() - 1]).map(|t| [1.0, t]),
     ];
-    let mut ends = [[0.0; 2]; 4];
-    let count = ends.iter_mut().zip(candidates.into_iter().flatten()).map(|(end, at)| *end = at).count();
+    let (mut ends, mut count) = ([[0.0; 2]; 4], 0);
+    for at in candidates.into_iter().flatten() {
+        ends[count] = at;
+        count += 1;
+    }
     let ends = &mut ends[..count];
     ends.sort_by(|x, y| x[0].total_cmp(&y[0]));
     // More than n m points in common; beyond 64 one may well believe it.
