@@ -249,7 +249,6 @@ fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
     Ok(Some(next))
 }
 
-/// Follows the border.
 fn walks(
     mesh: &MeshView<'_>,
     border: &[(u32, u32, u32)],

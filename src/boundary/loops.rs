@@ -201,7 +201,6 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
 struct Piece<'a> {
     darts: &'a [Dart],
     closed: bool,
-    /// The number of the walk.
     walk: u32,
     walk_closed: bool,
     /// The walk has other pieces.

@@ -1,7 +1,4 @@
 //! Division of a walk that visits a vertex twice into simple loops.
-//!
-//! The walk is unrolled onto a stack; when a vertex recurs, the part above its first visit is a
-//! simple loop and is removed. Linear in the walk.
 
 use crate::alloc;
 use crate::error::Result;

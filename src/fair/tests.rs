@@ -33,8 +33,11 @@ impl Patch {
     }
 
     fn fair(&mut self, weights: Weights) {
-        let centres = self.centres();
-        thin_plate(&mut self.points, &self.triangles, &self.free, &centres, weights, None, &Job::default()).unwrap();
+        self.fair_at(&self.centres(), weights);
+    }
+
+    fn fair_at(&mut self, centres: &[bool], weights: Weights) {
+        thin_plate(&mut self.points, &self.triangles, &self.free, centres, weights, None, &Job::default()).unwrap();
     }
 }
 
@@ -241,8 +244,7 @@ fn a_vertex_among_fixed_ones() {
     patch.free = vec![true, false, false, false, false, false, false];
     patch.points[0] = DVec3::new(0.3, 0.2, 5.0);
     let centres = patch.free.clone();
-    thin_plate(&mut patch.points, &patch.triangles, &patch.free, &centres, Weights::Uniform, None, &Job::default())
-        .unwrap();
+    patch.fair_at(&centres, Weights::Uniform);
     assert!(patch.points[0].length() < 1e-15);
 }
 
@@ -259,7 +261,7 @@ fn vertices_that_nothing_determines_stay() {
         // No centre, no energy.
         let mut patch = disk(4);
         let none = vec![false; patch.points.len()];
-        thin_plate(&mut patch.points, &patch.triangles, &patch.free, &none, weights, None, &Job::default()).unwrap();
+        patch.fair_at(&none, weights);
         assert_eq!(patch.points, before);
 
         // A second disk far away, loose vertices, and triangles that are none.
@@ -289,7 +291,7 @@ fn equations_fewer_than_unknowns() {
         }
         let before = patch.points.clone();
         let centres: Vec<bool> = (0..before.len()).map(|v| v == 0).collect();
-        thin_plate(&mut patch.points, &patch.triangles, &patch.free, &centres, weights, None, &Job::default()).unwrap();
+        patch.fair_at(&centres, weights);
         let moved: Vec<f64> = before.iter().zip(&patch.points).map(|(p, q)| p.distance(*q)).collect();
         assert_eq!(moved.iter().filter(|&&by| by > 1e-12).count(), 1, "{weights:?} {moved:?}");
         assert!(moved.iter().all(|&by| by < 2.0), "{weights:?} {moved:?}");

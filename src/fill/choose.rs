@@ -16,7 +16,6 @@ pub(super) struct Candidate {
     pub(super) status: HoleStatus,
 }
 
-/// All loops of the boundary.
 pub(super) fn all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<Candidate>> {
     let usable = |found: &Loop<'_>| status_of(found.flags) == HoleStatus::Filled;
     let longest = boundary

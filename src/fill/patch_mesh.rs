@@ -15,7 +15,6 @@ pub(super) struct PatchMesh {
     across: Vec<[u32; 3]>,
 }
 
-/// The corner after `k`.
 fn next(k: usize) -> usize {
     (k + 1) % 3
 }

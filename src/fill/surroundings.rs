@@ -52,7 +52,6 @@ impl Surroundings {
         self.edges.binary_search(&(u.min(v), u.max(v))).is_ok()
     }
 
-    /// The faces at a rim vertex.
     fn faces_at(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
         let start = self.corners.partition_point(|&(u, _)| u < v);
         self.corners[start..].iter().take_while(move |&&(u, _)| u == v).map(|&(_, f)| f)

@@ -9,14 +9,11 @@ use std::borrow::Borrow;
 /// A box with sides along the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Aabb {
-    /// The least coordinates.
     pub(crate) low: DVec3,
-    /// The greatest coordinates.
     pub(crate) high: DVec3,
 }
 
 impl Aabb {
-    /// The box of no points.
     pub(crate) const EMPTY: Aabb = Aabb { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     /// The box of some points, taken in their order: a point that is no number replaces what came
@@ -31,13 +28,11 @@ impl Aabb {
         Aabb { low: self.low.min(point), high: self.high.max(point) }
     }
 
-    /// Grows to contain a point.
     #[inline]
     pub(crate) fn add(&mut self, point: DVec3) {
         *self = self.with(point);
     }
 
-    /// The smallest box that contains both.
     #[inline]
     pub(crate) fn union(self, other: Aabb) -> Aabb {
         Aabb { low: self.low.min(other.low), high: self.high.max(other.high) }
@@ -61,7 +56,6 @@ impl Aabb {
         self.low.x > self.high.x
     }
 
-    /// The lengths of the sides.
     #[inline]
     pub(crate) fn size(&self) -> DVec3 {
         self.high - self.low
@@ -72,7 +66,6 @@ impl Aabb {
         self.low.distance(self.high)
     }
 
-    /// The middle.
     pub(crate) fn centre(&self) -> DVec3 {
         self.low.midpoint(self.high)
     }

@@ -14,7 +14,6 @@ impl BitSet {
         Ok(BitSet { words: alloc::zeroed(limit.div_ceil(64))? })
     }
 
-    /// Adds a number.
     #[inline]
     pub(crate) fn insert(&mut self, i: u32) {
         self.words[i as usize / 64] |= 1 << (i % 64);

@@ -41,7 +41,6 @@ pub(crate) struct KdTree<'a> {
     /// The box round all points of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this
     /// place, or up to 4 beyond; empty if there are none.
     boxes: Vec<Aabb>,
-    /// The box round all points.
     whole: Aabb,
 }
 
@@ -292,11 +291,13 @@ mod tests {
             let points: Vec<DVec3> =
                 cells.iter().map(|&(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z))).collect();
             let query = DVec3::new(f64::from(query.0), f64::from(query.1), f64::from(query.2)) / 2.0;
+            let nearest = |accept: &dyn Fn(u32) -> bool| {
+                let accepted = (0..points.len() as u32).filter(|&i| accept(i));
+                let distances = accepted.map(|i| (points[i as usize].distance_squared(query), i));
+                distances.min_by(|a, b| a.partial_cmp(b).unwrap())
+            };
             let accept = |i: u32| i.is_multiple_of(skip);
-            let expected = (0..points.len() as u32)
-                .filter(|&i| accept(i))
-                .map(|i| (points[i as usize].distance_squared(query), i))
-                .min_by(|a, b| a.partial_cmp(b).unwrap());
+            let expected = nearest(&accept);
             let tree = KdTree::new(&points, &Job::default(), "").unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
             let boxed = KdTree::boxed(&points, &Job::default(), "").unwrap();
@@ -305,12 +306,8 @@ mod tests {
             let groups: Vec<u32> = points.iter().map(|p| p.x as u32 / 2).collect();
             let tree = KdTree::grouped(&points, &groups).unwrap();
             for own in 0..4 {
-                let expected = (0..points.len() as u32)
-                    .filter(|&i| accept(i) && groups[i as usize] != own)
-                    .map(|i| (points[i as usize].distance_squared(query), i))
-                    .min_by(|a, b| a.partial_cmp(b).unwrap());
                 let accept = |i: u32| accept(i) && groups[i as usize] != own;
-                prop_assert_eq!(tree.nearest_elsewhere(query, f64::INFINITY, own, accept), expected);
+                prop_assert_eq!(tree.nearest_elsewhere(query, f64::INFINITY, own, accept), nearest(&accept));
             }
             for (reach, unit) in [(0.5, 1.0), (1.0, 2f64.powi(-980)), (1.5, 2f64.powi(900)), (3.0, 1.0)] {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();

@@ -28,7 +28,6 @@ impl<'a> Strided<'a> {
         }
     }
 
-    /// Elements without gaps.
     pub(crate) fn packed<T: NoUninit>(elements: &'a [T]) -> Self {
         let size = size_of::<T>();
         Strided { bytes: bytemuck::cast_slice(elements), stride: size, size, count: elements.len() }
@@ -50,13 +49,11 @@ impl<'a> Strided<'a> {
         bytes.filter(|&n| n <= isize::MAX as usize).ok_or(Error::SizeOverflow { what, count: count as u64 })
     }
 
-    /// The number of elements.
     #[inline]
     pub(crate) fn len(&self) -> usize {
         self.count
     }
 
-    /// The bytes of element `k`.
     #[inline]
     pub(crate) fn bytes(&self, k: usize) -> &'a [u8] {
         &self.bytes[k * self.stride..][..self.size]

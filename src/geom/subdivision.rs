@@ -53,7 +53,6 @@ pub(crate) trait Subdivision<P, const K: usize> {
     /// Why the whole search ends early.
     type Stop;
 
-    /// Tests a box.
     fn classify(&mut self, part: &P) -> Result<BoxTest<Self::Solution, Self::Split>, Self::Stop>;
 
     /// Takes the only solution of a box.

@@ -78,7 +78,6 @@ fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
     }
 }
 
-/// Do two closed segments meet?
 fn segments_meet(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
     // In one plane, and seen along every axis.
     volume(p, q, r, s) == 0.0 && (0..3).all(|k| AxisProjection(k).segments_meet(p, q, r, s))

@@ -18,7 +18,6 @@ pub enum PositionBuffer {
 }
 
 impl PositionBuffer {
-    /// Empty, with room for `capacity` positions.
     pub(crate) fn with_capacity(scalar: Scalar, capacity: usize) -> Result<Self> {
         Ok(match scalar {
             Scalar::F32 => PositionBuffer::F32(alloc::with_capacity(capacity)?),

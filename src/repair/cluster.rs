@@ -2,10 +2,7 @@
 //!
 //! In ascending order, each vertex that is still unclaimed becomes a representative and claims the
 //! unclaimed ones that lie at its position, or within the tolerance of it: nearest first, of
-//! equally near ones the smallest. Whatever is claimed lies within the tolerance of its
-//! representative, so nothing chains. Vertices that come in groups narrower than the tolerance,
-//! with more than the tolerance from group to group, are clustered group by group whatever their
-//! numbers are.
+//! equally near ones the smallest. What that means: see [`weld`](super::weld).
 //!
 //! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives
 //! lie apart and a point is within reach of few. Where corners of one face are kept apart, those

@@ -25,12 +25,10 @@ impl Corners {
         Ok(Corners { face, corners })
     }
 
-    /// The face of corner `h`.
     pub(super) fn face(&self, h: u32) -> usize {
         self.face[h as usize] as usize
     }
 
-    /// The corners at vertex `v`.
     pub(super) fn at(&self, v: u32) -> &[u32] {
         self.corners.get(v as usize)
     }

@@ -117,7 +117,6 @@ struct Sewing<'m> {
 }
 
 impl Sewing<'_> {
-    /// The two ends of half-edge `h`.
     fn ends(&self, h: u32) -> [u32; 2] {
         let range = self.mesh.faces().range(self.corners.face(h));
         let after = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };

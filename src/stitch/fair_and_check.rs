@@ -33,7 +33,6 @@ const MAX_FAN_TRIANGLES: usize = 64;
 /// How many edges away from a cut the fairing is taken back a little.
 const BACK_OFF_RINGS: u32 = 4;
 
-/// Result of [`fair_and_check`].
 pub(super) struct CheckedStrip {
     /// See [`Stitch::intersections`](super::Stitch::intersections).
     pub(super) intersections: Option<Vec<[u32; 2]>>,
@@ -176,7 +175,6 @@ impl<'a> Neighbourhood<'a> {
         Ok(())
     }
 
-    /// The strip's triangles.
     fn strip_triangles(&self) -> Result<Triangles> {
         let mut triangles = Triangles::default();
         for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {

@@ -20,7 +20,6 @@ use glam::DVec3;
 /// The matrix, in the strip's own numbers: rim A's vertices, then rim B's, then the new ones row by
 /// row.
 pub(super) struct Grid {
-    /// Interior rows.
     rows: usize,
     columns: usize,
     /// Columns that differ: one less than all if the band is closed.

@@ -103,7 +103,6 @@ impl Rim {
         })
     }
 
-    /// A copy.
     pub(super) fn try_clone(&self) -> Result<Rim> {
         Ok(Rim {
             vertices: alloc::copied(&self.vertices)?,
@@ -113,7 +112,6 @@ impl Rim {
         })
     }
 
-    /// The number of its edges.
     pub(super) fn segments(&self) -> u32 {
         self.vertices.len() as u32 - u32::from(!self.closed)
     }
@@ -146,7 +144,6 @@ impl Rim {
         Ok(())
     }
 
-    /// Runs the rim the other way.
     pub(super) fn reverse(&mut self) {
         self.vertices.reverse();
         self.points.reverse();

@@ -64,7 +64,6 @@ pub(crate) fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
     }
 }
 
-/// The value at t.
 #[inline(always)]
 pub(crate) fn evaluate<T: Coefficient, const N: usize>(c: &[T; N], t: f64) -> T {
     let mut work = *c;

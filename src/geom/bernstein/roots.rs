@@ -24,12 +24,10 @@ pub(crate) struct Roots {
 }
 
 impl Roots {
-    /// None.
     pub(crate) fn new() -> Self {
         Roots { at: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
     }
 
-    /// The roots.
     pub(crate) fn as_slice(&self) -> &[f64] {
         &self.at[..self.len]
     }

@@ -22,7 +22,6 @@ impl Dense {
         alloc::reset(&mut self.pivots, n, 0)
     }
 
-    /// Row `r`.
     pub(crate) fn row(&mut self, r: usize) -> &mut [f64] {
         &mut self.entries[r * self.size..(r + 1) * self.size]
     }

@@ -128,7 +128,6 @@ impl<'a> CurveView<'a> {
         Err(Error::NoSuchPlace { index: index as u32, segment: place.segment, t: place.t })
     }
 
-    /// That the curve has a point.
     pub(super) fn check_not_empty(&self) -> Result<()> {
         if self.points.is_empty() { Err(Error::EmptyCurve) } else { Ok(()) }
     }

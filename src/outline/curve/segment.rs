@@ -90,12 +90,10 @@ pub(crate) struct SegmentBuffer {
 }
 
 impl SegmentBuffer {
-    /// A copy of control points.
     pub(crate) fn new(controls: &[DVec3]) -> Self {
         Self::mapped(controls, |p| p)
     }
 
-    /// Control points, each moved by `map`.
     pub(crate) fn mapped(controls: &[DVec3], map: impl Fn(DVec3) -> DVec3) -> Self {
         let mut buffer = SegmentBuffer { controls: [DVec3::ZERO; MAX_DEGREE + 1], len: controls.len() };
         buffer.controls.iter_mut().zip(controls).for_each(|(to, &p)| *to = map(p));

@@ -39,7 +39,6 @@ impl UnitFrame {
         (p * self.coarse - self.origin) * self.fine
     }
 
-    /// Points in the frame.
     pub(crate) fn points(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {
         alloc::collect(points.iter().map(|&p| self.point(p)))
     }
@@ -54,7 +53,6 @@ impl UnitFrame {
         (p / self.fine + self.origin) / self.coarse
     }
 
-    /// A length in the frame.
     pub(crate) fn length(&self, x: f64) -> f64 {
         x * self.coarse * self.fine
     }

@@ -25,7 +25,6 @@ pub(super) struct SectionNodes {
     pub(super) ambiguous: Vec<u32>,
 }
 
-/// Finds the nodes of sections.
 pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<SectionNodes> {
     let rows = sections.offsets.map_or(1, |offsets| offsets.len().saturating_sub(1));
     let curves = fit(sections, &options.across, &job.part(0.0, 0.5))?;
@@ -120,7 +119,6 @@ impl SectionNodes {
     }
 }
 
-/// The points as they are.
 fn add_given(sections: &Outlines<'_>, found: &mut SectionNodes) -> Result<()> {
     let columns = if found.rows == 0 { 0 } else { sections.span(0).len() };
     found.reserve(columns)?;

@@ -51,7 +51,6 @@ impl CurveBuilder {
         alloc::push(&mut self.corners, at)
     }
 
-    /// The number of segments.
     pub(super) fn len(&self) -> usize {
         self.ends.len() - 1
     }

@@ -26,7 +26,6 @@ use std::sync::{Mutex, PoisonError};
 /// Points that a thread takes at a time.
 const POINTS_PER_BATCH: usize = 1 << 12;
 
-/// Batches between two reports of progress.
 const BATCHES_PER_REPORT: usize = 32;
 
 /// Control points of outlines below this size cannot overflow.
@@ -147,7 +146,6 @@ impl<'a> Worker<'a> {
         alloc::reserve(&mut done.reports, batch.len())
     }
 
-    /// Identifies some outlines one after another.
     fn identify_all(&mut self, batch: Range<usize>) -> Result<()> {
         let first = self.outlines.span(batch.start).start;
         let from = self.outlines.constraints.partition_point(|constraint| (constraint.point as usize) < first);
@@ -155,7 +153,6 @@ impl<'a> Worker<'a> {
         batch.into_iter().try_for_each(|k| self.identify(k))
     }
 
-    /// Identifies outline `k`.
     fn identify(&mut self, k: usize) -> Result<()> {
         let span = self.outlines.span(k);
         let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);

@@ -13,7 +13,6 @@ use crate::outline::curve::check_finite;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Points between two reports of progress.
 const POINTS_PER_REPORT: usize = 1 << 16;
 
 /// The sections of outlines, one for each point.
@@ -44,7 +43,7 @@ pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Resul
     let count = outlines.check()?;
     let alpha = method.alpha().unwrap_or(0.5);
     Error::check_option("alpha", alpha, (0.0..=1.0).contains(&alpha))?;
-    let scale = scale(outlines)?;
+    let finder = Finder { points: &outlines.points, method, scale: scale(outlines)? };
     let total = outlines.points.len();
     let mut found = Sections {
         controls: alloc::with_capacity(total)?,
@@ -66,9 +65,9 @@ pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Resul
             }
             let some = from..span.end.min(from + POINTS_PER_REPORT);
             if let (true, [], Some(_)) = (closed, own, method.alpha()) {
-                unconstrained(&outlines.points, &span, some, scale, method, &mut found);
+                finder.unconstrained(&span, some, &mut found);
             } else {
-                some.for_each(|i| found.push(constrained(&outlines.points, &span, own, closed, i, scale, method)));
+                some.for_each(|i| found.push(finder.constrained(&span, own, closed, i)));
             }
         }
     }
@@ -87,62 +86,56 @@ impl Sections {
     }
 }
 
-/// The section of point `i` of an outline with the constraints `own`.
-fn constrained(
-    points: &Points<'_>,
-    outline: &Range<usize>,
-    own: &[Constraint],
-    closed: bool,
-    i: usize,
-    scale: f64,
+/// What sections are found by.
+struct Finder<'a> {
+    points: &'a Points<'a>,
     method: Method,
-) -> (Section, PointStatus) {
-    let (first, last) = (outline.start, outline.end - 1);
-    let p = points.get(i);
-    if !closed && (i == first || i == last) {
-        return (Section { control: p, t: if i == first { 0.0 } else { 1.0 } }, PointStatus::Ok);
-    }
-    let before = points.get(if i == first { last } else { i - 1 });
-    let after = points.get(if i == last { first } else { i + 1 });
-    let triple = [before, p, after].map(|p| p * scale);
-    let tangents = match own {
-        [] => [None; 3],
-        _ => [
-            (!closed && i == first + 1).then(|| tangent(own, first)).flatten(),
-            tangent(own, i),
-            (!closed && i + 1 == last).then(|| tangent(own, last)).flatten(),
-        ],
-    };
-    let (section, status) = section_or_fallback(triple, tangents, method);
-    (Section { control: section.control / scale, ..section }, status)
+    scale: f64,
 }
 
-/// The sections of some points of a closed outline without constraints, by a method with an
-/// exponent: each chord is measured once.
-fn unconstrained(
-    points: &Points<'_>,
-    outline: &Range<usize>,
-    some: Range<usize>,
-    scale: f64,
-    method: Method,
-    found: &mut Sections,
-) {
-    let alpha = method.alpha().unwrap_or(0.5);
-    // Exact, as the scale is a power of two.
-    let back = 1.0 / scale;
-    let at = |i: usize| points.get(i) * scale;
-    let mut before = at(if some.start == outline.start { outline.end } else { some.start } - 1);
-    let mut p = at(some.start);
-    let mut arriving = power(before.distance(p), alpha);
-    for i in some {
-        let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
-        let leaving = power(p.distance(after), alpha);
-        let (section, status) = match through(before, p, after, arriving / (arriving + leaving)) {
-            Ok(section) => (section, PointStatus::Ok),
-            Err(_) => section_or_fallback([before, p, after], [None; 3], method),
+impl Finder<'_> {
+    /// The section of point `i` of an outline with the constraints `own`.
+    fn constrained(&self, outline: &Range<usize>, own: &[Constraint], closed: bool, i: usize) -> (Section, PointStatus) {
+        let (first, last) = (outline.start, outline.end - 1);
+        let p = self.points.get(i);
+        if !closed && (i == first || i == last) {
+            return (Section { control: p, t: if i == first { 0.0 } else { 1.0 } }, PointStatus::Ok);
+        }
+        let before = self.points.get(if i == first { last } else { i - 1 });
+        let after = self.points.get(if i == last { first } else { i + 1 });
+        let triple = [before, p, after].map(|p| p * self.scale);
+        let tangents = match own {
+            [] => [None; 3],
+            _ => [
+                (!closed && i == first + 1).then(|| tangent(own, first)).flatten(),
+                tangent(own, i),
+                (!closed && i + 1 == last).then(|| tangent(own, last)).flatten(),
+            ],
         };
-        found.push((Section { control: section.control * back, ..section }, status));
-        (before, p, arriving) = (p, after, leaving);
+        let (section, status) = section_or_fallback(triple, tangents, self.method);
+        (Section { control: section.control / self.scale, ..section }, status)
+    }
+
+    /// The sections of some points of a closed outline without constraints, by a method with an
+    /// exponent: each chord is measured once.
+    fn unconstrained(&self, outline: &Range<usize>, some: Range<usize>, found: &mut Sections) {
+        let alpha = self.method.alpha().unwrap_or(0.5);
+        // Exact, as the scale is a power of two.
+        let back = 1.0 / self.scale;
+        let at = |i: usize| self.points.get(i) * self.scale;
+        let mut before = at(if some.start == outline.start { outline.end } else { some.start } - 1);
+        let mut p = at(some.start);
+        let mut arriving = power(before.distance(p), alpha);
+        for i in some {
+            let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
+            let leaving = power(p.distance(after), alpha);
+            let (section, status) = match through(before, p, after, arriving / (arriving + leaving)) {
+                Ok(section) => (section, PointStatus::Ok),
+                Err(_) => section_or_fallback([before, p, after], [None; 3], self.method),
+            };
+            found.push((Section { control: section.control * back, ..section }, status));
+            (before, p, arriving) = (p, after, leaving);
+        }
     }
 }
 

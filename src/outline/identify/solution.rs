@@ -36,7 +36,6 @@ pub(super) struct Solution {
 }
 
 impl Solution {
-    /// Makes room for `n` points.
     pub(super) fn resize(&mut self, n: usize) -> Result<()> {
         for list in [&mut self.t, &mut self.data_t, &mut self.upper, &mut self.across] {
             alloc::grow(list, n, 0.0)?;

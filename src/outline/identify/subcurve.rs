@@ -23,7 +23,6 @@ pub(super) struct Subcurve<'a> {
 }
 
 impl Subcurve<'_> {
-    /// The number of points.
     #[inline]
     pub(super) fn len(&self) -> usize {
         self.points.len()
@@ -51,7 +50,6 @@ impl Subcurve<'_> {
         if self.closed { 0..self.len() } else { 0..self.len() - 1 }
     }
 
-    /// The three points of section `i`.
     #[inline]
     pub(super) fn triple(&self, i: usize) -> [DVec3; 3] {
         [self.points[self.previous(i)], self.points[i], self.points[self.next(i)]]

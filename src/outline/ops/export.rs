@@ -48,7 +48,6 @@ impl fmt::Display for Number {
     }
 }
 
-/// Segments between two reports of progress.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// A number is at most 24 characters, and a blank.

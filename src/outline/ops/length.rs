@@ -9,7 +9,6 @@ use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place};
 use glam::DVec3;
 
-/// Segments between two reports of progress.
 const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// The arc lengths of a curve up to each joint, ready for questions either way.

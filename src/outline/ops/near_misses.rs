@@ -114,7 +114,6 @@ fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     Some(if at_end { segment::first_leg(next) } else { -segment::last_leg(next) })
 }
 
-/// The search, in the frame.
 struct Search<'a> {
     sides: [CurveView<'a>; 2],
     within: f64,
@@ -181,7 +180,6 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
 }
 
 impl Search<'_> {
-    /// Examines two segments, by their numbers.
     fn search_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));

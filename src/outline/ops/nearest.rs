@@ -82,7 +82,6 @@ pub(crate) fn nearest_of_any(
     answers(queries, &job.part(0.1, 1.0), |q| set.nearest(q))
 }
 
-/// The answers to all queries.
 fn answers<A: Send>(queries: &[DVec3], job: &Job<'_>, answer: impl Fn(DVec3) -> A + Sync) -> Result<Vec<A>> {
     queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
     let mut found = alloc::with_capacity(queries.len())?;
@@ -134,7 +133,6 @@ impl<'a> CurveSearch<'a> {
         Nearest { place, point, distance: distance(point, q) }
     }
 
-    /// A query in the frame.
     fn in_frame(&self, q: DVec3) -> DVec3 {
         let local = self.frame.point(q);
         if local.abs().max_element() <= MAX_QUERY_DISTANCE {

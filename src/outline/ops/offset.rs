@@ -49,7 +49,6 @@ pub struct Offset {
 
 /// A piece is halved this often at most.
 const MAX_DEPTH: u32 = 16;
-/// Pieces between two reports of progress.
 const PIECES_PER_REPORT: usize = 1 << 6;
 const STAGE: &str = "offset";
 /// Places inside a piece where it is measured.

@@ -19,7 +19,6 @@ impl Part {
         Part { controls, from: 0.0, to: 1.0 }
     }
 
-    /// The parameter in the middle.
     pub(super) fn middle(&self) -> f64 {
         0.5 * (self.from + self.to)
     }

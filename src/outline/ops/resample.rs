@@ -11,7 +11,6 @@ use crate::outline::curve::{CurveView, Place};
 use crate::outline::identify::MAX_POINTS;
 use glam::DVec3;
 
-/// Points between two reports of progress.
 const POINTS_PER_REPORT: usize = 1 << 8;
 const STAGE: &str = "points along a curve";
 

@@ -93,7 +93,6 @@ pub(super) fn intersect(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Se
     Ok(())
 }
 
-/// The search of two segments.
 struct PairSearch<'a> {
     whole: [&'a [DVec3]; 2],
     joined: Joined,
@@ -235,7 +234,6 @@ fn runs_on(a: &[DVec3], b: &[DVec3]) -> bool {
     legs(a).chain(legs(b)).all(|leg| leg.dot(along) > 0.0)
 }
 
-/// The z of the cross product.
 fn cross_z(u: DVec3, v: DVec3) -> f64 {
     u.x * v.y - u.y * v.x
 }

@@ -30,7 +30,6 @@ const MAX_DISTANCE_RATIO: f64 = 4.0;
 /// Largest gap between facing arcs, in mean edge lengths, unless one is given.
 const MAX_ARC_GAP: f64 = 4.0;
 
-/// Fewest vertices of an arc.
 const MIN_ARC_VERTICES: usize = 2;
 
 /// Vertices between two progress reports.
@@ -66,7 +65,6 @@ impl Candidate {
     }
 }
 
-/// Search for facing loops and arcs.
 pub(super) struct FacingSearch<'a> {
     pub(super) rims: &'a [Rim],
     pub(super) candidates: &'a [Candidate],
@@ -83,14 +81,12 @@ pub(super) struct FacingSearch<'a> {
 /// Vertices of one loop whose nearest vertices lie on another.
 struct LoopProximity {
     rims: [u32; 2],
-    /// Number of such vertices.
     count: usize,
     mean: f64,
     /// Whether the distances are similar, or the nearest vertices wind once round the other loop.
     round: bool,
 }
 
-/// Nearest vertex on another loop.
 #[derive(Clone, Copy)]
 struct NearestVertex {
     /// The loop, or [`NONE`].

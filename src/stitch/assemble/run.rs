@@ -199,7 +199,6 @@ impl Base {
         Ok(outcomes)
     }
 
-    /// Fills holes, and closes the account.
     fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
         let mut done = self.done;
         if done.mesh.face_count() == 0 {
@@ -290,7 +289,6 @@ impl Loops {
         Ok(edges)
     }
 
-    /// The loops on which nothing hangs.
     fn left(self, hangs: &[bool], tried: &[bool]) -> Result<Vec<LeftLoop>> {
         let mut left = self.others;
         for (r, rim) in self.rims.into_iter().enumerate() {

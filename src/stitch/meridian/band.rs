@@ -13,7 +13,6 @@ pub(super) struct Band {
 }
 
 impl Band {
-    /// All nodes.
     pub(super) fn full(n: usize, m: usize) -> Result<Self> {
         Ok(Band { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
     }
@@ -36,17 +35,14 @@ impl Band {
         })
     }
 
-    /// N.
     pub(super) fn last_row(&self) -> usize {
         self.low.len() - 1
     }
 
-    /// M.
     pub(super) fn last_column(&self) -> usize {
         self.high[self.last_row()] as usize
     }
 
-    /// The columns of row `i`.
     pub(super) fn columns(&self, i: usize) -> RangeInclusive<usize> {
         self.low[i] as usize..=self.high[i] as usize
     }
@@ -104,7 +100,6 @@ impl Band {
         Ok(blocks)
     }
 
-    /// The nodes of some rows.
     pub(super) fn nodes(&self, rows: Range<usize>) -> usize {
         rows.map(|i| self.width(i)).sum()
     }

@@ -9,7 +9,6 @@
 use super::rims::{Pair, RimPair};
 use glam::DVec3;
 
-/// The strip's bends between two polylines.
 pub(super) struct Bends<'a> {
     a: &'a [DVec3],
     b: &'a [DVec3],

@@ -19,7 +19,6 @@ const MAX_COARSEST_NODES: usize = 1 << 16;
 /// A rim of fewer segments than this is not thinned out further.
 const MIN_SEGMENTS: usize = 32;
 
-/// Half the width of the band.
 const HALF_BAND: usize = 8;
 
 /// Half the width of the band where the path touched the border of a narrower one, at most.

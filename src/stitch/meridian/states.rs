@@ -34,7 +34,6 @@ const LAST_B: usize = 4;
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// A step.
 #[derive(Clone, Copy, PartialEq)]
 enum Step {
     A,

@@ -35,7 +35,6 @@ use glam::DVec3;
 /// iterations, up to [`MAX_OVERLAP`].
 const MIN_OVERLAP: usize = 8;
 
-/// See [`MIN_OVERLAP`].
 const MAX_OVERLAP: usize = MIN_OVERLAP << 6;
 
 /// Below a step of this, times the size, Newton's next one would be within the rounding.
@@ -306,7 +305,6 @@ pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 
     }
 }
 
-/// The first D components.
 #[inline]
 fn truncate<const D: usize>(v: DVec3) -> [f64; D] {
     let all = v.to_array();
