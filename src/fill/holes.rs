@@ -2,7 +2,7 @@
 
 use super::choose::{Candidate, all_loops, given_loops};
 use super::patch::{Patch, patch};
-use super::request::{Filled, Hole, HoleStatus, Limits, Options};
+use super::request::{Filled, Hole, HoleStatus, Options};
 use super::surroundings::Surroundings;
 use crate::alloc;
 use crate::boundary::{self, Survey, boundary_loops};

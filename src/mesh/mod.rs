@@ -25,8 +25,8 @@ pub use defect::Defect;
 pub use owned::{Mesh, PositionBuffer};
 pub use pairing::Topology;
 pub(crate) use topology::{Across, half_edges, unordered};
-pub(crate) use view::{Visitor, check_size};
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
+pub(crate) use view::{Visitor, check_size};
 
 /// The index that means "none".
 pub const NONE: u32 = u32::MAX;

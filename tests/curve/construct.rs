@@ -26,7 +26,10 @@ fn samples_of_a_circle() {
     let length = open.view().length().unwrap();
     assert_eq!(open.view().sampled(Spacing::Step(length / 4.0), &Job::default()).unwrap().points.len(), 5);
     assert_eq!(open.view().sampled(Spacing::Step(length / 3.5), &Job::default()).unwrap().points.len(), 5);
-    assert!(open.view().sampled(Spacing::Count(1), &Job::default()).is_err() && open.view().sampled(Spacing::Step(0.0), &Job::default()).is_err());
+    assert!(
+        open.view().sampled(Spacing::Count(1), &Job::default()).is_err()
+            && open.view().sampled(Spacing::Step(0.0), &Job::default()).is_err()
+    );
     assert!(matches!(open.view().sampled(Spacing::Step(1e-300), &Job::default()), Err(Error::TooLarge { .. })));
     for tolerance in [0.5, 1e-2, 1e-4, 1e-6] {
         let samples = curve.sampled(Spacing::Chord(tolerance), &Job::default()).unwrap();
@@ -188,7 +191,10 @@ fn offsets_of_circles_and_parabolas() {
         let given = circle(scale, 8);
         for (degree, tolerance) in [(2, 1e-3), (2, 1e-6), (3, 1e-6), (3, 1e-10)] {
             for d in [0.5, -0.5, 0.9] {
-                let done = given.view().offset(d * scale, &offset_options(degree, tolerance * scale), &Job::default()).unwrap();
+                let done = given
+                    .view()
+                    .offset(d * scale, &offset_options(degree, tolerance * scale), &Job::default())
+                    .unwrap();
                 let curve = done.curve.view();
                 assert!(curve.is_closed() && done.reached && !done.tight && done.corners == 0);
                 assert!(done.deviation <= tolerance * scale);
@@ -213,7 +219,10 @@ fn offsets_of_circles_and_parabolas() {
     let beyond = given.view().offset(0.6, &offset_options(3, 1e-8), &Job::default()).unwrap();
     assert!(beyond.tight && beyond.deviation.is_finite());
     assert!(!given.view().offset(-5.0, &offset_options(2, 1e-6), &Job::default()).unwrap().tight);
-    let few = given.view().offset(-0.4, &OffsetOptions { max_segments: 1, ..offset_options(2, 1e-12) }, &Job::default()).unwrap();
+    let few = given
+        .view()
+        .offset(-0.4, &OffsetOptions { max_segments: 1, ..offset_options(2, 1e-12) }, &Job::default())
+        .unwrap();
     assert!(!few.reached && few.deviation > 1e-3 && few.curve.view().len() < 20);
     // A square: four corners outside.
     let square = Given {

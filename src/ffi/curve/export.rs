@@ -2,6 +2,7 @@
 
 use crate::ffi::curve::{gusset_curve, view};
 use crate::ffi::prelude::*;
+use crate::job::Job;
 use glam::DVec3;
 use libc::c_char;
 

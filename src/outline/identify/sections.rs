@@ -95,7 +95,13 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// The section of point `i` of an outline with the constraints `own`.
-    fn constrained(&self, outline: &Range<usize>, own: &[Constraint], closed: bool, i: usize) -> (Section, PointStatus) {
+    fn constrained(
+        &self,
+        outline: &Range<usize>,
+        own: &[Constraint],
+        closed: bool,
+        i: usize,
+    ) -> (Section, PointStatus) {
         let (first, last) = (outline.start, outline.end - 1);
         let p = self.points.get(i);
         if !closed && (i == first || i == last) {

@@ -55,7 +55,8 @@ impl Solution {
 
     /// Keeps the control points as they are before an iteration.
     pub(super) fn remember(&mut self) {
-        self.previous.copy_from_slice(&self.controls[..self.previous.len()]);
+        let n = self.previous.len();
+        self.previous.copy_from_slice(&self.controls[..n]);
     }
 
     /// The control point of section `i`, and its first and last joint, seen from its point.

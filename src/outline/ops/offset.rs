@@ -174,7 +174,8 @@ impl OffsetFit<'_> {
         if self.pieces.is_multiple_of(PIECES_PER_REPORT) {
             self.job.step(from.t, STAGE)?;
         }
-        let deviation = if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &fitted[..=degree]) };
+        let deviation =
+            if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &fitted[..=degree]) };
         self.offset.deviation = self.offset.deviation.max(deviation);
         self.pieces += 1;
         self.end = to.point;
@@ -217,11 +218,7 @@ impl OffsetFit<'_> {
             curve.points.push(start);
         }
         let deviation = self.offset.deviation;
-        Ok(Offset {
-            deviation: self.frame.length_back(deviation),
-            reached: deviation <= self.tolerance,
-            ..self.offset
-        })
+        Ok(Offset { deviation: self.frame.length_back(deviation), reached: deviation <= self.tolerance, ..self.offset })
     }
 }
 

@@ -77,12 +77,7 @@ impl<const D: usize> Newton<D> {
     /// Finds the self-consistent parameters and control points, from control points that solve the
     /// linear equations. False if these have become singular, which takes joint parameters other
     /// than 1/2.
-    pub(super) fn solve(
-        &mut self,
-        sub: &Subcurve<'_>,
-        solution: &mut Solution,
-        out: &mut Output<'_>,
-    ) -> Result<bool> {
+    pub(super) fn solve(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
         let n = sub.len();
         let length = n + if sub.closed { 2 * MAX_OVERLAP } else { 0 };
         let empty = Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
