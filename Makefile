@@ -21,16 +21,17 @@ docdir   = $(DESTDIR)$(DOCDIR)
 notices  = packaging/debian/copyright
 
 build_packages := cmake g++ pkg-config
+cli_packages   := $(build_packages) libcli11-dev libtinygltf-dev libtinyobjloader-dev nlohmann-json3-dev
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
 docs_packages  := doxygen
-test_packages  := $(host_packages) $(docs_packages) doctest-dev libeigen3-dev valgrind clang abigail-tools
+test_packages  := $(host_packages) $(cli_packages) $(docs_packages) fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian
 pictures_packages := $(host_packages)
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build openmfx test check check-fuzz exhaustive host check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test check check-fuzz exhaustive cli check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -44,7 +45,7 @@ help:
 	@echo 'make pictures                     draws the pictures of docs/ anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
-	@echo 'make host                         gusset-host, which runs the filters of the plugin on files, into build/host'
+	@echo 'make cli                          the program gusset, its manual and its completions, into build/cli'
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
@@ -87,10 +88,11 @@ test: check check-fuzz stage openmfx
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
 
-host:
-	@scripts/install-packages.sh $(host_packages)
-	cmake -S examples/host -B build/host
-	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/host --parallel 2
+# `cmake --install build/cli --prefix PREFIX` installs it.
+cli: stage
+	@scripts/install-packages.sh $(cli_packages)
+	cmake -S tools/gusset -B build/cli -DGUSSET_PREFIX='$(stage)'
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cli --parallel 2
 
 check-cancel: stage
 	@scripts/install-packages.sh $(test_packages)

@@ -46,14 +46,15 @@ target_link_libraries(guide_plugin PRIVATE ${CMAKE_DL_LIBS})
 add_test(NAME guides/plugin COMMAND guide_plugin ${GUSSET_PREFIX}/lib/libgusset.so)
 set_tests_properties(guides/plugin PROPERTIES PASS_REGULAR_EXPRESSION "weld: .*4 vertices are left of 6")
 
-# With the host program, which cpp_tests/plugin builds.
-file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/host)
+# With the program, which cpp_tests/cli builds.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/cli_guide)
 foreach(side left right)
-  file(CREATE_LINK ${CMAKE_BINARY_DIR}/generated/${side}.obj ${CMAKE_BINARY_DIR}/host/${side}.obj SYMBOLIC)
+  file(CREATE_LINK ${CMAKE_BINARY_DIR}/generated/${side}.obj ${CMAKE_BINARY_DIR}/cli_guide/${side}.obj SYMBOLIC)
 endforeach()
-add_test(NAME guides/host COMMAND ${CMAKE_COMMAND} -E env "PATH=$<TARGET_FILE_DIR:gusset-host>:$ENV{PATH}"
-         LD_LIBRARY_PATH=${GUSSET_PREFIX}/lib ${guides}/host.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/host)
-set_tests_properties(guides/host PROPERTIES FIXTURES_REQUIRED generated PASS_REGULAR_EXPRESSION "boundary_loops .*-p meridians=")
+add_test(NAME guides/cli COMMAND ${CMAKE_COMMAND} -E env "PATH=$<TARGET_FILE_DIR:gusset-cli>:$ENV{PATH}" ${guides}/cli.sh
+         WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/cli_guide)
+set_tests_properties(guides/cli PROPERTIES FIXTURES_REQUIRED generated PASS_REGULAR_EXPRESSION
+                     "joined loops of.*boundary loops? by.*boundary_loops .*-p meridians=")
 
 # The commands of the guides: by hand, and as a project of a reader's.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/guides)

@@ -599,8 +599,8 @@ typedef struct gusset_plugin {
      */
     void (*output_free)(struct gusset_outputs *outputs);
     /**
-     * Something beyond this header, by name and version ("name/1"), or NULL. There is none in this
-     * version.
+     * Something beyond these tables, by name and version, or NULL: "values/1" is a
+     * gusset_plugin_values.
      */
     const void *(*extension)(const char *name);
 } gusset_plugin;
@@ -609,6 +609,30 @@ typedef struct gusset_plugin {
  * The type of gusset_plugin_entry, for dlsym.
  */
 typedef const struct gusset_plugin *(*gusset_plugin_entry_fn)(uint32_t host_abi);
+
+/**
+ * The numbers in a text under names, for programs: extension("values/1"). The struct is static; the
+ * functions may be called from many threads at once.
+ */
+typedef struct gusset_plugin_values {
+    /**
+     * sizeof(gusset_plugin_values) of the plugin.
+     */
+    size_t struct_size;
+    /**
+     * How many numbers output index has; 0 if it is no text or has none.
+     */
+    uint32_t (*count)(const struct gusset_outputs *outputs, uint32_t index);
+    /**
+     * The name of number which: lower case, words joined by underscores, the same in all versions;
+     * lives as long as the outputs. NULL if there is none.
+     */
+    const char *(*name)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
+    /**
+     * Number which; NaN if there is none. Flags are 0 or 1, angles in radians.
+     */
+    double (*value)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
+} gusset_plugin_values;
 
 #ifdef __cplusplus
 extern "C" {

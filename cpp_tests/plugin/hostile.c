@@ -55,6 +55,9 @@ static void check_readers(void) {
     CHECK(plugin->output_mesh(NULL, 0, &mesh) == IS_NULL && plugin->output_curves(NULL, 0, &curves) == IS_NULL);
     CHECK(plugin->output_failure(NULL, &failure) == IS_NULL);
     plugin->output_free(NULL);
+    const gusset_plugin_values *values = plugin->extension("values/1");
+    CHECK(values->count(NULL, 0) == 0 && values->name(NULL, 0, 0) == NULL);
+    CHECK(values->value(NULL, 0, 0) != values->value(NULL, 0, 0));
 
     shapes made;
     const gusset_filter *filter = plugin->find("boundary_loops");

@@ -49,6 +49,22 @@ static void check_curves(const char *of, const gusset_outputs *outputs, uint32_t
     }
 }
 
+/* The numbers of an output have names of their own, and end where they say; only texts have any. */
+static void check_values(const gusset_filter *filter, const gusset_outputs *outputs, uint32_t index, int is_text) {
+    const gusset_plugin_values *values = plugin->extension("values/1");
+    const uint32_t count = values->count(outputs, index);
+    CHECK_OF(filter->id, is_text || count == 0);
+    for (uint32_t v = 0; v < count; ++v) {
+        const char *name = values->name(outputs, index, v);
+        CHECK_OF(filter->id, name != NULL && name[0] != '\0' && name[strspn(name, "abcdefghijklmnopqrstuvwxyz_")] == '\0');
+        CHECK_OF(filter->id, isfinite(values->value(outputs, index, v)));
+        for (uint32_t before = 0; before < v && name != NULL; ++before) {
+            CHECK_OF(filter->id, strcmp(name, values->name(outputs, index, before)) != 0);
+        }
+    }
+    CHECK_OF(filter->id, values->name(outputs, index, count) == NULL && isnan(values->value(outputs, index, count)));
+}
+
 /* What came out is what the filter says comes out, and each reader refuses what is none of its kind. */
 static void check_outputs(const gusset_filter *filter, const gusset_outputs *outputs) {
     gusset_failure none = {0};
@@ -78,6 +94,7 @@ static void check_outputs(const gusset_filter *filter, const gusset_outputs *out
             CHECK_OF(filter->id,
                      plugin->output_curves(outputs, i, &curves) != GUSSET_PLUGIN_DONE && curves.points == NULL);
         }
+        check_values(filter, outputs, i, kind == GUSSET_KIND_TEXT);
         if (text != NULL) {
             CHECK_OF(filter->id, text[0] != '\0' && text[strlen(text) - 1] == '\n');
         }

@@ -161,6 +161,8 @@ int main(int argc, char **argv) {
     CHECK(sscanf(plugin->version, "%u.%u.%u%c", &parts[0], &parts[1], &parts[2], &rest) == 3);
     CHECK(plugin->filter(plugin->filter_count) == NULL && plugin->filter(UINT32_MAX) == NULL);
     CHECK(plugin->find(NULL) == NULL && plugin->find("") == NULL && plugin->find("no such filter") == NULL);
+    const gusset_plugin_values *values = plugin->extension("values/1");
+    CHECK(values != NULL && values->struct_size == sizeof *values);
     CHECK(plugin->extension(NULL) == NULL && plugin->extension("") == NULL && plugin->extension("nothing/1") == NULL);
 
     for (uint32_t i = 0; i < plugin->filter_count; ++i) {

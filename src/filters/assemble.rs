@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_LOOP, EDGE, FACE};
 use super::stitch::FAIRING_HELP;
 use crate::fill;
 use crate::repair::weld;
@@ -76,23 +77,37 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         ..Options::default()
     };
     let done = assemble(&pieces, &options, job)?;
-    let text = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
+    let report = report(&done);
+    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }
 
-fn report(done: &Assembly) -> String {
-    let mut text = format!("{} edges sewn\n", done.sewn_edges);
+fn report(done: &Assembly) -> Report {
+    let mut text = format!("{} sewn\n", counted(done.sewn_edges, EDGE));
     for joint in &done.joints {
         let [n, m] = joint.sides.each_ref().map(Vec::len);
         let parts = if joint.whole { "loops" } else { "runs" };
         let outcome = match joint.outcome {
-            Outcome::Joined => format!("joined by {} faces", joint.faces.len()),
+            Outcome::Joined => format!("joined by {}", counted(joint.faces.len(), FACE)),
             Outcome::OrientationConflict => "left: joining them would make a one-sided surface".to_owned(),
             Outcome::ShareVertex => "left: they pass the same vertex".to_owned(),
             Outcome::NoStrip => "left: no strip avoids the edges that the mesh has".to_owned(),
         };
-        text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", joint.gap);
+        text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", short(joint.gap));
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
-    text + &format!("{filled} holes filled, {} boundary loops left\n", done.loops_left)
+    push_line!(
+        text,
+        "{} filled, {} left",
+        counted(filled, ["hole", "holes"]),
+        counted(done.loops_left, BOUNDARY_LOOP)
+    );
+    let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined));
+    let values = [
+        ("sewn_edges", f64::from(done.sewn_edges)),
+        ("joins", joined.count() as f64),
+        ("refused_joins", done.joints.iter().filter(|joint| !matches!(joint.outcome, Outcome::Joined)).count() as f64),
+        ("filled_holes", filled as f64),
+        ("boundary_loops", f64::from(done.loops_left)),
+    ];
+    Report::new(text, &values)
 }

@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_LOOP, EDGE};
 use crate::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
 
 /// The largest number of loops that the report lists.
@@ -27,17 +28,25 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Curves(curves), Output::Text(report(&boundary))])
 }
 
-fn report(boundary: &Boundary) -> String {
-    let mut text = format!("{} boundary loops, {} edges\n", boundary.len(), boundary.edge_count());
+fn report(boundary: &Boundary) -> Report {
+    let mut text =
+        format!("{}, {}\n", counted(boundary.len(), BOUNDARY_LOOP), counted(boundary.edge_count(), EDGE));
     for (i, found) in boundary.iter().take(MAX_LISTED).enumerate() {
         let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
-        push_line!(text, "{kind} {i}: {} edges, length {}", found.half_edges.len(), found.length);
+        push_line!(text, "{kind} {i}: {}, length {}", counted(found.half_edges.len(), EDGE), short(found.length));
     }
     if boundary.len() > MAX_LISTED {
         push_line!(text, "and {} more", boundary.len() - MAX_LISTED);
     }
     if !boundary.defects().is_empty() {
-        push_line!(text, "{} defects of the mesh", boundary.defects().len());
+        push_line!(text, "{} of the mesh", counted(boundary.defects().len(), ["defect", "defects"]));
     }
-    text
+    let length = boundary.iter().map(|found| found.length).sum();
+    let values = [
+        ("boundary_loops", boundary.len() as f64),
+        ("boundary_edges", boundary.edge_count() as f64),
+        ("length", length),
+        ("defects", boundary.defects().len() as f64),
+    ];
+    Report::new(text, &values)
 }

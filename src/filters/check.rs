@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, VERTEX};
 use crate::check::{Check, check};
 use std::fmt::Write;
 
@@ -23,28 +24,31 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let faces = mesh.faces();
     let edge = |h: u32| format!("{}-{}", faces.corner(h), faces.corner(faces.next(h)));
     // Edges are named by their ends, vertices and faces by their numbers.
-    let edges: [(&str, &[u32]); 3] = [
-        ("edges of one face", &found.boundary_edges),
-        ("edges of three or more faces", &found.non_manifold_edges),
-        ("edges with inconsistently oriented faces", &found.orientation_conflicts),
+    let edges: [(Noun, &[u32]); 3] = [
+        (BOUNDARY_EDGE, &found.boundary_edges),
+        (["edge of three or more faces", "edges of three or more faces"], &found.non_manifold_edges),
+        (
+            ["edge with inconsistently oriented faces", "edges with inconsistently oriented faces"],
+            &found.orientation_conflicts,
+        ),
     ];
-    let others: [(&str, &[u32]); 6] = [
-        ("non-manifold vertices", &found.non_manifold_vertices),
-        ("vertices with several fans of faces", &found.bow_ties),
-        ("duplicate faces", &found.duplicate_faces),
-        ("faces with a repeated vertex", &found.degenerate_faces),
-        ("faces without area", &found.zero_area_faces),
-        ("unused vertices", &found.unused_vertices),
+    let others: [(Noun, &[u32]); 6] = [
+        (["non-manifold vertex", "non-manifold vertices"], &found.non_manifold_vertices),
+        (["vertex with several fans of faces", "vertices with several fans of faces"], &found.bow_ties),
+        (["duplicate face", "duplicate faces"], &found.duplicate_faces),
+        (["face with a repeated vertex", "faces with a repeated vertex"], &found.degenerate_faces),
+        (["face without area", "faces without area"], &found.zero_area_faces),
+        (["unused vertex", "unused vertices"], &found.unused_vertices),
     ];
-    edges.iter().for_each(|(what, list)| push_defects(&mut text, what, list, max, edge));
-    others.iter().for_each(|(what, list)| push_defects(&mut text, what, list, max, |element| element.to_string()));
-    Ok(vec![Output::Text(text)])
+    edges.iter().for_each(|&(what, list)| push_defects(&mut text, what, list, max, edge));
+    others.iter().for_each(|&(what, list)| push_defects(&mut text, what, list, max, |element| element.to_string()));
+    Ok(vec![Output::Text(Report::new(text, &numbers(&found)))])
 }
 
 /// Appends a line on a kind of defect, if there are any.
-fn push_defects(text: &mut String, what: &str, elements: &[u32], max: usize, name: impl Fn(u32) -> String) {
+fn push_defects(text: &mut String, what: Noun, elements: &[u32], max: usize, name: impl Fn(u32) -> String) {
     if !elements.is_empty() {
-        let _ = write!(text, "{} {what}:", elements.len());
+        let _ = write!(text, "{}:", counted(elements.len(), what));
         elements.iter().take(max).for_each(|&element| *text += &format!(" {}", name(element)));
         *text += if elements.len() > max { " ...\n" } else { "\n" };
     }
@@ -54,12 +58,12 @@ fn summary(found: &Check) -> String {
     let yes = |is: bool, word: &'static str, other: &'static str| if is { word } else { other };
     let genus = found.genus.map_or(String::new(), |genus| format!(", genus {genus}"));
     format!(
-        "{} vertices, {} edges, {} faces, {} pieces, {} boundary walks\n{}, {}, {}\nEuler characteristic {}{genus}\n",
-        found.vertices,
-        found.edges,
-        found.faces,
-        found.components,
-        found.boundary_walks,
+        "{}, {}, {}, {}, {}\n{}, {}, {}\nEuler characteristic {}{genus}\n",
+        counted(found.vertices, VERTEX),
+        counted(found.edges, EDGE),
+        counted(found.faces, FACE),
+        counted(found.components, PIECE),
+        counted(found.boundary_walks, ["walk round the boundary", "walks round the boundary"]),
         yes(found.closed, "closed", "not closed"),
         yes(found.manifold, "manifold", "not manifold"),
         match (found.oriented, found.orientable) {
@@ -69,4 +73,34 @@ fn summary(found: &Check) -> String {
         },
         found.euler
     )
+}
+
+fn numbers(found: &Check) -> Vec<(&'static str, f64)> {
+    let flag = |is: bool| f64::from(u8::from(is));
+    let mut values = vec![
+        ("vertices", f64::from(found.vertices)),
+        ("edges", f64::from(found.edges)),
+        ("faces", f64::from(found.faces)),
+        ("pieces", f64::from(found.components)),
+        ("boundary_walks", f64::from(found.boundary_walks)),
+        ("closed", flag(found.closed)),
+        ("manifold", flag(found.manifold)),
+        ("oriented", flag(found.oriented)),
+        ("orientable", flag(found.orientable)),
+        ("euler_characteristic", found.euler as f64),
+    ];
+    values.extend(found.genus.map(|genus| ("genus", f64::from(genus))));
+    let lists: [(&str, &[u32]); 9] = [
+        ("boundary_edges", &found.boundary_edges),
+        ("non_manifold_edges", &found.non_manifold_edges),
+        ("orientation_conflicts", &found.orientation_conflicts),
+        ("non_manifold_vertices", &found.non_manifold_vertices),
+        ("bow_ties", &found.bow_ties),
+        ("duplicate_faces", &found.duplicate_faces),
+        ("degenerate_faces", &found.degenerate_faces),
+        ("zero_area_faces", &found.zero_area_faces),
+        ("unused_vertices", &found.unused_vertices),
+    ];
+    values.extend(lists.map(|(name, list)| (name, list.len() as f64)));
+    values
 }

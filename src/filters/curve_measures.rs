@@ -1,5 +1,6 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::prelude::*;
+use super::report::CURVE;
 use crate::outline::CurveView;
 
 /// The largest number of curves that the report lists.
@@ -32,8 +33,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     if curves.len() > MAX_LISTED {
         push_line!(text, "and {} more", curves.len() - MAX_LISTED);
     }
-    push_line!(text, "{} curves, length {total}", curves.len());
-    Ok(vec![Output::Text(text)])
+    push_line!(text, "{}, length {}", counted(curves.len(), CURVE), short(total));
+    let values = [("curves", curves.len() as f64), ("length", total)];
+    Ok(vec![Output::Text(Report::new(text, &values))])
 }
 
 fn line(curve: &CurveView<'_>, length: f64) -> Result<String> {
@@ -42,12 +44,12 @@ fn line(curve: &CurveView<'_>, length: f64) -> Result<String> {
         return Ok(format!("{kind}, without points"));
     }
     let (area, bounds) = (curve.area_vector(), curve.bounding_box()?);
-    let show = |p: DVec3| format!("({} {} {})", p.x, p.y, p.z);
     Ok(format!(
-        "{kind}, length {length}, area {}, seen along {}, box {} to {}",
-        area.length(),
-        show(area.normalize_or_zero()),
-        show(bounds.low),
-        show(bounds.high)
+        "{kind}, length {}, area {}, seen along {}, box {} to {}",
+        short(length),
+        short(area.length()),
+        short_point(area.normalize_or_zero()),
+        short_point(bounds.low),
+        short_point(bounds.high)
     ))
 }

@@ -53,10 +53,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let Found { places, mut text, overlaps, undecided } = found;
     push_line!(
         text,
-        "{} places, {overlaps} parts in common or beside each other, {undecided} pairs of curves undecided",
-        places.closed.len()
+        "{}, {} in common or beside each other, {} undecided",
+        counted(places.closed.len(), ["place", "places"]),
+        counted(overlaps, ["part", "parts"]),
+        counted(undecided, ["pair of curves", "pairs of curves"])
     );
-    Ok(vec![Output::Curves(places), Output::Text(text)])
+    Ok(vec![Output::Curves(places), Output::Text(text.into())])
 }
 
 impl Found {

@@ -1,6 +1,6 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::prelude::*;
-use super::report::distances;
+use super::report::{POINT, distances};
 use crate::outline::Curve;
 use crate::outline::ops::nearest_of_any;
 
@@ -32,6 +32,6 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         }
         ways.add([query, nearest.point].into_iter(), false)?;
     }
-    let text = distances("points", found.iter().map(|(_, nearest)| nearest.distance));
-    Ok(vec![Output::Curves(ways), Output::Text(text)])
+    let report = distances(POINT, found.iter().map(|(_, nearest)| nearest.distance));
+    Ok(vec![Output::Curves(ways), Output::Text(report)])
 }

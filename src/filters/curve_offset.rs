@@ -44,10 +44,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let reached = if offset.reached { "" } else { ", which is more than asked for" };
         push_line!(
             text,
-            "curve {c}: {} corners, at most {:.1e} from the true offset{reached}{tight}",
-            offset.corners,
+            "curve {c}: {}, at most {:.1e} from the true offset{reached}{tight}",
+            counted(offset.corners, ["corner", "corners"]),
             offset.deviation
         );
     }
-    Ok(vec![Output::Curves(drawn), Output::Text(text)])
+    Ok(vec![Output::Curves(drawn), Output::Text(text.into())])
 }

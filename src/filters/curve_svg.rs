@@ -34,7 +34,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         text += &path;
         text.push('\n');
     }
-    Ok(vec![Output::Text(text)])
+    Ok(vec![Output::Text(text.into())])
 }
 
 /// The path of a curve whose second coordinate grows downwards.

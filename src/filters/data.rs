@@ -1,5 +1,6 @@
 //! The inputs and outputs of filters.
 
+use super::report::Report;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
@@ -84,8 +85,8 @@ pub enum Output {
     Mesh(Mesh),
     /// Polylines.
     Curves(Curves),
-    /// Lines of text for a log window.
-    Text(String),
+    /// Lines of text for a log window, and the numbers in them.
+    Text(Report),
 }
 
 impl Output {

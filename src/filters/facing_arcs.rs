@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::POINT;
 use crate::stitch::facing::{Centres, Options, Run, facing};
 
 pub(super) const FILTER: Filter = Filter {
@@ -50,11 +51,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let [name, kind] = [["first", "second"][side], if arc == found.taken[side] { "taken" } else { "left" }];
         push_line!(
             text,
-            "{kind} of the {name} loop: {} of {} points, from point {} on",
+            "{kind} of the {name} loop: {} of {}, from point {} on",
             arc.count,
-            own.len(),
+            counted(own.len(), POINT),
             arc.first
         );
     }
-    Ok(vec![Output::Curves(arcs), Output::Text(text)])
+    Ok(vec![Output::Curves(arcs), Output::Text(text.into())])
 }

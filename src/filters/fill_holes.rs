@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_LOOP, FACE};
 use crate::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 
 pub(super) const FILTER: Filter = Filter {
@@ -43,24 +44,38 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         keep_longest: values.is_set("keep_longest"),
     };
     let done = fill_holes(inputs[0].mesh()?, None, &options, job)?;
-    let text = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
+    let report = report(&done);
+    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }
 
-fn report(done: &Filled) -> String {
+fn report(done: &Filled) -> Report {
     let filled = done.holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
-    let (mut count, mut faces, mut vertices) = (0, 0, 0);
+    let (mut count, mut faces, mut vertices) = (0u32, 0, 0);
     for hole in filled {
         count += 1;
         faces += hole.faces.len();
         vertices += hole.vertices.len();
     }
-    format!(
-        "filled {count} of {} loops by {faces} faces and {vertices} new vertices\n\
-         area {}, smallest angle {:.2} degrees\n{} boundary loops are left\n",
-        done.holes.len(),
-        done.quality.area,
-        done.quality.min_angle.to_degrees(),
-        done.quality.loops_left
-    )
+    let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
+    let measures = match count {
+        0 => String::new(),
+        _ => format!("area {}, smallest angle {angle:.2} degrees\n", short(area)),
+    };
+    let text = format!(
+        "filled {count} of {} by {} and {}\n{measures}{} left\n",
+        counted(done.holes.len(), BOUNDARY_LOOP),
+        counted(faces, FACE),
+        counted(vertices, ["new vertex", "new vertices"]),
+        counted(done.quality.loops_left, BOUNDARY_LOOP)
+    );
+    let values = [
+        ("filled_loops", f64::from(count)),
+        ("boundary_loops_before", done.holes.len() as f64),
+        ("new_faces", faces as f64),
+        ("new_vertices", vertices as f64),
+        ("area", area),
+        ("smallest_angle", done.quality.min_angle),
+        ("boundary_loops", f64::from(done.quality.loops_left)),
+    ];
+    Report::new(text, &values)
 }

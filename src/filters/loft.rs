@@ -89,16 +89,19 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let kind = values.choice("through", FrameSurface::CHOICES);
     let sheet = Sheet::from_frame(&made, [ring, closed], kind, &job.part(0.4, 0.6))?;
     let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
-    let (mesh, text) = smooth::meshed(&surface, values, &job.part(0.7, 1.0))?;
-    Ok(vec![Output::Mesh(mesh), Output::Text(text + &report(&made))])
+    let (mesh, meshed) = smooth::meshed(&surface, values, &job.part(0.7, 1.0))?;
+    let text = format!("{meshed}{}", report(&made));
+    Ok(vec![Output::Mesh(mesh), Output::Text(Report::new(text, meshed.values()))])
 }
+
+const NODE: [&str; 2] = ["node", "nodes"];
 
 fn report(made: &Frame) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
     format!(
-        "{} sections of {} nodes, {turned} of them taken backwards, {} nodes ambiguous\n",
-        made.grid.rows,
-        made.grid.columns,
-        made.grid.ambiguous.len()
+        "{} of {}, {turned} of them taken backwards, {} ambiguous\n",
+        counted(made.grid.rows, ["section", "sections"]),
+        counted(made.grid.columns, NODE),
+        counted(made.grid.ambiguous.len(), NODE)
     )
 }

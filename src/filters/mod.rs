@@ -2,7 +2,7 @@
 //! stable id, with typed parameters. Plugin hosts list it, and `docs/filters.md` is made from it.
 //!
 //! * [`filter`]: the type of an entry. [`param`]: parameters and the validation of values.
-//!   [`data`]: inputs and outputs.
+//!   [`data`]: inputs and outputs. [`report`]: texts and the numbers in them.
 //! * [`FILTERS`]: the table; each entry has a file of its name.
 //!
 //! Values are numbers, one for each component of each parameter, in the order of the table; missing
@@ -40,7 +40,7 @@ mod outline;
 mod prelude;
 mod project;
 mod quads;
-mod report;
+pub mod report;
 mod smooth;
 mod smooth_curve;
 mod smooth_distance;

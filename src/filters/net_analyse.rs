@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{EDGE, FACE};
 use super::quads::CATEGORY;
 use crate::geom::aabb;
 use crate::mesh::MeshView;
@@ -36,11 +37,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     }
     let kind = if found.is_soft() { "soft" } else { "hard" };
     let mut text = format!(
-        "a {kind} deformation: {} edges made points, {} torn, {} faces folded over\n\
+        "a {kind} deformation: {} made points, {} torn, {} folded over\n\
          lengths of edges times {}, areas of faces times {}\n",
-        found.contracted.len(),
+        counted(found.contracted.len(), EDGE),
         found.torn.len(),
-        found.folded.len(),
+        counted(found.folded.len(), FACE),
         range(&found.links),
         range(&found.cells)
     );
@@ -52,13 +53,13 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         }
         text += if found.folded.len() > most { " ...\n" } else { "\n" };
     }
-    Ok(vec![Output::Curves(edges), Output::Text(text)])
+    Ok(vec![Output::Curves(edges), Output::Text(text.into())])
 }
 
 /// From the least number to the greatest.
 fn range(ratios: &[f64]) -> String {
     let [min, max] = aabb::range(ratios.iter().copied());
-    format!("{min} to {max}")
+    format!("{} to {}", short(min), short(max))
 }
 
 /// The net with the positions of the other mesh, which must have the same faces.

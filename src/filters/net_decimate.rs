@@ -33,5 +33,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         net.shape().columns(),
         made.deviation
     );
-    Ok(vec![Output::Mesh(quads::mesh(&made.net, values, &job.part(0.8, 1.0))?), Output::Text(text)])
+    Ok(vec![Output::Mesh(quads::mesh(&made.net, values, &job.part(0.8, 1.0))?), Output::Text(text.into())])
 }

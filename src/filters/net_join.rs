@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{COLUMN, ROW};
 use super::quads::{self, CATEGORY, TRIANGLES};
 use crate::net::{BridgeMode, Direction, JoinOptions, Net, Replication, concatenate_all};
 
@@ -57,6 +58,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let all = alloc::collect(nets.iter())?;
     let joined = concatenate_all(&all, &options, &job.part(0.5, 0.7))?;
     let shape = joined.shape();
-    let text = format!("{} grids joined to {} rows and {} columns\n", nets.len(), shape.rows(), shape.columns());
-    Ok(vec![Output::Mesh(quads::mesh(&joined, values, &job.part(0.7, 1.0))?), Output::Text(text)])
+    let text = format!(
+        "{} joined to {} and {}\n",
+        counted(nets.len(), ["grid", "grids"]),
+        counted(shape.rows(), ROW),
+        counted(shape.columns(), COLUMN)
+    );
+    Ok(vec![Output::Mesh(quads::mesh(&joined, values, &job.part(0.7, 1.0))?), Output::Text(text.into())])
 }

@@ -1,5 +1,6 @@
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
+use super::report::{QUAD, ROW};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::primitive::{Primitive, Request};
 use crate::net::transform::{Affine, transform};
@@ -79,8 +80,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let (u, v) = axis.any_orthonormal_pair();
     let rows = [0, 1, 2].map(|k| [u[k], v[k], axis[k], origin[k]]);
     transform(&mut net, &Affine::new(rows)?, &job.part(0.5, 0.6))?;
-    let text = format!("{} rows of {} quads\n", net.shape().rows() - 1, net.shape().columns() - 1);
-    Ok(vec![Output::Mesh(quads::mesh(&net, values, &job.part(0.6, 1.0))?), Output::Text(text)])
+    let text = format!("{} of {}\n", counted(net.shape().rows() - 1, ROW), counted(net.shape().columns() - 1, QUAD));
+    Ok(vec![Output::Mesh(quads::mesh(&net, values, &job.part(0.6, 1.0))?), Output::Text(text.into())])
 }
 
 /// The joints of segments, and both ends of an open curve.

@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW};
 use super::quads::{self, CATEGORY};
 use crate::net::complex::Complex;
 use crate::net::measure::{measure, moments, planarity};
@@ -20,27 +21,35 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let measures = measure(&net, &job.part(0.4, 0.5))?;
     let plane = planarity(&net, values.number("planarity"), &job.part(0.5, 0.6))?;
     let complex = Complex::of_topology(net.topology(), &job.part(0.6, 0.8))?;
-    let show = |p: DVec3| format!("({} {} {})", p.x, p.y, p.z);
     let sided = if complex.orientable { "two-sided" } else { "one-sided" };
     let mut text = format!(
-        "{} rows, {} columns of vertices\n{sided}, Euler characteristic {}, {} boundary loops\narea {}, box {} to {}\n\
-         {} quads off their planes by more than the limit, mean {:.3e}, most {:.3e} (face {})\n",
-        net.shape().rows(),
-        net.shape().columns(),
+        "{}, {} of vertices\n{sided}, Euler characteristic {}, {}\narea {}, box {} to {}\n\
+         {} off the plane by more than the limit, mean {:.3e}, most {:.3e} (face {})\n",
+        counted(net.shape().rows(), ROW),
+        counted(net.shape().columns(), COLUMN),
         complex.euler_characteristic(),
-        complex.boundary.len(),
-        measures.area,
-        show(measures.low),
-        show(measures.high),
-        plane.above,
+        counted(complex.boundary.len(), BOUNDARY_LOOP),
+        short(measures.area),
+        short_point(measures.low),
+        short_point(measures.high),
+        counted(plane.above, QUAD),
         plane.mean,
         plane.worst.map_or(0.0, |worst| worst.0),
         plane.worst.map_or(0, |worst| worst.1)
     );
+    let mut values = vec![
+        ("rows", net.shape().rows() as f64),
+        ("columns", net.shape().columns() as f64),
+        ("euler_characteristic", complex.euler_characteristic() as f64),
+        ("boundary_loops", complex.boundary.len() as f64),
+        ("area", measures.area),
+    ];
     if complex.is_closed() && complex.orientable {
         let body = moments(&net, &job.part(0.8, 1.0))?;
-        let [x, y, z] = [0, 1, 2].map(|k| show(body.inertia.col(k)));
-        text += &format!("volume {}, centre {}\ninertia {x} {y} {z}\n", body.volume, show(body.centroid));
+        let [x, y, z] = [0, 1, 2].map(|k| short_point(body.inertia.col(k)));
+        let (volume, centre) = (short(body.volume), short_point(body.centroid));
+        text += &format!("volume {volume}, centre {centre}\ninertia {x} {y} {z}\n");
+        values.push(("volume", body.volume));
     }
-    Ok(vec![Output::Text(text)])
+    Ok(vec![Output::Text(Report::new(text, &values))])
 }

@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{COLUMN, ROW};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::resample::{Interpolation, resample};
 
@@ -42,6 +43,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let interpolation = values.choice("interpolation", Interpolation::CHOICES);
     let made = resample(&net, rows, columns, interpolation, &job.part(0.4, 0.7))?;
     let shape = net.shape();
-    let text = format!("{} rows and {} columns made {rows} and {columns}\n", shape.rows(), shape.columns());
-    Ok(vec![Output::Mesh(quads::mesh(&made, values, &job.part(0.7, 1.0))?), Output::Text(text)])
+    let text = format!(
+        "{} and {} made {rows} and {columns}\n",
+        counted(shape.rows(), ROW),
+        counted(shape.columns(), COLUMN)
+    );
+    Ok(vec![Output::Mesh(quads::mesh(&made, values, &job.part(0.7, 1.0))?), Output::Text(text.into())])
 }

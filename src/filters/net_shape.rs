@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_LOOP, EDGE, QUAD, TRIANGLE, VERTEX};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::complex::Complex;
@@ -85,13 +86,21 @@ fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output
     let complex = Complex::of_topology(net.topology(), &job.part(0.5, 0.7))?;
     let mesh = quads::mesh(&net, values, &job.part(0.7, 1.0))?;
     let text = format!(
-        "{} vertices, {} edges, {} quads, {} triangles\nEuler characteristic {}, {} boundary loops\n",
-        complex.vertices,
-        complex.edges,
-        complex.quads,
-        complex.triangles,
+        "{}, {}, {}, {}\nEuler characteristic {}, {}\n",
+        counted(complex.vertices, VERTEX),
+        counted(complex.edges, EDGE),
+        counted(complex.quads, QUAD),
+        counted(complex.triangles, TRIANGLE),
         complex.euler_characteristic(),
-        complex.boundary.len()
+        counted(complex.boundary.len(), BOUNDARY_LOOP)
     );
-    Ok(vec![Output::Mesh(mesh), Output::Text(text)])
+    let values = [
+        ("vertices", complex.vertices as f64),
+        ("edges", complex.edges as f64),
+        ("quads", complex.quads as f64),
+        ("triangles", complex.triangles as f64),
+        ("euler_characteristic", complex.euler_characteristic() as f64),
+        ("boundary_loops", complex.boundary.len() as f64),
+    ];
+    Ok(vec![Output::Mesh(mesh), Output::Text(Report::new(text, &values))])
 }

@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{FACE, PIECE};
 use crate::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.
@@ -20,18 +21,27 @@ pub(super) const FILTER: Filter = Filter {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let outward = values.choice("outward", Outward::CHOICES);
     let done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
-    let text = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
+    let report = report(&done);
+    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }
 
-fn report(done: &Oriented) -> String {
-    let mut text =
-        format!("{} of {} faces turned over, {} pieces\n", done.turned_faces, done.turned.len(), done.components);
+fn report(done: &Oriented) -> Report {
+    let mut text = format!(
+        "{} of {} turned over, {}\n",
+        done.turned_faces,
+        counted(done.turned.len(), FACE),
+        counted(done.components, PIECE)
+    );
     for found in done.one_sided.iter().take(MAX_LISTED) {
         push_line!(text, "the piece of face {} has one side only (half-edge {})", found.face, found.half_edge);
     }
     if done.one_sided.len() > MAX_LISTED {
         push_line!(text, "and {} more", done.one_sided.len() - MAX_LISTED);
     }
-    text
+    let values = [
+        ("turned_faces", f64::from(done.turned_faces)),
+        ("pieces", f64::from(done.components)),
+        ("one_sided_pieces", done.one_sided.len() as f64),
+    ];
+    Report::new(text, &values)
 }

@@ -1,5 +1,6 @@
 use super::curve::{CATEGORY, REFERENCE, sampled};
 use super::prelude::*;
+use super::report::POINT;
 use crate::outline::ops::Spacing;
 use crate::outline::{
     Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
@@ -52,7 +53,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         drawn.add(points.into_iter(), closed)?;
         push_line!(text, "curve {c}: {}", report(&done));
     }
-    Ok(vec![Output::Curves(drawn), Output::Text(text)])
+    Ok(vec![Output::Curves(drawn), Output::Text(text.into())])
 }
 
 fn report(done: &Fit) -> String {
@@ -68,10 +69,11 @@ fn report(done: &Fit) -> String {
     };
     let missed = done.statuses().iter().filter(|&&status| status == PointStatus::Missed).count();
     format!(
-        "{} points, {} segments, {what}; {} points with a status of their own, {missed} missed; largest miss {:.1e} of the size",
-        done.statuses().len(),
-        done.curve(0).len(),
-        account.not_ok,
+        "{}, {}, {what}; {} with a status of {} own, {missed} missed; largest miss {:.1e} of the size",
+        counted(done.statuses().len(), POINT),
+        counted(done.curve(0).len(), ["segment", "segments"]),
+        counted(account.not_ok, POINT),
+        if account.not_ok == 1 { "its" } else { "their" },
         account.max_residual
     )
 }

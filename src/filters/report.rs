@@ -1,4 +1,93 @@
-//! Lines of the reports that filters give as text.
+//! Reports of filters: lines for people, and the numbers in them under names for programs. A line has
+//! six significant digits of a measure; the number under its name has all of them.
+
+use glam::DVec3;
+use std::fmt::{self, Display};
+use std::ops::Deref;
+
+/// A report; it is read as its text.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Report {
+    text: String,
+    values: Vec<(&'static str, f64)>,
+}
+
+impl Report {
+    /// Lines and the numbers in them. Names are lower case, words joined by underscores.
+    pub(super) fn new(text: String, values: &[(&'static str, f64)]) -> Self {
+        Report { text, values: values.to_vec() }
+    }
+
+    /// The numbers under their names, in the order of the lines.
+    pub fn values(&self) -> &[(&'static str, f64)] {
+        &self.values
+    }
+}
+
+impl From<String> for Report {
+    fn from(text: String) -> Self {
+        Report { text, values: Vec::new() }
+    }
+}
+
+impl Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl Deref for Report {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.text
+    }
+}
+
+/// A noun for one and for any other number.
+pub(super) type Noun = [&'static str; 2];
+
+pub(super) const VERTEX: Noun = ["vertex", "vertices"];
+pub(super) const EDGE: Noun = ["edge", "edges"];
+pub(super) const FACE: Noun = ["face", "faces"];
+pub(super) const TRIANGLE: Noun = ["triangle", "triangles"];
+pub(super) const QUAD: Noun = ["quad", "quads"];
+pub(super) const PIECE: Noun = ["piece", "pieces"];
+pub(super) const BOUNDARY_EDGE: Noun = ["boundary edge", "boundary edges"];
+pub(super) const BOUNDARY_LOOP: Noun = ["boundary loop", "boundary loops"];
+pub(super) const POINT: Noun = ["point", "points"];
+pub(super) const CURVE: Noun = ["curve", "curves"];
+pub(super) const HIT: Noun = ["hit", "hits"];
+pub(super) const ROW: Noun = ["row", "rows"];
+pub(super) const COLUMN: Noun = ["column", "columns"];
+
+/// A number of things: "1 face", "2 faces".
+pub(super) fn counted<N: Display + PartialEq + From<u8> + Copy>(count: N, [one, many]: Noun) -> String {
+    let noun = if count == N::from(1) { one } else { many };
+    format!("{count} {noun}")
+}
+
+/// Six significant digits, without zeros behind them.
+pub(super) fn short(value: f64) -> String {
+    const DIGITS: i32 = 6;
+    let trimmed = |digits: &str| match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => digits.to_owned(),
+    };
+    // No sign before 0.
+    let value = value + 0.0;
+    let scientific = format!("{value:.*e}", DIGITS as usize - 1);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    match exponent.parse::<i32>() {
+        Ok(power @ -5..DIGITS) => trimmed(&format!("{value:.*}", (DIGITS - 1 - power) as usize)),
+        _ => format!("{}e{exponent}", trimmed(mantissa)),
+    }
+}
+
+/// The coordinates of a point.
+pub(super) fn short_point(p: DVec3) -> String {
+    format!("({} {} {})", short(p.x), short(p.y), short(p.z))
+}
 
 /// Appends a formatted line to a text.
 macro_rules! push_line {
@@ -11,7 +100,7 @@ macro_rules! push_line {
 pub(super) use push_line;
 
 /// A line on distances: their number, the largest, the mean and the root mean square.
-pub(super) fn distances(of_what: &str, distances: impl Iterator<Item = f64>) -> String {
+pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
     let (mut count, mut largest, mut sum) = (0u64, 0.0f64, 0.0);
     // Squares relative to the largest so far, which neither overflow nor vanish.
     let mut squares = 0.0;
@@ -27,9 +116,19 @@ pub(super) fn distances(of_what: &str, distances: impl Iterator<Item = f64>) -> 
         }
     }
     let number = count.max(1) as f64;
-    let root = largest * (squares / number).sqrt();
-    format!(
-        "{count} {of_what}: largest distance {largest:.6e}, mean {:.6e}, root mean square {root:.6e}\n",
-        sum / number
-    )
+    let (mean, root) = (sum / number, largest * (squares / number).sqrt());
+    let text = format!(
+        "{}: largest distance {}, mean {}, root mean square {}\n",
+        counted(count, of_what),
+        short(largest),
+        short(mean),
+        short(root)
+    );
+    let values = [
+        ("count", count as f64),
+        ("largest_distance", largest),
+        ("mean_distance", mean),
+        ("root_mean_square_distance", root),
+    ];
+    Report::new(text, &values)
 }

@@ -1,6 +1,7 @@
 //! Common parts of filters of smooth surfaces: the surface through the vertices of a quad grid.
 
 use super::prelude::*;
+use super::report::{CURVE, FACE, POINT, VERTEX};
 use crate::error::Element;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
@@ -53,8 +54,8 @@ pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> PointSpacing 
     PointSpacing::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
 }
 
-/// The surface of one sheet as a mesh, and a line of the report.
-pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, String)> {
+/// The surface of one sheet as a mesh, and a report of one line.
+pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, Report)> {
     let [low, high] = surface.bounds();
     let options = SurfaceMeshOptions {
         tolerance: (values.number("deviation") * low.distance(high)).max(f64::MIN_POSITIVE),
@@ -63,8 +64,14 @@ pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) 
     };
     let made = surface.sheet(0).to_mesh(&options, job)?;
     let (vertices, faces) = (made.places.len(), made.mesh.face_count());
-    let text = format!("{vertices} vertices, {faces} faces, at most {:.1e} from the surface\n", made.deviation);
-    Ok((made.mesh, text))
+    let text = format!(
+        "{}, {}, at most {:.1e} from the surface\n",
+        counted(vertices, VERTEX),
+        counted(faces, FACE),
+        made.deviation
+    );
+    let values = [("vertices", vertices as f64), ("faces", faces as f64), ("deviation", made.deviation)];
+    Ok((made.mesh, Report::new(text, &values)))
 }
 
 /// The nearest points of all queries, which are elements of that kind.
@@ -99,9 +106,9 @@ pub(super) fn polylines(paths: &Paths) -> Result<Curves> {
 pub(super) fn summary(paths: &Paths) -> String {
     let closed = paths.closed.iter().filter(|&&closed| closed).count();
     format!(
-        "{} curves, {closed} of them closed, {} points; {} cells unresolved\n",
-        paths.len(),
-        paths.points.len(),
-        paths.unresolved.len()
+        "{}, {closed} of them closed, {}; {} unresolved\n",
+        counted(paths.len(), CURVE),
+        counted(paths.points.len(), POINT),
+        counted(paths.unresolved.len(), ["cell", "cells"])
     )
 }

@@ -1,5 +1,6 @@
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
+use super::report::HIT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::surface::line_intersection::HitSelection;
 
@@ -31,12 +32,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         for hit in hits {
             points.add([hit.point].into_iter(), false)?;
             if points.closed.len() <= MAX_LISTED {
-                let [x, y, z] = hit.point.to_array();
                 let touches = if hit.tangent { ", touches" } else { "" };
-                push_line!(text, "curve {c} at {} + {}: ({x} {y} {z}){touches}", hit.at.segment, hit.at.t);
+                let (t, point) = (short(hit.at.t), short_point(hit.point));
+                push_line!(text, "curve {c} at {} + {t}: {point}{touches}", hit.at.segment);
             }
         }
     }
-    push_line!(text, "{} hits", points.closed.len());
-    Ok(vec![Output::Curves(points), Output::Text(text)])
+    push_line!(text, "{}", counted(points.closed.len(), HIT));
+    Ok(vec![Output::Curves(points), Output::Text(text.into())])
 }

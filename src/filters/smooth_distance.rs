@@ -1,6 +1,6 @@
 use super::data::with_positions;
 use super::prelude::*;
-use super::report::distances;
+use super::report::{VERTEX, distances};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Element;
 use crate::mesh::PositionBuffer;
@@ -30,6 +30,6 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let strength = values.number("strength");
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(from.iter().zip(&nearest).map(|(from, to)| from.lerp(to.point, strength)))?;
-    let text = distances("vertices", from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
-    Ok(vec![Output::Mesh(with_positions(mesh, moved)?), Output::Text(text)])
+    let report = distances(VERTEX, from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
+    Ok(vec![Output::Mesh(with_positions(mesh, moved)?), Output::Text(report)])
 }

@@ -20,5 +20,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let chord = values.number(CHORD_ERROR.id) * size(a.bounds()).min(size(b.bounds()));
     let options = Options { chord: Some(chord.max(f64::MIN_POSITIVE)), ..Options::default() };
     let paths = a.meet(&b, &options, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths))])
+    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths).into())])
 }

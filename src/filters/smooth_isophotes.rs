@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::CURVE;
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -39,7 +40,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut counts = alloc::filled(0, number)?;
     paths.levels.iter().for_each(|&level| counts[level as usize] += 1);
     for (angle, count) in angles.iter().zip(counts) {
-        push_line!(text, "{:.4} degrees: {count} curves", angle.to_degrees());
+        push_line!(text, "{:.4} degrees: {}", angle.to_degrees(), counted(count, CURVE));
     }
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(text)])
+    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(text.into())])
 }

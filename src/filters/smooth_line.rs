@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::HIT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::surface::line_intersection::{HitSelection, Line};
 
@@ -43,12 +44,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         _ => (Line::ray(point, direction), HitSelection::First),
     };
     let hits = surface.line(&line, which)?;
-    let (mut points, mut text) = (Curves::none(), format!("{} hits\n", hits.len()));
+    let (mut points, mut text) = (Curves::none(), format!("{}\n", counted(hits.len(), HIT)));
     for hit in &hits {
         points.add([hit.point].into_iter(), false)?;
-        let ([x, y, z], [a, b, c]) = (hit.point.to_array(), hit.normal.to_array());
         let touches = if hit.tangent { ", touches" } else { "" };
-        push_line!(text, "at {}: ({x} {y} {z}), normal ({a} {b} {c}){touches}", hit.t);
+        let (point, normal) = (short_point(hit.point), short_point(hit.normal));
+        push_line!(text, "at {}: {point}, normal {normal}{touches}", short(hit.t));
     }
-    Ok(vec![Output::Curves(points), Output::Text(text)])
+    Ok(vec![Output::Curves(points), Output::Text(text.into())])
 }

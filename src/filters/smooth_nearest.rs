@@ -1,5 +1,5 @@
 use super::prelude::*;
-use super::report::distances;
+use super::report::{POINT, distances};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Element;
 
@@ -25,6 +25,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         ways.add([query, nearest.point].into_iter(), false)?;
     }
     let unproven = nearest.iter().filter(|nearest| !nearest.proven).count();
-    let text = distances("points", nearest.iter().map(|nearest| nearest.distance));
-    Ok(vec![Output::Curves(ways), Output::Text(text + &format!("{unproven} without proof\n"))])
+    let found = distances(POINT, nearest.iter().map(|nearest| nearest.distance));
+    let text = format!("{found}{unproven} without proof\n");
+    let values = [found.values(), &[("unproven", unproven as f64)]].concat();
+    Ok(vec![Output::Curves(ways), Output::Text(Report::new(text, &values))])
 }

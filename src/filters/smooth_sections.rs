@@ -42,7 +42,7 @@ fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
     let paths = cut(&surface, values, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths))])
+    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths).into())])
 }
 
 fn cut(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Paths> {

@@ -24,5 +24,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let (direction, angles) = (values.vector("direction"), [values.number("angle")]);
     let between = smooth::chord(&surface, values);
     let paths = surface.isophotes(direction, &angles, false, between, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths))])
+    Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths).into())])
 }

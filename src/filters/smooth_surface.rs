@@ -14,6 +14,6 @@ pub(super) const FILTER: Filter = Filter {
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
-    let (mesh, text) = smooth::meshed(&surface, values, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Mesh(mesh), Output::Text(text)])
+    let (mesh, report) = smooth::meshed(&surface, values, &job.part(0.4, 1.0))?;
+    Ok(vec![Output::Mesh(mesh), Output::Text(report)])
 }

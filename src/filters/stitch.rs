@@ -1,5 +1,6 @@
 use super::facing_arcs::RUN_HELP;
 use super::prelude::*;
+use super::report::{BOUNDARY_LOOP, FACE};
 use crate::boundary::{self, boundary_loops};
 use crate::mesh::MeshView;
 use crate::stitch::facing::Run;
@@ -88,8 +89,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         ..Options::default()
     };
     let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
-    let text = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
+    let report = report(&done);
+    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }
 
 /// The vertices of the loop that parameter `id` numbers; `None` for -1.
@@ -103,25 +104,43 @@ fn numbered(mesh: &MeshView<'_>, values: &Values<'_>, id: &'static str, job: &Jo
     Ok(Some(alloc::copied(found.vertices)?))
 }
 
-fn report(done: &Stitch) -> String {
+fn report(done: &Stitch) -> Report {
     let Quality { min_angle, max_aspect, max_edge, area, loops_left, .. } = done.quality;
     let turned = if done.turned { "the second piece was turned over\n" } else { "" };
     let parts = if done.closed { "loops" } else { "arcs" };
     let left = match loops_left {
         0 => "the result is closed".to_owned(),
-        n => format!("{n} boundary loops are left"),
+        n => format!("{} left", counted(n, BOUNDARY_LOOP)),
     };
     let cuts = match &done.intersections {
         None => String::new(),
-        Some(pairs) => format!("{} pairs of faces cut each other\n", pairs.len()),
+        Some(pairs) if pairs.is_empty() => "no faces cut each other\n".to_owned(),
+        Some(pairs) => format!("{} cut each other\n", counted(pairs.len(), ["pair of faces", "pairs of faces"])),
     };
-    format!(
-        "joined {parts} of {} and {} vertices by {} faces, {} interior rows\n{turned}\
-         area {area}, longest edge {max_edge}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{cuts}{left}\n",
-        done.rims[0].len(),
-        done.rims[1].len(),
-        done.strip_faces.len(),
-        done.rows,
+    let [a, b] = done.rims.each_ref().map(Vec::len);
+    let text = format!(
+        "joined {parts} of {a} and {b} vertices by {}, {}\n{turned}\
+         area {}, longest edge {}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{cuts}{left}\n",
+        counted(done.strip_faces.len(), FACE),
+        counted(done.rows, ["interior row", "interior rows"]),
+        short(area),
+        short(max_edge),
         min_angle.to_degrees()
-    )
+    );
+    let mut values = vec![
+        ("rim_vertices_a", a as f64),
+        ("rim_vertices_b", b as f64),
+        ("strip_faces", done.strip_faces.len() as f64),
+        ("rows", f64::from(done.rows)),
+        ("turned", f64::from(u8::from(done.turned))),
+        ("area", area),
+        ("longest_edge", max_edge),
+        ("smallest_angle", min_angle),
+        ("largest_aspect_ratio", max_aspect),
+        ("boundary_loops", f64::from(loops_left)),
+    ];
+    if let Some(pairs) = &done.intersections {
+        values.push(("intersections", pairs.len() as f64));
+    }
+    Report::new(text, &values)
 }

@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::TRIANGLE;
 use crate::mesh::{Mesh, PositionBuffer, Scalar};
 use crate::stitch::{Meridians, RuledOptions, Start, ruled};
 
@@ -55,6 +56,6 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         face_corners: alloc::copied(made.triangles.as_flattened())?,
     };
     let text =
-        format!("{count} triangles, the first meridian from point {} to point {}\n", made.start[0], made.start[1]);
-    Ok(vec![Output::Mesh(mesh), Output::Text(text)])
+        format!("{}, the first meridian from point {} to point {}\n", counted(count, TRIANGLE), made.start[0], made.start[1]);
+    Ok(vec![Output::Mesh(mesh), Output::Text(text.into())])
 }

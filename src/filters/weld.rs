@@ -1,4 +1,5 @@
 use super::prelude::*;
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, VERTEX};
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 
 pub(super) const FILTER: Filter = Filter {
@@ -41,17 +42,29 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         remove_unused: values.choice("unused", UNUSED),
     };
     let done = weld(inputs[0].mesh()?, &options, job)?;
-    let text = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
+    let report = report(&done);
+    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }
 
-fn report(done: &Weld) -> String {
-    format!(
-        "{} vertices welded, {} edges sewn, {} faces dropped\n{} free edges and {} vertices that lie on others are left\n",
-        done.welded_vertices,
-        done.sewn_edges,
-        done.dropped_faces,
-        done.left_edges.len(),
-        done.left_vertices.len()
-    )
+fn report(done: &Weld) -> Report {
+    let [edges, vertices] = [done.left_edges.len(), done.left_vertices.len()];
+    // Edges that lie on no other are boundary edges of the result as well, which `check` counts.
+    let left = match (edges, vertices) {
+        (0, 0) => "no coincident borders are left apart".to_owned(),
+        _ => format!("left apart: {} and {} that lie on others", counted(edges, BOUNDARY_EDGE), counted(vertices, VERTEX)),
+    };
+    let text = format!(
+        "{} welded, {} sewn, {} dropped\n{left}\n",
+        counted(done.welded_vertices, VERTEX),
+        counted(done.sewn_edges, EDGE),
+        counted(done.dropped_faces, FACE)
+    );
+    let values = [
+        ("welded_vertices", f64::from(done.welded_vertices)),
+        ("sewn_edges", f64::from(done.sewn_edges)),
+        ("dropped_faces", f64::from(done.dropped_faces)),
+        ("coincident_boundary_edges", edges as f64),
+        ("coincident_vertices", vertices as f64),
+    ];
+    Report::new(text, &values)
 }

@@ -73,6 +73,13 @@ pub fn text(output: &Output) -> &str {
     text
 }
 
+/// The number of this name in a report.
+pub fn value(output: &Output, name: &str) -> f64 {
+    let Output::Text(report) = output else { panic!("no text: {output:?}") };
+    let found = report.values().iter().find(|(known, _)| *known == name);
+    found.unwrap_or_else(|| panic!("{name} is not in: {report:?}")).1
+}
+
 /// The number behind a word of a report.
 pub fn number(text: &str, behind: &str) -> f64 {
     let (_, rest) = text.split_once(behind).unwrap_or_else(|| panic!("{behind} is not in: {text}"));

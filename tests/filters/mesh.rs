@@ -1,7 +1,7 @@
 //! Filters that read and mend meshes, held against what the meshes are known to be.
 
 use crate::common::{self, Soup, cap, sheet};
-use crate::editor::{circle, curve, lines, mesh, pieces, polylines, run_on, run_on_curves, text, values};
+use crate::editor::{circle, curve, lines, mesh, pieces, polylines, run_on, run_on_curves, text, value, values};
 use gusset::filters::Filter;
 use gusset::filters::data::{Input, Output};
 use gusset::{Error, Job};
@@ -24,7 +24,7 @@ fn boundary_loops_gives_the_rim() {
     let [Output::Curves(curves), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
     assert_eq!((curves.offsets.as_slice(), curves.closed.as_slice()), (&[0, 12][..], &[true][..]));
     assert!(curves.points.iter().all(|p| (p[2] - 0.2).abs() < 1e-12));
-    assert!(text.starts_with("1 boundary loops, 12 edges\n"), "{text}");
+    assert!(text.starts_with("1 boundary loop, 12 edges\n"), "{text}");
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn fill_holes_closes_what_it_may() {
     {
         let outputs = filter.run(&[Input::Mesh(both.view())], values, &Job::default()).unwrap();
         let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
-        assert!(text.starts_with(&format!("filled {filled} of 2 loops")), "{values:?}: {text}");
+        assert!(text.starts_with(&format!("filled {filled} of 2 boundary loops")), "{values:?}: {text}");
         let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
         let open = common::edge_counts(faces).values().filter(|&&n| n != (1, 1)).count();
         assert_eq!(open == 0, filled == 2, "{values:?}");
@@ -69,9 +69,9 @@ fn check_names_what_is_wrong() {
     let mut soup = sheet(3, 2);
     let clean = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
     let clean = text(&clean[0]);
-    assert!(clean.starts_with("12 vertices, 17 edges, 6 faces, 1 pieces, 1 boundary walks\n"), "{clean}");
+    assert!(clean.starts_with("12 vertices, 17 edges, 6 faces, 1 piece, 1 walk round the boundary\n"), "{clean}");
     assert!(clean.contains("not closed, manifold, oriented\nEuler characteristic 1, genus 0\n"), "{clean}");
-    assert!(clean.contains("10 edges of one face:") && clean.contains(" 0-1"), "{clean}");
+    assert!(clean.contains("10 boundary edges:") && clean.contains(" 0-1"), "{clean}");
     assert_eq!(clean.lines().count(), 4, "{clean}");
     soup.points.extend([[1.0, 1.0, 1.0], [9.0; 3], [3.0, 0.0, 0.0]]);
     soup.face(&[5, 6, 12]);
@@ -79,7 +79,7 @@ fn check_names_what_is_wrong() {
     soup.face(&[2, 3, 14]);
     let faulty = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
     let faulty = text(&faulty[0]);
-    for line in ["duplicate faces: 7\n", "faces without area: 8\n", "unused vertices: 13\n", "not manifold"] {
+    for line in ["1 duplicate face: 7\n", "1 face without area: 8\n", "1 unused vertex: 13\n", "not manifold"] {
         assert!(faulty.contains(line), "{line}: {faulty}");
     }
     let threes = faulty.lines().find(|line| line.contains("three or more")).unwrap();
@@ -92,6 +92,36 @@ fn check_names_what_is_wrong() {
         &[&[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 3, 0, 5]],
     );
     assert!(text(&run_on("check", &[strip], &[]).unwrap()[0]).contains("one-sided"));
+}
+
+#[test]
+fn welding_and_checking_agree_in_their_words_and_numbers() {
+    // Two quads beside each other, with vertices of their own; and one that lies on the border of both.
+    let mut soup = Soup::new(
+        vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+        &[&[0, 1, 2, 3]],
+    );
+    soup.points.extend([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [1.0, 1.0, 0.0]]);
+    soup.face(&[4, 5, 6, 7]);
+    let apart = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
+    assert_eq!((value(&apart[0], "boundary_edges"), value(&apart[0], "pieces")), (8.0, 2.0));
+    let welded = run_on("weld", std::slice::from_ref(&soup), &[]).unwrap();
+    assert_eq!(
+        text(&welded[1]),
+        "2 vertices welded, 1 edge sewn, 0 faces dropped\nno coincident borders are left apart\n"
+    );
+    assert_eq!(value(&welded[1], "coincident_boundary_edges"), 0.0);
+    let Output::Mesh(mesh) = &welded[0] else { panic!("{welded:?}") };
+    let after = Filter::find("check").unwrap().run(&[Input::Mesh(mesh.view(&Job::default()).unwrap())], &[], &Job::default()).unwrap();
+    assert!(text(&after[0]).starts_with("8 vertices, 7 edges, 2 faces, 1 piece, 1 walk round the boundary\n"));
+    assert!(text(&after[0]).contains("\n6 boundary edges: "), "{}", text(&after[0]));
+    // A third sheet on the same border: two of the three edges can be one, the third is left on them.
+    soup.points.extend([[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.5, 1.0]]);
+    soup.face(&[8, 9, 10]);
+    let left = run_on("weld", &[soup], &[]).unwrap();
+    let count = value(&left[1], "coincident_boundary_edges");
+    assert!(count > 0.0 && text(&left[1]).contains("left apart: "), "{}", text(&left[1]));
+    assert!(text(&left[1]).contains("that lie on others"), "{}", text(&left[1]));
 }
 
 #[test]

@@ -337,9 +337,24 @@ pub struct gusset_plugin {
     pub output_failure: unsafe extern "C" fn(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32,
     /// Frees the outputs of a run; NULL is allowed.
     pub output_free: unsafe extern "C" fn(outputs: *mut gusset_outputs),
-    /// Something beyond this header, by name and version ("name/1"), or NULL. There is none in this
-    /// version.
+    /// Something beyond these tables, by name and version, or NULL: "values/1" is a
+    /// gusset_plugin_values.
     pub extension: unsafe extern "C" fn(name: *const c_char) -> *const c_void,
+}
+
+/// The numbers in a text under names, for programs: extension("values/1"). The struct is static; the
+/// functions may be called from many threads at once.
+#[repr(C)]
+pub struct gusset_plugin_values {
+    /// sizeof(gusset_plugin_values) of the plugin.
+    pub struct_size: usize,
+    /// How many numbers output index has; 0 if it is no text or has none.
+    pub count: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32) -> u32,
+    /// The name of number which: lower case, words joined by underscores, the same in all versions;
+    /// lives as long as the outputs. NULL if there is none.
+    pub name: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> *const c_char,
+    /// Number which; NaN if there is none. Flags are 0 or 1, angles in radians.
+    pub value: unsafe extern "C" fn(outputs: *const gusset_outputs, index: u32, which: u32) -> f64,
 }
 
 /// The type of gusset_plugin_entry, for dlsym.

@@ -17,7 +17,7 @@ pub struct gusset_outputs {
 pub(super) enum Held {
     Mesh(Mesh),
     Curves(Curves),
-    Text(CString),
+    Text(CString, Vec<(CString, f64)>),
 }
 
 impl gusset_outputs {
@@ -46,7 +46,11 @@ impl From<Output> for Held {
                 }
                 Held::Curves(curves)
             }
-            Output::Text(text) => Held::Text(CString::new(text).unwrap_or_default()),
+            Output::Text(report) => {
+                let named = |&(name, value): &(&str, f64)| (CString::new(name).unwrap_or_default(), value);
+                let values = report.values().iter().map(named).collect();
+                Held::Text(CString::new(report.as_bytes()).unwrap_or_default(), values)
+            }
         }
     }
 }

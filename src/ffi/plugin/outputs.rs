@@ -10,6 +10,7 @@ use crate::ffi::input::{self, lent};
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use libc::c_char;
+use std::ffi::CString;
 use std::ptr;
 
 impl gusset_outputs {
@@ -32,7 +33,7 @@ pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32)
     held(outputs, index).map_or(0, |held| match held {
         Held::Mesh(_) => GUSSET_KIND_MESH,
         Held::Curves(_) => GUSSET_KIND_CURVES,
-        Held::Text(_) => GUSSET_KIND_TEXT,
+        Held::Text(..) => GUSSET_KIND_TEXT,
     })
 }
 
@@ -71,9 +72,29 @@ pub(super) unsafe extern "C" fn curves(
 
 pub(super) unsafe extern "C" fn text(outputs: *const gusset_outputs, index: u32) -> *const c_char {
     match held(outputs, index) {
-        Ok(Held::Text(text)) => text.as_ptr(),
+        Ok(Held::Text(text, _)) => text.as_ptr(),
         _ => ptr::null(),
     }
+}
+
+/// The numbers of output `index`; none if it is no text.
+fn values<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
+    match held(outputs, index) {
+        Ok(Held::Text(_, values)) => values,
+        _ => &[],
+    }
+}
+
+pub(super) unsafe extern "C" fn value_count(outputs: *const gusset_outputs, index: u32) -> u32 {
+    values(outputs, index).len() as u32
+}
+
+pub(super) unsafe extern "C" fn value_name(outputs: *const gusset_outputs, index: u32, which: u32) -> *const c_char {
+    values(outputs, index).get(which as usize).map_or(ptr::null(), |(name, _)| name.as_ptr())
+}
+
+pub(super) unsafe extern "C" fn value(outputs: *const gusset_outputs, index: u32, which: u32) -> f64 {
+    values(outputs, index).get(which as usize).map_or(f64::NAN, |&(_, value)| value)
 }
 
 pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32 {

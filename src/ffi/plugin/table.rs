@@ -164,8 +164,22 @@ unsafe extern "C" fn param_at(of: *const gusset_filter, index: u32) -> *const gu
     entry(of).and_then(|(entry, _)| entry.params.get(index as usize)).map_or(ptr::null(), ptr::from_ref)
 }
 
-unsafe extern "C" fn extension(_: *const c_char) -> *const c_void {
-    ptr::null()
+static VALUES: gusset_plugin_values = gusset_plugin_values {
+    struct_size: size_of::<gusset_plugin_values>(),
+    count: outputs::value_count,
+    name: outputs::value_name,
+    value: outputs::value,
+};
+
+unsafe extern "C" fn extension(name: *const c_char) -> *const c_void {
+    if name.is_null() {
+        return ptr::null();
+    }
+    // SAFETY: not NULL; that it points to a text with a closing NUL is the host's promise.
+    match unsafe { CStr::from_ptr(name) }.to_bytes() {
+        b"values/1" => (&raw const VALUES).cast(),
+        _ => ptr::null(),
+    }
 }
 
 /// As the descriptor says of `run`.

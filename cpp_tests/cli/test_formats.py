@@ -1,0 +1,282 @@
+"""Formats of files, from each to each: test_formats.py PROGRAM PLUGIN FOLDER DATA; GUSSET_DATA goes before DATA. On
+meshes made here, and if there are any, on all real ones: counts stay, what a mesh carries stays or its loss is said."""
+
+import json
+import os
+import pathlib
+import re
+import struct
+import sys
+import unittest
+
+import meshes
+from meshes import grid, read_obj, read_off, read_ply, write_glb, write_obj, write_off
+
+DONE, USAGE, FILE = range(3)
+FORMATS = ("obj", "ply", "stl", "off", "gltf", "glb")
+
+# A triangle, a quad and a concave pentagon round a vertex; coordinates that need all their digits but for those of
+# single precision, an unused vertex, and two vertices in one place.
+POINTS = [(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (-1, 0, 0.25), (-1, 1, 0.25), (0, 2, 0), (0.25, 1.5, 0), (9, 9, 9), (-1, 0, 0.25)]
+FACES = [[0, 1, 2], [8, 0, 2, 4], [2, 6, 5, 3, 4]]
+COLOURS = [(255, 0, 0, 255), (0, 128, 255, 255), (1, 2, 3, 128), (200, 100, 50, 255), (17, 34, 51, 0), (255, 255, 255, 255),
+           (0, 0, 0, 255), (90, 80, 70, 60), (1, 1, 1, 255)]
+NORMALS = [(0, 0, 1), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0.5, 0.5, -0.5), (0, 0, -1), (1, 0, 0), (0, 0, 1), (0, 1, 0)]
+PAIRS = [(0, 0), (1, 0), (0.5, 0.75), (0.25, 0.125), (0, 1), (1, 1), (0.5, 0.5), (0, 0), (0.125, 0.25)]
+
+
+def write_rich(path, textures="vertices"):
+    """All that a PLY file can say of a mesh."""
+    head = ["ply", "format ascii 1.0", "comment TextureFile stone.png", f"element vertex {len(POINTS)}"]
+    head += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+    head += [f"property uchar {name}" for name in ("red", "green", "blue", "alpha")]
+    head += ["property float s", "property float t"] if textures == "vertices" else []
+    head += ["property float quality", f"element face {len(FACES)}", "property list uchar int vertex_indices"]
+    head += [f"property uchar {name}" for name in ("red", "green", "blue")]
+    head += ["property list uchar float texcoord"] if textures == "corners" else []
+    head += ["end_header"]
+    rows = [(*point, *normal, *colour, *(pair if textures == "vertices" else ()), 7)
+            for point, normal, colour, pair in zip(POINTS, NORMALS, COLOURS, PAIRS)]
+    for f, face in enumerate(FACES):
+        corners = [x for k in range(len(face)) for x in (k / 8, f / 4)] if textures == "corners" else []
+        rows.append((len(face), *face, 10 * f, 20, 30, *([len(corners), *corners] if corners else [])))
+    pathlib.Path(path).write_text("\n".join(head + [" ".join(map(str, row)) for row in rows]) + "\n")
+
+
+class Formats(unittest.TestCase):
+    program = data = None
+
+    def expect(self, status, *arguments, says=""):
+        return self.program.expect(self, status, *arguments, says=says)
+
+    def at(self, name):
+        return self.program.folder / name
+
+    def convert(self, a, b, *options):
+        """The report on the way from a to b; its losses are those on the standard error."""
+        done = self.expect(DONE, "convert", a, "-o", b, "--json", *options)
+        report = json.loads(done.stdout)
+        told = [line.removeprefix(f"gusset: {b}: lost: ") for line in done.stderr.splitlines()]
+        self.assertEqual(told, report["outputs"][0]["lost"])
+        return report["inputs"][0], told
+
+    def test_each_to_each(self):
+        write_rich(self.at("rich.ply"))
+        for a in FORMATS:
+            _, first = self.convert("rich.ply", f"a.{a}")
+            for b in FORMATS:
+                with self.subTest(a=a, b=b):
+                    held, lost = self.convert(f"a.{a}", f"b.{b}", "--text")
+                    again, _ = self.convert(f"b.{b}", "end.ply", "--text")
+                    if not any("corners: cut" in text for text in lost):
+                        self.assertEqual(again["faces"], held["faces"])
+                    if b != "stl":
+                        self.assertEqual(again["vertices"], held["vertices"])
+                    # What is carried no more was said to be lost.
+                    for name in set(held["attributes"]) - set(again["attributes"]):
+                        self.assertTrue(any(name in text for text in lost), (name, lost))
+                    self.assertEqual(set(again["attributes"]) - set(held["attributes"]), set())
+
+    def test_attributes_come_through_unchanged(self):
+        for textures, able in (("vertices", "obj ply off gltf glb"), ("corners", "obj ply gltf glb")):
+            write_rich(self.at("rich.ply"), textures)
+            self.convert("rich.ply", "plain.ply", "--text")
+            whole = read_ply(self.at("plain.ply"))
+            for kind in able.split():
+                _, lost = self.convert("rich.ply", f"way.{kind}")
+                self.assertTrue(any("quality of vertices of rich.ply" in text for text in lost), lost)
+                self.assertTrue(any("textures of rich.ply" in text for text in lost), lost)
+                self.convert(f"way.{kind}", "back.ply", "--text")
+                back = read_ply(self.at("back.ply"))
+                no_opacity = any("opacity" in text for text in lost)
+                self.assertEqual(len(back["face"]), len(FACES))
+                for now, was in zip(back["vertex"], whole["vertex"], strict=True):
+                    # OBJ files have normals and textures at corners: none where no face is.
+                    unused = kind == "obj" and was["x"] == 9
+                    for name, value in was.items():
+                        if not (name == "alpha" and no_opacity) and not (unused and name in ("nx", "ny", "nz", "s", "t")):
+                            self.assertEqual(now[name], value, (kind, textures, name))
+                for now, was in zip(back["face"], whole["face"], strict=True):
+                    self.assertEqual(*(self.turned(face["vertex_indices"], face.get("texcoord")) for face in (now, was)))
+                    if "red" in now:
+                        self.assertEqual([now[c] for c in ("red", "green", "blue")], [was[c] for c in ("red", "green", "blue")])
+                    else:
+                        self.assertTrue(any("colours of faces" in text for text in lost), lost)
+
+    @staticmethod
+    def turned(face, pairs):
+        """Corners with their pairs, from the least one on."""
+        corners = [(v, *(pairs[2 * k:2 * k + 2] if pairs else ())) for k, v in enumerate(face)]
+        first = corners.index(min(corners))
+        return corners[first:] + corners[:first]
+
+    def test_digits(self):
+        points = [(1 / 3, 0.1, -1.0000000000000002), (1e-300, 2e17, 3), (0.1, 0.7, 1e22)]
+        write_off(self.at("digits.off"), points, [[0, 1, 2]])
+        for kind in ("obj", "ply", "off"):
+            _, lost = self.convert("digits.off", f"digits2.{kind}")
+            self.assertEqual(lost, [])
+            self.convert(f"digits2.{kind}", "digits3.off")
+            self.assertEqual(read_off(self.at("digits3.off"))[0], points)
+        for kind in ("stl", "glb", "gltf"):
+            _, lost = self.convert("digits.off", f"digits2.{kind}")
+            self.assertIn("digits of positions", lost[0])
+        self.assertEqual(self.convert("digits.off", "digits2.stl", "--text")[1], [])
+
+    def test_colours_of_other_kinds(self):
+        def vertices(name):
+            self.convert(name, "end.ply", "--text")
+            return [tuple(row.get(c) for c in ("red", "green", "blue", "alpha")) for row in read_ply(self.at("end.ply"))["vertex"]]
+
+        head = "3 1 0\n"
+        tail = "3 0 1 2\n"
+        # As MeshLab writes it: steps of colours before normals, which need not be of length 1.
+        self.at("nc.off").write_text("NCOFF\n" + head + "0 0 0 255 0 0 255 0 0 2.5\n1 0 0 0 255 0 255 0 0.5 2\n0 1 0 0 0 255 255 0 0 1\n" + tail)
+        self.assertEqual(vertices("nc.off"), [(255, 0, 0, None), (0, 255, 0, None), (0, 0, 255, None)])
+        self.assertEqual([row["nz"] for row in read_ply(self.at("end.ply"))["vertex"]], [2.5, 2, 1])
+        # As Geomview has it: normals first; and parts from 0 to 1.
+        self.at("cn.off").write_text("CNOFF\n" + head + "0 0 0 0 0 1 1 0 0 1\n1 0 0 0 0 1 0 1 0 1\n0 1 0 0 0 1 0 0 .2 .6\n" + tail)
+        self.assertEqual(vertices("cn.off"), [(255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 51, 153)])
+        self.at("c.off").write_text("COFF\n# none\n" + head + "0 0 0 9 8 7\n1 0 0 6 5 4 # green\n0 1 0 3 2 255\n" + tail)
+        self.assertEqual(vertices("c.off"), [(9, 8, 7, None), (6, 5, 4, None), (3, 2, 255, None)])
+        self.at("bare.off").write_text("3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 128 0\n")
+        self.assertEqual(vertices("bare.off"), [(None,) * 4] * 3)
+        self.assertEqual([read_ply(self.at("end.ply"))["face"][0][c] for c in ("red", "green", "blue")], [255, 128, 0])
+
+    def test_binary_ply_of_either_order(self):
+        write_rich(self.at("rich.ply"), "corners")
+        self.convert("rich.ply", "text.ply", "--text")
+        self.convert("rich.ply", "little.ply")
+        self.convert("little.ply", "again.ply", "--text")
+        self.assertEqual(self.at("again.ply").read_text(), self.at("text.ply").read_text())
+        points = [(0.5, 1, 2), (3, 4, 5), (6, 7, 8)]
+        for order, name in (("<", "little"), (">", "big")):
+            head = f"ply\nformat binary_{name}_endian 1.0\nelement vertex 3\nproperty double x\nproperty float y\nproperty short z\n"
+            head += "element face 1\nproperty list ushort uint vertex_index\nelement edge 1\nproperty int a\nend_header\n"
+            body = b"".join(struct.pack(order + "dfh", *point) for point in points)
+            self.at("order.ply").write_bytes(head.encode() + body + struct.pack(order + "H3Ii", 3, 0, 1, 2, 5))
+            _, lost = self.convert("order.ply", "order.off")
+            self.assertEqual(lost, ["1 element edge of order.ply"])
+            self.assertEqual(read_off(self.at("order.off")), (points, [[0, 1, 2]]))
+
+    def test_scenes_of_gltf(self):
+        points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]
+        write_glb(self.at("moved.glb"), points, faces, {"translation": [1, 2, 3], "scale": [2, 2, -2]})
+        self.convert("moved.glb", "moved.off")
+        # A mirror turns faces over.
+        self.assertEqual(read_off(self.at("moved.off")), ([(1, 2, 3), (3, 2, 3), (1, 4, 3)], [[2, 1, 0]]))
+        turn = {"rotation": [0, 0, 0.5**0.5, 0.5**0.5]}
+        twice = [{"children": [1], **turn}, {"mesh": 0, "translation": [1, 0, 0]}, {"mesh": 0}]
+        write_glb(self.at("twice.glb"), points, faces, nodes=twice, scenes=[{"nodes": [0, 2]}])
+        self.convert("twice.glb", "twice.off")
+        found, corners = read_off(self.at("twice.off"))
+        self.assertEqual(corners, [[0, 1, 2], [3, 4, 5]])
+        for got, wanted in zip(found, [(0, 1, 0), (0, 2, 0), (-1, 1, 0), *points], strict=True):
+            for a, b in zip(got, wanted):
+                self.assertAlmostEqual(a, b, delta=1e-15)
+        write_glb(self.at("packed.glb"), points, faces, extensions=["KHR_draco_mesh_compression"])
+        self.expect(FILE, "convert", "packed.glb", "-o", "a.off", says="it requires the extension KHR_draco_mesh_compression")
+        write_glb(self.at("lost.glb"), points, [(0, 1, 7)])
+        self.expect(FILE, "convert", "lost.glb", "-o", "a.off",
+                    says="lost.glb: face number 0 from 0: it names vertex 7, and there are 3")
+        write_glb(self.at("circle.glb"), points, faces, nodes=[{"children": [0]}])
+        self.expect(FILE, "convert", "circle.glb", "-o", "a.off", says="circle.glb: its nodes are their own children")
+        self.at("short.glb").write_bytes(self.at("moved.glb").read_bytes()[:60])
+        self.expect(FILE, "convert", "short.glb", "-o", "a.off", says="short.glb: ")
+
+    def test_triangles_are_cut_as_the_polygon_is(self):
+        # An arrow head: a fan from two of its corners folds over.
+        arrow = [(0, 0, 0), (2, -1, 0), (1, 0, 0), (2, 1, 0)]
+        for first in range(4):
+            write_off(self.at("arrow.off"), arrow, [[(first + k) % 4 for k in range(4)]])
+            self.convert("arrow.off", "arrow.stl", "--text")
+            normals = [row.split()[-1] for row in self.at("arrow.stl").read_text().splitlines() if "normal" in row]
+            self.assertEqual(normals, ["1", "1"])
+
+    def test_what_is_wrong_is_pointed_at(self):
+        wrong = {
+            "a.off": ("OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", '4: vertex number 1 from 0: "x" is no number'),
+            "b.off": ("OFF\n3 1 0\n0 0 0\n1 0 0\n", "5: vertex number 2 from 0: the file ends there"),
+            "c.off": ("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "6: face number 0 from 0: it names vertex 3, and there are 3"),
+            "d.off": ("OFF BINARY\n", "1: binary OFF"),
+            "e.off": ("solid\n", "1: it does not begin with OFF"),
+            "f.off": ("", "1: the file is empty"),
+            "g.off": ("COFF\n1 1 0\n0 0 0 1\n", "3: vertex number 0 from 0: it has 1 number behind its position"),
+            "a.obj": ("v 0 0 0\nv 1 0 0\n\nv 1 one 0\n", '4: vertex number 2 from 0: "one" is no number'),
+            "b.obj": ("v 0 0\n", "1: vertex number 0 from 0: it has 2 coordinates"),
+            "c.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 5\n", "5: face number 1 from 0: it names vertex 5, and there are 3"),
+            "d.obj": ("v 0 0 0\nf 0 1 2\n", "2: a vertex is numbered 0"),
+            "e.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/2 3/1\n", "5: face number 0 from 0: it names texture coordinate 2"),
+            "f.obj": ("v 0 0 0\nf" + " 1" * 256 + "\n", "2: face number 0 from 0: it has more than 255 corners"),
+            "g.obj": ("v 0 0 0\n", "it has no faces, only 1 point"),
+            "a.ply": ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n", "no x, y and z"),
+            "b.ply": ("ply\nformat ascii 2\nelement point\n", "3: an element needs a name and a count"),
+            "c.ply": ("", '1: it does not begin with "ply"'),
+            "d.ply": ("ply\nformat ascii 1.0\nelement vertex 1\nproperty long x\n", '4: there is no type "long"'),
+            "e.ply": ("ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+                      + "ab", "vertex number 0 from 0: the file ends there"),
+            "f.ply": ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                      "property list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 1\n", "11: face number 0 from 0: it names vertex 1"),
+            "a.stl": ("no mesh at all\n", '1: it does not begin with "solid"'),
+            "b.stl": ("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n", '6: facet number 0 from 0: "endloop" where "vertex"'),
+            "c.stl": ("x" * 80 + "\x02\0\0\0" + "y" * 60, "the file ends in facet number 1 from 0; it announces 2"),
+            "a.gltf": ("{}", "a.gltf: "),
+            "b.gltf": ("[1, 2", "b.gltf: "),
+        }
+        for name, (text, says) in wrong.items():
+            with self.subTest(file=name):
+                self.at(name).write_bytes(text.encode("latin-1"))
+                self.expect(FILE, "check", name, says=says if says.startswith(name) else f"{name}:")
+                self.expect(FILE, "check", name, says=says)
+        self.expect(FILE, "check", "nowhere.ply", says="nowhere.ply: there is no such file")
+        self.expect(FILE, "check", ".", says="meshes are in")
+        self.at("folder.ply").mkdir(exist_ok=True)
+        self.expect(FILE, "check", "folder.ply", says="folder.ply: it is no file")
+        write_off(self.at("fine.off"), POINTS, FACES)
+        for kind in FORMATS:
+            self.expect(FILE, "convert", "fine.off", "-o", f"no/such/folder/a.{kind}", says="cannot be opened for writing")
+        if os.path.exists("/dev/full"):
+            for kind in FORMATS:
+                self.at(f"full.{kind}").unlink(missing_ok=True)
+                self.at(f"full.{kind}").symlink_to("/dev/full")
+                self.expect(FILE, "convert", "fine.off", "-o", f"full.{kind}", says="it cannot be written")
+
+    def test_all_real_meshes(self):
+        folder = pathlib.Path(self.data) / "meshes"
+        if not folder.is_dir():
+            print(f"SKIPPED: no real meshes in {self.data}; set GUSSET_DATA to the folder that has them")
+            return
+        known = {f".{kind}" for kind in FORMATS}
+        tried = 0
+        for file in sorted(folder.iterdir()):
+            if file.suffix.lower() not in known:
+                self.expect(FILE, "check", file, says="meshes are in")
+                continue
+            vertices, faces = meshes.counts(file)
+            if faces == 0:
+                self.expect(FILE, "check", file, says=f"it has no faces, only {vertices} points")
+                continue
+            for kind in FORMATS:
+                with self.subTest(file=file.name, kind=kind):
+                    held, lost = self.convert(file, f"real.{kind}")
+                    self.assertEqual((held["vertices"], held["faces"]), (vertices, faces))
+                    again, _ = self.convert(f"real.{kind}", "end.ply")
+                    gone = set(held["attributes"]) - set(again["attributes"])
+                    self.assertTrue(all(any(name.split(" of ")[0] in text for text in lost) for name in gone), (gone, lost))
+                    cut = [int(text.split()[0]) for text in lost if "cut into triangles" in text]
+                    fewer = sum(int(found[1]) for text in lost
+                                if (found := re.search(r"(\d+) (?:vertex|vertices)(?: that no face uses| and others)", text)))
+                    # Single precision may make more of them one; that is counted too.
+                    self.assertEqual(again["vertices"], vertices - fewer)
+                    self.assertEqual(again["faces"] > faces, bool(cut))
+                    if not cut:
+                        self.assertEqual(again["faces"], faces)
+                    tried += 1
+        print(f"{tried} conversions of real meshes")
+        self.assertGreater(tried, 100)
+
+
+if __name__ == "__main__":
+    Formats.program = meshes.Program(*sys.argv[1:4])
+    Formats.data = os.environ.get("GUSSET_DATA", sys.argv[4])
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,28 @@
+#!/bin/sh
+# The commands of docs/guides/cli.md and plugin.md, where left.obj and right.obj are and gusset is on the path; the results go where it is run.
+set -eu
+
+#! [first]
+gusset check left.obj
+gusset stitch left.obj right.obj -o joined.ply
+gusset fill joined.ply --inside refined-and-fair -o whole.glb
+#! [first]
+
+#! [smooth]
+gusset stitch left.obj right.obj --rows by-mean-edge --fairing fair -o smooth.obj
+#! [smooth]
+
+#! [run]
+gusset filters
+gusset filters stitch left.obj right.obj
+gusset run boundary_loops left.obj -o rim.obj
+gusset run stitch left.obj right.obj -p rows="By mean edge" -p fairing=Fair -o joined.obj
+#! [run]
+
+#! [json]
+gusset check joined.obj --json
+#! [json]
+grep -q '^f ' joined.obj
+grep -q '^f ' smooth.obj
+grep -q '^l ' rim.obj
+test -s whole.glb

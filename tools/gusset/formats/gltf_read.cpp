@@ -1,0 +1,451 @@
+// glTF by tinygltf: the triangles of all meshes that the scene shows, where it shows them. Materials, images, skins and
+// animations are left.
+#include "../attributes.hpp"
+#include "../failure.hpp"
+#include "bytes.hpp"
+#include "formats.hpp"
+#include "gltf_values.hpp"
+#include "scanner.hpp"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+namespace {
+using Matrix = std::array<std::array<double, 4>, 3>;
+constexpr Matrix identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+Matrix product(const Matrix &a, const Matrix &b) {
+    Matrix made{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            made[i][k] = k == 3 ? a[i][3] : 0;
+            for (std::size_t j = 0; j < 3; ++j) {
+                made[i][k] += a[i][j] * b[j][k];
+            }
+        }
+    }
+    return made;
+}
+
+/// That of a node against its parent.
+Matrix matrix_of(const tinygltf::Node &node) {
+    Matrix made = identity;
+    if (node.matrix.size() == 16) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                made[i][k] = node.matrix[4 * k + i];
+            }
+        }
+        return made;
+    }
+    if (node.rotation.size() == 4) {
+        const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
+        made = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 0},
+                 {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 0},
+                 {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0}}};
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            made[i][k] *= node.scale.size() == 3 ? node.scale[k] : 1;
+        }
+        made[i][3] = node.translation.size() == 3 ? node.translation[i] : 0;
+    }
+    return made;
+}
+
+Point moved(const Matrix &by, const Point &p) {
+    Point made;
+    for (std::size_t i = 0; i < 3; ++i) {
+        made[i] = by[i][0] * p[0] + by[i][1] * p[1] + by[i][2] * p[2] + by[i][3];
+    }
+    return made;
+}
+
+/// Normals go by the cofactors, which are the inverse transpose but for length.
+std::array<std::array<double, 3>, 3> cofactors(const Matrix &m) {
+    std::array<std::array<double, 3>, 3> made{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (k + 1) % 3, d = (k + 2) % 3;
+            made[i][k] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+    }
+    return made;
+}
+
+double determinant(const Matrix &m) {
+    const auto c = cofactors(m);
+    return m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
+}
+
+class Reader {
+public:
+    Reader(const std::string &path_, const tinygltf::Model &model_) : path(path_), model(model_) {}
+
+    Mesh read() {
+        const auto mesh_nodes = [&](const std::vector<int> &roots) {
+            for (const int node : roots) {
+                visit(node, identity, 0);
+            }
+        };
+        if (!model.scenes.empty()) {
+            const int shown = model.defaultScene >= 0 ? model.defaultScene : 0;
+            mesh_nodes(at(model.scenes, shown, "scene").nodes);
+        } else {
+            for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+                add(static_cast<int>(m), identity);
+            }
+        }
+        finish();
+        return std::move(mesh);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string &why) const { throw Failure(Exit::file, path + ": " + why); }
+
+    template <class T> const T &at(const std::vector<T> &all, int place, const char *what) const {
+        if (place < 0 || static_cast<std::size_t>(place) >= all.size()) {
+            fail(std::string("it names ") + what + ' ' + std::to_string(place) + ", and there are " +
+                 std::to_string(all.size()) + ", from 0 on");
+        }
+        return all[static_cast<std::size_t>(place)];
+    }
+
+    void visit(int place, const Matrix &parent, std::size_t depth) {
+        if (depth > model.nodes.size()) {
+            fail("its nodes are their own children");
+        }
+        const tinygltf::Node &node = at(model.nodes, place, "node");
+        const Matrix own = product(parent, matrix_of(node));
+        if (node.mesh >= 0) {
+            add(node.mesh, own);
+        }
+        skinned = skinned || node.skin >= 0;
+        for (const int child : node.children) {
+            visit(child, own, depth + 1);
+        }
+    }
+
+    /// All numbers of an accessor of `width` numbers an element.
+    std::vector<double> numbers(int place, std::size_t width) const {
+        const tinygltf::Accessor &accessor = at(model.accessors, place, "accessor");
+        const std::string name = "accessor " + std::to_string(place);
+        if (accessor.sparse.isSparse) {
+            fail(name + " is sparse, which is not read");
+        }
+        if (static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type))) != width) {
+            fail(name + " has elements of another size than " + std::to_string(width));
+        }
+        std::vector<double> all(accessor.count * width);
+        if (accessor.bufferView < 0) {
+            return all;
+        }
+        const tinygltf::BufferView &view = at(model.bufferViews, accessor.bufferView, "buffer view");
+        const auto &bytes = at(model.buffers, view.buffer, "buffer").data;
+        const auto size = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
+        const int stride = accessor.ByteStride(view);
+        if (size <= 0 || stride <= 0) {
+            fail(name + " has numbers of an unknown type");
+        }
+        const std::size_t part = static_cast<std::size_t>(size), step = static_cast<std::size_t>(stride);
+        const std::size_t start = view.byteOffset + accessor.byteOffset;
+        if (accessor.count > 0 && (start > bytes.size() || (accessor.count - 1) * step + width * part > bytes.size() - start)) {
+            fail(name + " reaches beyond its buffer");
+        }
+        const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            all[k] = number(text, start + k / width * step + k % width * part, accessor);
+        }
+        return all;
+    }
+
+    double number(std::string_view bytes, std::size_t place, const tinygltf::Accessor &accessor) const {
+        const auto part = [&](double value, double greatest) {
+            return accessor.normalized ? std::max(value / greatest, -1.0) : value;
+        };
+        switch (accessor.componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return part(number_at<int8_t>(bytes, place), INT8_MAX);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return part(number_at<uint8_t>(bytes, place), UINT8_MAX);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return part(number_at<int16_t>(bytes, place), INT16_MAX);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return part(number_at<uint16_t>(bytes, place), UINT16_MAX);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return number_at<uint32_t>(bytes, place);
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return static_cast<double>(number_at<float>(bytes, place));
+        default:
+            fail("it has numbers of an unknown type");
+        }
+    }
+
+    void add(int place, const Matrix &by) {
+        for (const tinygltf::Primitive &primitive : at(model.meshes, place, "mesh").primitives) {
+            if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
+                primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN && primitive.mode != -1) {
+                has_lines = true;
+                continue;
+            }
+            add(primitive, by);
+        }
+    }
+
+    void add(const tinygltf::Primitive &primitive, const Matrix &by) {
+        const auto attribute = [&](const char *name) {
+            const auto found = primitive.attributes.find(name);
+            return found == primitive.attributes.end() ? -1 : found->second;
+        };
+        if (attribute("POSITION") < 0) {
+            fail("a mesh has no positions");
+        }
+        textured = textured || primitive.material >= 0;
+        morphed = morphed || !primitive.targets.empty();
+        const std::vector<double> positions = numbers(attribute("POSITION"), 3);
+        const std::size_t first = mesh.points.size(), count = positions.size() / 3;
+        for (std::size_t v = 0; v < count; ++v) {
+            const Point p{positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
+            mesh.points.push_back(by == identity ? p : moved(by, p));
+        }
+        add_normals(attribute("NORMAL"), count, by);
+        add_texcoords(attribute("TEXCOORD_0"), count);
+        add_colours(attribute("COLOR_0"), count);
+        add_numbers(attribute(vertex_attribute), first, count);
+        std::vector<uint32_t> indices;
+        if (primitive.indices >= 0) {
+            for (const double index : numbers(primitive.indices, 1)) {
+                if (index >= static_cast<double>(count)) {
+                    fail(Element{"face", mesh.face_count() + indices.size() / 3}.text() + ": it names vertex " +
+                         std::to_string(static_cast<uint32_t>(index)) + ", and there are " + std::to_string(count) + ", from 0 on");
+                }
+                indices.push_back(static_cast<uint32_t>(first + static_cast<std::size_t>(index)));
+            }
+        } else {
+            for (std::size_t v = 0; v < count; ++v) {
+                indices.push_back(static_cast<uint32_t>(first + v));
+            }
+        }
+        add_faces(primitive, indices, determinant(by) < 0);
+    }
+
+    /// Values of this primitive behind those of the ones before, which may have had none.
+    template <std::size_t N> void add_values(Attribute<N> &into, int accessor, std::size_t count) {
+        if (accessor < 0) {
+            into.values.resize(into.values.size() + count, missing<N>());
+            return;
+        }
+        const std::vector<double> all = numbers(accessor, N);
+        if (all.size() != N * count) {
+            fail("an attribute has another number of elements than there are positions");
+        }
+        into.at = Attribute<N>::At::vertices;
+        for (std::size_t v = 0; v < count; ++v) {
+            into.values.emplace_back();
+            std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(N * v), N, into.values.back().begin());
+        }
+    }
+
+    void add_normals(int accessor, std::size_t count, const Matrix &by) {
+        add_values(mesh.normals, accessor, count);
+        const auto turn = cofactors(by);
+        for (std::size_t v = mesh.normals.values.size() - count; by != identity && v < mesh.normals.values.size(); ++v) {
+            auto &normal = mesh.normals.values[v];
+            std::array<double, 3> made;
+            for (std::size_t i = 0; i < 3; ++i) {
+                made[i] = turn[i][0] * normal[0] + turn[i][1] * normal[1] + turn[i][2] * normal[2];
+            }
+            const double length = std::hypot(made[0], made[1], made[2]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                normal[i] = length > 0 || std::isnan(length) ? made[i] / length : 0;
+            }
+        }
+    }
+
+    void add_texcoords(int accessor, std::size_t count) {
+        add_values(mesh.texcoords, accessor, count);
+        for (std::size_t v = mesh.texcoords.values.size() - count; v < mesh.texcoords.values.size(); ++v) {
+            // Images hang down from their first row here, and stand on their last one elsewhere.
+            mesh.texcoords.values[v][1] = 1 - mesh.texcoords.values[v][1];
+        }
+    }
+
+    void add_colours(int accessor, std::size_t count) {
+        mesh.vertex_colours.resize(mesh.vertex_colours.size() + count, white);
+        if (accessor < 0) {
+            return;
+        }
+        const bool opacity = at(model.accessors, accessor, "accessor").type == TINYGLTF_TYPE_VEC4;
+        const std::size_t width = opacity ? 4 : 3;
+        const std::vector<double> all = numbers(accessor, width);
+        if (all.size() != width * count) {
+            fail("an attribute has another number of elements than there are positions");
+        }
+        coloured = true;
+        Colour *colours = mesh.vertex_colours.data() + mesh.vertex_colours.size() - count;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            colours[k / width][k % width] = static_cast<float>(k % width == 3 ? all[k] : shown_of(all[k]));
+        }
+    }
+
+    void add_numbers(int accessor, std::size_t first, std::size_t count) {
+        for (std::size_t v = 0; v < count; ++v) {
+            origins.push_back(static_cast<uint32_t>(first + v));
+        }
+        if (accessor < 0) {
+            return;
+        }
+        const std::vector<double> halves = numbers(accessor, 2);
+        for (std::size_t v = 0; v < count && 2 * v + 1 < halves.size(); ++v) {
+            const double origin = halves[2 * v] + 65536 * halves[2 * v + 1];
+            if (origin >= 0 && origin < static_cast<double>(count)) {
+                origins[first + v] = static_cast<uint32_t>(first + static_cast<std::size_t>(origin));
+            }
+        }
+    }
+
+    void add_faces(const tinygltf::Primitive &primitive, const std::vector<uint32_t> &indices, bool turned) {
+        const bool polygons = primitive.extensions.count(polygons_extension) > 0;
+        std::vector<uint32_t> face;
+        const auto flush = [&] {
+            if (turned) {
+                std::reverse(face.begin(), face.end());
+            }
+            if (!face.empty()) {
+                mesh.add_face(face);
+            }
+            face.clear();
+        };
+        const std::size_t step = primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP || primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN ? 1 : 3;
+        for (std::size_t k = 0; k + 2 < indices.size(); k += step) {
+            std::array<uint32_t, 3> triangle{indices[k], indices[k + 1], indices[k + 2]};
+            if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+                triangle[0] = indices[0];
+            } else if (step == 1 && k % 2 == 1) {
+                std::swap(triangle[0], triangle[1]);
+            }
+            if (polygons && !face.empty() && face.front() == triangle[0] && face.back() == triangle[1]) {
+                face.push_back(triangle[2]);
+                continue;
+            }
+            flush();
+            face.assign(triangle.begin(), triangle.end());
+        }
+        flush();
+    }
+
+    /// Vertices that were divided are one again, and what divided them is at their corners.
+    void unite() {
+        bool divided = false;
+        for (std::size_t v = 0; v < origins.size(); ++v) {
+            divided = divided || origins[v] != v;
+        }
+        if (!divided) {
+            return;
+        }
+        // At the corners, unless it is not what divided them.
+        const auto gather = [&](auto &attribute) {
+            bool alike = true;
+            for (std::size_t v = 0; attribute && v < origins.size(); ++v) {
+                alike = alike && attribute.values[v] == attribute.values[origins[v]];
+            }
+            if (attribute && !alike) {
+                attribute = {std::decay_t<decltype(attribute)>::At::corners, at_corners(mesh, attribute)};
+                return false;
+            }
+            return bool(attribute);
+        };
+        const bool normals_stay = gather(mesh.normals), texcoords_stay = gather(mesh.texcoords);
+        std::vector<uint32_t> places(origins.size());
+        std::size_t kept = 0;
+        for (std::size_t v = 0; v < origins.size(); ++v) {
+            if (origins[v] == v) {
+                places[v] = static_cast<uint32_t>(kept);
+                mesh.points[kept] = mesh.points[v];
+                mesh.vertex_colours[kept] = mesh.vertex_colours[v];
+                if (normals_stay) {
+                    mesh.normals.values[kept] = mesh.normals.values[v];
+                }
+                if (texcoords_stay) {
+                    mesh.texcoords.values[kept] = mesh.texcoords.values[v];
+                }
+                ++kept;
+            }
+        }
+        mesh.points.resize(kept);
+        mesh.vertex_colours.resize(kept);
+        mesh.normals.values.resize(normals_stay ? kept : mesh.normals.values.size());
+        mesh.texcoords.values.resize(texcoords_stay ? kept : mesh.texcoords.values.size());
+        for (uint32_t &v : mesh.corners) {
+            v = places[origins[v]];
+        }
+    }
+
+    void finish() {
+        unite();
+        if (!mesh.normals) {
+            mesh.normals = {};
+        }
+        if (!mesh.texcoords) {
+            mesh.texcoords = {};
+        }
+        if (!coloured) {
+            mesh.vertex_colours.clear();
+        }
+        const auto note = [&](bool there, const char *what) {
+            if (there) {
+                mesh.unread.emplace_back(what);
+            }
+        };
+        note(textured, "materials");
+        note(!model.images.empty(), "images");
+        note(has_lines, "points and lines");
+        note(morphed, "morph targets");
+        note(skinned, "skins");
+        note(!model.animations.empty(), "animations");
+        simplify(mesh);
+    }
+
+    const std::string &path;
+    const tinygltf::Model &model;
+    Mesh mesh;
+    /// Of each vertex, the one that it was divided from.
+    std::vector<uint32_t> origins;
+    bool textured = false, coloured = false, has_lines = false, morphed = false, skinned = false;
+};
+
+bool leave_image(tinygltf::Image *, const int, std::string *, std::string *, int, int, const unsigned char *, int, void *) {
+    return true;
+}
+} // namespace
+
+Mesh read_gltf(const std::string &path, bool binary) {
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(leave_image, nullptr);
+    tinygltf::Model model;
+    std::string error, warning;
+    bool read = false;
+    try {
+        read = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
+                      : loader.LoadASCIIFromFile(&model, &error, &warning, path);
+    } catch (const std::bad_alloc &) {
+        throw;
+    } catch (const std::exception &thrown) {
+        error = thrown.what();
+    }
+    if (!read) {
+        const std::string reason = error.substr(0, error.find('\n'));
+        throw Failure(Exit::file, path + ": " + (reason.empty() ? "it is no glTF file" : reason));
+    }
+    // What a file requires beyond this nobody can do without.
+    static const std::set<std::string> known = {polygons_extension, "KHR_mesh_quantization"};
+    for (const std::string &extension : model.extensionsRequired) {
+        if (known.count(extension) == 0 && extension.compare(0, 13, "KHR_materials") != 0) {
+            throw Failure(Exit::file, path + ": it requires the extension " + extension + ", which is not read");
+        }
+    }
+    return Reader(path, model).read();
+}

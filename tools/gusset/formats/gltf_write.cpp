@@ -1,0 +1,310 @@
+// glTF by tinygltf: one mesh of triangles in a buffer within the file. Polygons are fans by an extension that readers may
+// ignore, and vertices whose corners carry different values are divided, with a note of what they were.
+#include "../attributes.hpp"
+#include "../failure.hpp"
+#include "formats.hpp"
+#include "gltf_values.hpp"
+#include "triangles.hpp"
+#include "writer.hpp"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace {
+template <std::size_t N> using Values = std::vector<std::array<double, N>>;
+
+/// A mesh whose normals and texture coordinates are at its vertices, and the vertex that each was.
+struct Divided {
+    std::vector<uint32_t> corners, origins;
+    std::vector<std::array<double, 3>> normals;
+    std::vector<std::array<double, 2>> texcoords;
+};
+
+Divided divided(const Mesh &mesh) {
+    Divided made;
+    made.corners = mesh.corners;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        made.origins.push_back(static_cast<uint32_t>(v));
+    }
+    const auto normals = mesh.normals ? at_vertices(mesh, mesh.normals) : std::nullopt;
+    const auto texcoords = mesh.texcoords ? at_vertices(mesh, mesh.texcoords) : std::nullopt;
+    if (bool(normals) == bool(mesh.normals) && bool(texcoords) == bool(mesh.texcoords)) {
+        made.normals = normals.value_or(made.normals);
+        made.texcoords = texcoords.value_or(made.texcoords);
+        return made;
+    }
+    // Vertices that no face uses have what is at vertices.
+    made.normals = normals.value_or(Values<3>(mesh.normals ? mesh.points.size() : 0, missing<3>()));
+    made.texcoords = texcoords.value_or(Values<2>(mesh.texcoords ? mesh.points.size() : 0, missing<2>()));
+    const auto corner_normals = mesh.normals ? at_corners(mesh, mesh.normals) : made.normals;
+    const auto corner_texcoords = mesh.texcoords ? at_corners(mesh, mesh.texcoords) : made.texcoords;
+    // What is missing is 0 in the file; NaN would be equal to nothing.
+    const auto shown = [](auto value) {
+        if (is_missing(value)) {
+            value.fill(0);
+        }
+        return value;
+    };
+    std::map<std::pair<uint32_t, std::array<double, 5>>, uint32_t> known;
+    std::vector<bool> taken(mesh.points.size());
+    for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
+        const uint32_t v = mesh.corners[c];
+        std::array<double, 5> key{};
+        if (mesh.normals) {
+            const auto value = shown(corner_normals[c]);
+            std::copy(value.begin(), value.end(), key.begin());
+        }
+        if (mesh.texcoords) {
+            const auto value = shown(corner_texcoords[c]);
+            std::copy(value.begin(), value.end(), key.begin() + 3);
+        }
+        const auto next = taken[v] ? static_cast<uint32_t>(made.origins.size()) : v;
+        const auto [place, is_new] = known.emplace(std::pair(v, key), next);
+        made.corners[c] = place->second;
+        if (!is_new) {
+            continue;
+        }
+        if (taken[v]) {
+            made.origins.push_back(v);
+            made.normals.resize(mesh.normals ? made.origins.size() : 0);
+            made.texcoords.resize(mesh.texcoords ? made.origins.size() : 0);
+        }
+        taken[v] = true;
+        if (mesh.normals) {
+            made.normals[next] = shown(corner_normals[c]);
+        }
+        if (mesh.texcoords) {
+            made.texcoords[next] = shown(corner_texcoords[c]);
+        }
+    }
+    return made;
+}
+
+/// A model that grows by one accessor after the other.
+class Builder {
+public:
+    Builder() {
+        model.asset.version = "2.0";
+        model.asset.generator = "gusset";
+        model.buffers.emplace_back();
+        model.meshes.emplace_back();
+        model.meshes[0].primitives.emplace_back();
+        primitive().mode = TINYGLTF_MODE_TRIANGLES;
+        model.nodes.emplace_back();
+        model.nodes[0].mesh = 0;
+        model.scenes.emplace_back();
+        model.scenes[0].nodes = {0};
+        model.defaultScene = 0;
+    }
+
+    tinygltf::Primitive &primitive() { return model.meshes[0].primitives[0]; }
+
+    template <class T> void put(T value) {
+        const auto *bytes = reinterpret_cast<const unsigned char *>(&value);
+        auto &data = model.buffers[0].data;
+        data.insert(data.end(), bytes, bytes + sizeof value);
+    }
+
+    /// What was put since the last one, as an accessor; returns its number.
+    int close(int component, int type, std::size_t count, int target, bool normalized = false) {
+        auto &data = model.buffers[0].data;
+        tinygltf::BufferView view;
+        view.buffer = 0;
+        view.byteOffset = start;
+        view.byteLength = data.size() - start;
+        view.target = target;
+        // The next one begins at a whole word.
+        data.resize((data.size() + 3) / 4 * 4);
+        start = data.size();
+        model.bufferViews.push_back(view);
+        tinygltf::Accessor accessor;
+        accessor.bufferView = static_cast<int>(model.bufferViews.size() - 1);
+        accessor.byteOffset = 0;
+        accessor.componentType = component;
+        accessor.type = type;
+        accessor.count = count;
+        accessor.normalized = normalized;
+        model.accessors.push_back(accessor);
+        return static_cast<int>(model.accessors.size() - 1);
+    }
+
+    tinygltf::Model model;
+
+private:
+    std::size_t start = 0;
+};
+
+float single(double value) { return static_cast<float>(std::isnan(value) ? 0 : value); }
+
+void add_positions(Builder &builder, const Mesh &mesh, const Divided &as) {
+    std::array<double, 3> low, high;
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (const uint32_t v : as.origins) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float x = single(mesh.points[v][k]);
+            builder.put(x);
+            low[k] = std::min(low[k], static_cast<double>(x));
+            high[k] = std::max(high[k], static_cast<double>(x));
+        }
+    }
+    const int made =
+        builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+    builder.model.accessors.back().minValues.assign(low.begin(), low.end());
+    builder.model.accessors.back().maxValues.assign(high.begin(), high.end());
+    builder.primitive().attributes["POSITION"] = made;
+}
+
+void add_colours(Builder &builder, const Mesh &mesh, const Divided &as) {
+    // Sixteen bits keep all steps of a screen apart, though they are linear.
+    const bool steps = are_steps(mesh.vertex_colours);
+    for (const uint32_t v : as.origins) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto part = static_cast<double>(mesh.vertex_colours[v][k]);
+            const double linear = k == 3 ? part : linear_of(part);
+            if (steps) {
+                builder.put(static_cast<uint16_t>(std::lround(65535 * std::clamp(linear, 0.0, 1.0))));
+            } else {
+                builder.put(static_cast<float>(linear));
+            }
+        }
+    }
+    builder.primitive().attributes["COLOR_0"] =
+        builder.close(steps ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4,
+                      as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER, steps);
+}
+
+void add_origins(Builder &builder, const Divided &as) {
+    for (const uint32_t v : as.origins) {
+        builder.put(static_cast<uint16_t>(v & 0xFFFF));
+        builder.put(static_cast<uint16_t>(v >> 16));
+    }
+    builder.primitive().attributes[vertex_attribute] = builder.close(
+        TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+
+/// All faces as triangles; returns how many were left out.
+std::size_t add_faces(Builder &builder, const Mesh &mesh, const Divided &as, bool polygons) {
+    Mesh shown;
+    shown.offsets = mesh.offsets;
+    shown.corners = as.corners;
+    for (const uint32_t v : as.origins) {
+        shown.points.push_back(mesh.points[v]);
+    }
+    std::size_t count = 0, left_out = 0;
+    std::optional<uint32_t> before;
+    for (std::size_t f = 0; f < shown.face_count(); ++f) {
+        const std::size_t degree = shown.degree(f);
+        if (degree < 3) {
+            ++left_out;
+            continue;
+        }
+        const std::size_t first = polygons ? fan_corner(shown, f, before) : 0;
+        const auto vertex = [&](std::size_t k) { return shown.corners[shown.offsets[f] + (first + k) % degree]; };
+        for (std::size_t k = 1; k + 1 < degree; ++k) {
+            for (const uint32_t v : {vertex(0), vertex(k), vertex(k + 1)}) {
+                builder.put(v);
+            }
+            count += 3;
+        }
+        before = vertex(0);
+    }
+    builder.primitive().indices = builder.close(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count,
+                                                TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    if (polygons) {
+        builder.model.extensionsUsed = {polygons_extension};
+        builder.primitive().extensions[polygons_extension] = tinygltf::Value(tinygltf::Value::Object());
+    }
+    return left_out;
+}
+
+/// "positions and normals": what has digits beyond single precision.
+std::string rounded_ones(const Mesh &mesh) {
+    const auto are_single = [](const auto &values) {
+        return std::all_of(values.begin(), values.end(), [](const auto &value) {
+            return std::all_of(value.begin(), value.end(), [](double x) { return is_single(x); });
+        });
+    };
+    std::string text;
+    const auto name = [&](bool single, const char *what) {
+        if (!single) {
+            text += (text.empty() ? "" : " and ") + std::string(what);
+        }
+    };
+    name(are_single(mesh.points), "positions");
+    name(are_single(mesh.normals.values), "normals");
+    name(are_single(mesh.texcoords.values), "texture coordinates");
+    return text;
+}
+
+/// A corner that has no pair of its own shows the first point of the image.
+bool are_some_missing(const Attribute<2> &of) {
+    return of.at == Attribute<2>::At::corners &&
+           std::any_of(of.values.begin(), of.values.end(), [](const auto &value) { return is_missing(value); });
+}
+} // namespace
+
+Losses write_gltf(const std::string &path, const Mesh &mesh, bool binary) {
+    const Divided as = divided(mesh);
+    Builder builder;
+    add_positions(builder, mesh, as);
+    if (!as.normals.empty()) {
+        for (const auto &normal : as.normals) {
+            for (const double x : normal) {
+                builder.put(single(x));
+            }
+        }
+        builder.primitive().attributes["NORMAL"] =
+            builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, as.normals.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+    if (!as.texcoords.empty()) {
+        for (const auto &[u, v] : as.texcoords) {
+            builder.put(single(u));
+            // Images hang down from their first row here.
+            builder.put(single(1 - v));
+        }
+        builder.primitive().attributes["TEXCOORD_0"] = builder.close(
+            TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, as.texcoords.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+    if (!mesh.vertex_colours.empty()) {
+        add_colours(builder, mesh, as);
+    }
+    if (as.origins.size() > mesh.points.size()) {
+        add_origins(builder, as);
+    }
+    bool polygons = false;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        polygons = polygons || mesh.degree(f) > 3;
+    }
+    const std::size_t left_out = add_faces(builder, mesh, as, polygons);
+    if (builder.model.buffers[0].data.size() > UINT32_MAX / 2) {
+        throw Failure(Exit::file, path + ": glTF files of more than two gigabytes are not written");
+    }
+    std::ostringstream all;
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&builder.model, all, true, binary)) {
+        throw Failure(Exit::file, path + ": it cannot be written as glTF");
+    }
+    Writer out(path);
+    out << all.str();
+    out.finish();
+
+    Losses losses;
+    const std::string rounded = rounded_ones(mesh);
+    if (!rounded.empty()) {
+        losses.push_back("digits of " + rounded + ": glTF files have single precision");
+    }
+    if (!mesh.face_colours.empty()) {
+        losses.emplace_back("colours of faces, which glTF files do not hold");
+    }
+    if (left_out > 0) {
+        losses.push_back(number_of(left_out, "face") + " of fewer than three corners");
+    }
+    if (are_some_missing(mesh.texcoords)) {
+        losses.emplace_back("which corners have no texture coordinates: glTF files hold some for each");
+    }
+    return losses;
+}
