@@ -5,6 +5,8 @@
 #include <QAction>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace {
@@ -29,6 +31,12 @@ QString use_id(std::uint32_t input) { return QString("use_input_%1").arg(input +
 
 /// Whether the layer can be an input of this kind.
 bool fits(const CMeshO &layer, std::uint32_t kind) { return kind == GUSSET_KIND_CURVES ? layer.en > 0 : layer.fn > 0; }
+
+/// A whole number as one, if it is one that scripts can have.
+QVariant number(double value) {
+    const bool whole = value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max();
+    return whole ? QVariant(static_cast<int>(value)) : QVariant(value);
+}
 
 /// For each input a layer that fits: the current one where it does, then visible ones, then others. Fewer if there are
 /// none.
@@ -210,12 +218,15 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
     };
     try {
         const Outputs outputs(*plugin_.tables(), of, inputs.list(), values_of(of, list), listener);
-        std::map<std::string, QVariant> counts;
+        std::map<std::string, QVariant> counts, numbers;
         for (std::uint32_t k = 0; k < outputs.count(); ++k) {
             if (outputs.kind(k) == GUSSET_KIND_TEXT) {
                 std::istringstream lines(outputs.text(k));
                 for (std::string line; std::getline(lines, line);) {
                     log(line.c_str());
+                }
+                for (const auto &[name, value] : outputs.values(k)) {
+                    numbers[name] = number(value);
                 }
                 continue;
             }
@@ -241,6 +252,8 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
             counts["edges"] = layer->cm.en;
             counts["faces"] = layer->cm.fn;
         }
+        // What is told of the layer is so whatever the report calls the same.
+        counts.insert(numbers.begin(), numbers.end());
         return counts;
     } catch (const std::runtime_error &error) {
         throw MLException(QString::fromStdString(error.what()));

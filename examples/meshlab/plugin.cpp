@@ -96,6 +96,15 @@ gusset_plugin_curves Outputs::curves(std::uint32_t index) const {
     return curves;
 }
 
+std::vector<std::pair<std::string, double>> Outputs::values(std::uint32_t index) const {
+    const auto *named = static_cast<const gusset_plugin_values *>(plugin_.extension("values/1"));
+    std::vector<std::pair<std::string, double>> all;
+    for (std::uint32_t k = 0; named != nullptr && k < named->count(held_.get(), index); ++k) {
+        all.emplace_back(named->name(held_.get(), index, k), named->value(held_.get(), index, k));
+    }
+    return all;
+}
+
 std::vector<double> suggested(const gusset_filter &filter, const std::vector<gusset_input> &inputs) {
     std::vector<double> values(filter.value_count);
     // After a failure they are the plain defaults, and a run will say what is wrong.

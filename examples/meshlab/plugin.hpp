@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A plugin that stays open as long as the process runs.
@@ -47,6 +48,9 @@ public:
     gusset_plugin_mesh mesh(std::uint32_t index) const;
     gusset_plugin_curves curves(std::uint32_t index) const;
     const char *text(std::uint32_t index) const { return plugin_.output_text(held_.get(), index); }
+
+    /// The numbers in a text under their names; none if the plugin names none.
+    std::vector<std::pair<std::string, double>> values(std::uint32_t index) const;
 
 private:
     const gusset_plugin &plugin_;
