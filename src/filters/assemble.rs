@@ -95,12 +95,7 @@ fn report(done: &Assembly) -> Report {
         text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", short(joint.gap));
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
-    push_line!(
-        text,
-        "{} filled, {} left",
-        counted(filled, ["hole", "holes"]),
-        counted(done.loops_left, BOUNDARY_LOOP)
-    );
+    push_line!(text, "{} filled, {} left", counted(filled, ["hole", "holes"]), counted(done.loops_left, BOUNDARY_LOOP));
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined));
     let values = [
         ("sewn_edges", f64::from(done.sewn_edges)),

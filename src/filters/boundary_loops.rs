@@ -29,8 +29,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 fn report(boundary: &Boundary) -> Report {
-    let mut text =
-        format!("{}, {}\n", counted(boundary.len(), BOUNDARY_LOOP), counted(boundary.edge_count(), EDGE));
+    let mut text = format!("{}, {}\n", counted(boundary.len(), BOUNDARY_LOOP), counted(boundary.edge_count(), EDGE));
     for (i, found) in boundary.iter().take(MAX_LISTED).enumerate() {
         let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
         push_line!(text, "{kind} {i}: {}, length {}", counted(found.half_edges.len(), EDGE), short(found.length));

@@ -1,6 +1,6 @@
 use super::prelude::*;
-use super::report::{EDGE, FACE};
 use super::quads::CATEGORY;
+use super::report::{EDGE, FACE};
 use crate::geom::aabb;
 use crate::mesh::MeshView;
 use crate::net::analyse::analyse;

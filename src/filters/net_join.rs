@@ -1,6 +1,6 @@
 use super::prelude::*;
-use super::report::{COLUMN, ROW};
 use super::quads::{self, CATEGORY, TRIANGLES};
+use super::report::{COLUMN, ROW};
 use crate::net::{BridgeMode, Direction, JoinOptions, Net, Replication, concatenate_all};
 
 pub(super) const FILTER: Filter = Filter {

@@ -1,7 +1,7 @@
 use super::curve::{self, INTERPOLATION};
 use super::prelude::*;
-use super::report::{QUAD, ROW};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::report::{QUAD, ROW};
 use crate::net::primitive::{Primitive, Request};
 use crate::net::transform::{Affine, transform};
 use crate::outline::CurveView;

@@ -1,5 +1,4 @@
 use super::prelude::*;
-use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW};
 use super::quads::{self, CATEGORY};
 use crate::net::complex::Complex;
 use crate::net::measure::{measure, moments, planarity};

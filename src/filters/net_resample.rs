@@ -1,6 +1,6 @@
 use super::prelude::*;
-use super::report::{COLUMN, ROW};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::report::{COLUMN, ROW};
 use crate::net::resample::{Interpolation, resample};
 
 /// The range of the numbers of rows and columns.
@@ -43,10 +43,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let interpolation = values.choice("interpolation", Interpolation::CHOICES);
     let made = resample(&net, rows, columns, interpolation, &job.part(0.4, 0.7))?;
     let shape = net.shape();
-    let text = format!(
-        "{} and {} made {rows} and {columns}\n",
-        counted(shape.rows(), ROW),
-        counted(shape.columns(), COLUMN)
-    );
+    let text =
+        format!("{} and {} made {rows} and {columns}\n", counted(shape.rows(), ROW), counted(shape.columns(), COLUMN));
     Ok(vec![Output::Mesh(quads::mesh(&made, values, &job.part(0.7, 1.0))?), Output::Text(text.into())])
 }

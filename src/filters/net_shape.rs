@@ -1,6 +1,6 @@
 use super::prelude::*;
-use super::report::{BOUNDARY_LOOP, EDGE, QUAD, TRIANGLE, VERTEX};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
+use super::report::{BOUNDARY_LOOP, EDGE, QUAD, TRIANGLE, VERTEX};
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::complex::Complex;
 use crate::net::primitive::{Primitive, Request};

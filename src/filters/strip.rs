@@ -55,7 +55,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         face_offsets: alloc::collect((0..count + 1).map(|f| 3 * f as u32))?,
         face_corners: alloc::copied(made.triangles.as_flattened())?,
     };
-    let text =
-        format!("{}, the first meridian from point {} to point {}\n", counted(count, TRIANGLE), made.start[0], made.start[1]);
+    let text = format!(
+        "{}, the first meridian from point {} to point {}\n",
+        counted(count, TRIANGLE),
+        made.start[0],
+        made.start[1]
+    );
     Ok(vec![Output::Mesh(mesh), Output::Text(text.into())])
 }

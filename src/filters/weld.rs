@@ -51,7 +51,11 @@ fn report(done: &Weld) -> Report {
     // Edges that lie on no other are boundary edges of the result as well, which `check` counts.
     let left = match (edges, vertices) {
         (0, 0) => "no coincident borders are left apart".to_owned(),
-        _ => format!("left apart: {} and {} that lie on others", counted(edges, BOUNDARY_EDGE), counted(vertices, VERTEX)),
+        _ => format!(
+            "left apart: {} and {} that lie on others",
+            counted(edges, BOUNDARY_EDGE),
+            counted(vertices, VERTEX)
+        ),
     };
     let text = format!(
         "{} welded, {} sewn, {} dropped\n{left}\n",

@@ -1,7 +1,9 @@
 //! Filters of curves, held against curves that are known by formula.
 
 use crate::common;
-use crate::editor::{circle, curve, lines, mesh, number, polylines, radius, run_on, run_on_curves, text, value, values};
+use crate::editor::{
+    circle, curve, lines, mesh, number, polylines, radius, run_on, run_on_curves, text, value, values,
+};
 use gusset::filters::Filter;
 use gusset::filters::data::{Curves, Input, Output};
 use gusset::{Error, Job};

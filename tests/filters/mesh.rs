@@ -97,10 +97,7 @@ fn check_names_what_is_wrong() {
 #[test]
 fn welding_and_checking_agree_in_their_words_and_numbers() {
     // Two quads beside each other, with vertices of their own; and one that lies on the border of both.
-    let mut soup = Soup::new(
-        vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
-        &[&[0, 1, 2, 3]],
-    );
+    let mut soup = Soup::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], &[&[0, 1, 2, 3]]);
     soup.points.extend([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [1.0, 1.0, 0.0]]);
     soup.face(&[4, 5, 6, 7]);
     let apart = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
@@ -112,7 +109,10 @@ fn welding_and_checking_agree_in_their_words_and_numbers() {
     );
     assert_eq!(value(&welded[1], "coincident_boundary_edges"), 0.0);
     let Output::Mesh(mesh) = &welded[0] else { panic!("{welded:?}") };
-    let after = Filter::find("check").unwrap().run(&[Input::Mesh(mesh.view(&Job::default()).unwrap())], &[], &Job::default()).unwrap();
+    let after = Filter::find("check")
+        .unwrap()
+        .run(&[Input::Mesh(mesh.view(&Job::default()).unwrap())], &[], &Job::default())
+        .unwrap();
     assert!(text(&after[0]).starts_with("6 vertices, 7 edges, 2 faces, 1 piece, 1 walk round the boundary\n"));
     assert!(text(&after[0]).contains("\n6 boundary edges: "), "{}", text(&after[0]));
     // A third sheet on the same border: two of the three edges can be one, the third is left on them.
