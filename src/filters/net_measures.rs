@@ -1,5 +1,6 @@
 use super::prelude::*;
 use super::quads::{self, CATEGORY};
+use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW};
 use crate::net::complex::Complex;
 use crate::net::measure::{measure, moments, planarity};
 
