@@ -50,7 +50,8 @@ pub enum gusset_status {
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A face names a vertex that does not exist.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A vertex used by a face, or a point of a loop, has a coordinate that is NaN or infinite.
+    /// A coordinate is NaN or infinite: of a vertex that a face uses, a point, a tangent, a query
+    /// or a node.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// Mesh B has f64 positions and mesh A f32.
     GUSSET_ERROR_MIXED_SCALARS = 1007,

@@ -68,8 +68,8 @@ const fn loop_number(id: &'static str, label: &'static str) -> Param {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let a = inputs[0].mesh()?;
     let b = inputs.get(1).map(Input::mesh).transpose()?;
-    let loop_a = numbered(a, values, "loop_a", &job.part(0.0, 0.1))?;
-    let loop_b = numbered(b.unwrap_or(a), values, "loop_b", &job.part(0.1, 0.2))?;
+    let loop_a = loop_by_number(a, values, "loop_a", &job.part(0.0, 0.1))?;
+    let loop_b = loop_by_number(b.unwrap_or(a), values, "loop_b", &job.part(0.1, 0.2))?;
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
     let options = Options {
         meridians: values.choice("meridians", Meridians::CHOICES),
@@ -94,7 +94,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 /// The vertices of the loop that parameter `id` numbers; `None` for -1.
-fn numbered(mesh: &MeshView<'_>, values: &Values<'_>, id: &'static str, job: &Job<'_>) -> Result<Option<Vec<u32>>> {
+fn loop_by_number(mesh: &MeshView<'_>, values: &Values<'_>, id: &'static str, job: &Job<'_>) -> Result<Option<Vec<u32>>> {
     let number = values.number(id);
     if number < 0.0 {
         return Ok(None);

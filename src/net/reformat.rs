@@ -49,7 +49,7 @@ impl Net<'_> {
         if columns > self.shape().columns() {
             topology = topology.along(Direction::Right, |topology| topology.rows_replicated(&column_starts))?;
         }
-        let map = Rearrangement::Selection { rows: &sources(&row_starts)?, columns: &sources(&column_starts)? };
+        let map = Rearrangement::Selection { rows: &old_indices(&row_starts)?, columns: &old_indices(&column_starts)? };
         let mut net = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
             let bridge = bridge.moved(|i| row_starts[i as usize], |j| column_starts[j as usize]);
@@ -188,12 +188,12 @@ pub(crate) fn starts(
 }
 
 /// The old index of each new row.
-fn sources(starts: &[u32]) -> Result<Vec<u32>> {
-    let mut sources = alloc::with_capacity(starts.last().map_or(0, |&n| n as usize))?;
+fn old_indices(starts: &[u32]) -> Result<Vec<u32>> {
+    let mut old_indices = alloc::with_capacity(starts.last().map_or(0, |&n| n as usize))?;
     for (i, ends) in (0..).zip(starts.windows(2)) {
-        sources.extend((ends[0]..ends[1]).map(|_| i));
+        old_indices.extend((ends[0]..ends[1]).map(|_| i));
     }
-    Ok(sources)
+    Ok(old_indices)
 }
 
 /// The new rows that are copies of the one before.

@@ -39,13 +39,13 @@ pub(super) fn displacements(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: R
     sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found));
     sweep.across_blocks(block_rows, |k, columns, ranges| {
         let across = ranges.over(columns.start..columns.end + 1);
-        boxes[k] = grown(along[k].shrunk(), u.lebesgue()).sum(across.shrunk());
+        boxes[k] = widened(along[k].shrunk(), u.lebesgue()).sum(across.shrunk());
     });
 }
 
 /// What sums with weights that sum to 1, and whose absolute values sum to `lebesgue` at most, make
 /// of a box.
-pub(super) fn grown(bounds: Aabb, lebesgue: f64) -> Aabb {
+pub(super) fn widened(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
     Aabb { low: bounds.low - more, high: bounds.high + more }
 }

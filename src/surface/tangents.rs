@@ -8,7 +8,7 @@
 //! is in B, enlarged by (L - 1) / 2 of its size at both ends, and by O e.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::displacements::grown;
+use super::displacements::widened;
 use super::nodes::Nodes;
 use super::sweep::{Sums, Sweep};
 use crate::geom::aabb::Aabb;
@@ -39,7 +39,7 @@ impl Spread {
     /// Round the sums of lines that lie along `axis`.
     fn sums(&self, axis: &Axis) -> Aabb {
         let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outside();
-        let grown = grown(self.own, axis.lebesgue());
+        let grown = widened(self.own, axis.lebesgue());
         Aabb { low: grown.low - beside, high: grown.high + beside }
     }
 }

@@ -1,4 +1,4 @@
-//! Curves made of curves, as C sees them.
+//! C interface: curves made of curves.
 
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
 use crate::ffi::prelude::*;

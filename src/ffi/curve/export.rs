@@ -1,4 +1,4 @@
-//! Curves as others write them, as C sees them.
+//! C interface: export of curves to other formats.
 
 use crate::ffi::curve::{gusset_curve, view};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! The frame of outlines as C sees it.
+//! C interface: frames of outlines.
 
 use crate::ffi::curve::outline::{Given, gusset_outline, gusset_outlines};
 use crate::ffi::curve::outline_options::gusset_outline_options;

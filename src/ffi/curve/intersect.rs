@@ -1,4 +1,4 @@
-//! Places found on curves, however many there are, as C sees them.
+//! C interface: points, intersections and minima found on curves.
 
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
 use crate::ffi::mesh::gusset_indices;

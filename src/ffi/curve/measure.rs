@@ -1,4 +1,4 @@
-//! What is asked of a curve and answered with as many numbers as were asked for, as C sees it.
+//! C interface: queries of curves whose answers have as many numbers as were asked for.
 
 use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
 use crate::ffi::prelude::*;

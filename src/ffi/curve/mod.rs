@@ -1,4 +1,4 @@
-//! A curve and places on it, as C sees them.
+//! C interface: curves, and places on them.
 
 pub mod construct;
 pub mod export;

@@ -1,4 +1,4 @@
-//! Outlines as C sees them: what goes in, and the curves that come out.
+//! C interface: identification of outlines: input, and the resulting curves.
 
 use crate::ffi::curve::gusset_curve;
 use crate::ffi::curve::outline_options::{gusset_outline_options, method};

@@ -1,4 +1,4 @@
-//! How outlines are identified, and what is said of them, as C sees it.
+//! Options of the identification of outlines in C, and its reports.
 
 use crate::ffi::prelude::*;
 use crate::outline::{Ends, JointParameter, Lock, Method, Mode, Options, Solver};

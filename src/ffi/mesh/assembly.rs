@@ -1,4 +1,4 @@
-//! Assembly of many pieces as C sees it.
+//! C interface to the assembly of many pieces.
 
 use crate::ffi::mesh::fill::{gusset_fill_options, gusset_hole};
 use crate::ffi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};

@@ -1,4 +1,4 @@
-//! Boundary loops as C sees them.
+//! C interface: boundary loops.
 
 use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};

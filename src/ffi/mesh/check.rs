@@ -1,4 +1,4 @@
-//! The check as C sees it.
+//! C interface: checks of meshes.
 
 use crate::check::{Check, check};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};

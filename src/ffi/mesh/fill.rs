@@ -1,4 +1,4 @@
-//! Hole filling as C sees it.
+//! C interface: hole filling.
 
 use crate::ffi::mesh::stitch::gusset_quality_report;
 use crate::ffi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};

@@ -1,4 +1,4 @@
-//! Meshes as C sees them: arrays of the host's, or arrays of a result.
+//! C interface: meshes, as arrays of the host or of a result.
 
 pub mod assembly;
 pub mod boundary;

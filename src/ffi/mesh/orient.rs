@@ -1,4 +1,4 @@
-//! Orientation as C sees it.
+//! C interface: orientation.
 
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;

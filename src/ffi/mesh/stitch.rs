@@ -1,4 +1,4 @@
-//! Stitching as C sees it.
+//! C interface: stitching.
 
 use crate::ffi::mesh::stitch_options::gusset_stitch_options;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};

@@ -1,4 +1,4 @@
-//! How to stitch, as C says it.
+//! Options of stitching in C.
 
 use crate::ffi::prelude::*;
 use crate::stitch::facing::{Arc, Centres, Run};

@@ -1,4 +1,4 @@
-//! A strip between two polylines, as C sees it.
+//! C interface: strips between two polylines.
 
 use crate::ffi::mesh::facing::points;
 use crate::ffi::mesh::gusset_indices;

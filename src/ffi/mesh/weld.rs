@@ -1,4 +1,4 @@
-//! Welding as C sees it.
+//! C interface: welding.
 
 use crate::ffi::mesh::stitch_options::tolerance;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};

@@ -1,4 +1,4 @@
-//! Winged-edge tables as C sees them.
+//! C interface: winged-edge tables.
 
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! What deformations do to nets, as C sees it.
+//! C interface: folds and contacts that deformations cause.
 
 use crate::error::Result;
 use crate::ffi::net::field::{Given, fields, gusset_field};

@@ -1,4 +1,4 @@
-//! Nets whose nodes are arranged anew, as C sees them.
+//! C interface: nets with their nodes rearranged.
 
 use crate::ffi::net::{edit, gusset_net, read};
 use crate::ffi::prelude::*;

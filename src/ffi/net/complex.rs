@@ -1,4 +1,4 @@
-//! The quotient complex of a net as C sees it.
+//! C interface: the quotient complex of a net.
 
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::{gusset_net, read};

@@ -1,4 +1,4 @@
-//! Fields of deformation, as C sees them.
+//! C interface: deformation fields.
 
 use crate::ffi::net::transform::{gusset_axis, matrix, vector};
 use crate::ffi::net::{edit, gusset_net};

@@ -1,4 +1,4 @@
-//! Gluing and ungluing, and what has become one, as C sees it.
+//! C interface: gluing and ungluing nets, and the classes of nodes that are one point.
 
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::gluing::{gusset_seam, seam};

@@ -1,4 +1,4 @@
-//! What is glued to what in a net, as C sees it.
+//! C interface: the gluing of a net: sides, matrix, seams, closures.
 
 use crate::ffi::net::net_handle::{edit, gusset_net, read};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Joining nets and taking them apart, as C sees it.
+//! C interface: joining nets, and splitting them again.
 
 use crate::error::Element;
 use crate::ffi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};

@@ -1,4 +1,4 @@
-//! Areas, volumes, moments and planarity of nets, as C sees them.
+//! C interface: areas, volumes, moments and planarity of nets.
 
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Nets to meshes and back, and nets of heights, as C sees them.
+//! C interface: nets to meshes and back, and nets of height fields.
 
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::net::{gusset_net, read};

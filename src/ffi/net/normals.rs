@@ -1,4 +1,4 @@
-//! Normals of nets, as C sees them.
+//! C interface: normals of nets.
 
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Whole nets of standard shapes as C sees them.
+//! C interface: nets of standard shapes.
 
 use crate::ffi::net::gusset_net;
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Nets of other sizes, as C sees them.
+//! C interface: resampling, levels of detail and changes of size.
 
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Scenes as C sees them.
+//! C interface: scenes.
 
 use crate::ffi::net::arrange::gusset_direction;
 use crate::ffi::net::join::gusset_join_options;

@@ -1,4 +1,4 @@
-//! Nets as bytes, as C sees them.
+//! C interface: compact streams of nets.
 
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Spatial operations on nets, as C sees them.
+//! C interface: affine maps and deformations of nets.
 
 use crate::ffi::net::{edit, gusset_net};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Whether what is glued lies together, and what lies together, as C sees it.
+//! C interface: whether the coordinates of a net agree with its gluing.
 
 use crate::ffi::net::{edit, gusset_net, read};
 use crate::ffi::prelude::*;

@@ -1,4 +1,4 @@
-//! Sections, contours and isophotes of a surface, as C sees them.
+//! C interface: sections, contours and isophotes of a surface.
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};

@@ -1,5 +1,5 @@
-//! Curves as surfaces: through points, along a surface, and near to each other in space, as C sees
-//! them.
+//! C interface: curves beside surfaces: through points, along a surface, and close to each other in
+//! space.
 
 use crate::ffi::curve::intersect::gusset_places;
 use crate::ffi::curve::{gusset_curve, points, view};

@@ -1,4 +1,4 @@
-//! Points, normals and curvatures of a surface at places, as C sees them.
+//! C interface: points, normals and curvatures at places of a surface.
 
 use crate::error::Element;
 use crate::ffi::curve::times;

@@ -1,4 +1,4 @@
-//! Where lines and curves meet a surface, as C sees it.
+//! C interface: intersections of lines and curves with a surface.
 
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
 use crate::ffi::prelude::*;

@@ -1,5 +1,5 @@
-//! The handle of a surface: sheets with an index, as C sees them; places on surfaces, and curves of
-//! them.
+//! C interface: the handle of a surface, which is sheets with an index; places on surfaces, and
+//! paths of them.
 
 pub mod contour;
 pub mod curve;

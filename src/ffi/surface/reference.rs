@@ -1,4 +1,4 @@
-//! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal
+//! C interface: the paper's search: diameters of cells, cell regions, the logical scale, the normal
 //! by two sections. It is the documented reference; to ask questions, use the index of a surface.
 
 use crate::error::Element;

@@ -1,4 +1,4 @@
-//! What surfaces and their sheets are, as C sees them.
+//! C interface: reports on surfaces and their sheets.
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::gusset_surface;

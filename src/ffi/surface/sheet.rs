@@ -1,4 +1,4 @@
-//! Pieces of smooth surfaces, as C sees them.
+//! C interface: sheets of smooth patches.
 
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;

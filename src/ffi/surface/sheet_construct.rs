@@ -1,4 +1,4 @@
-//! Sheets from tangents, patches, splines, curves and frames, as C sees them.
+//! C interface: sheets from tangents, patches, splines, curves and frames.
 
 use crate::ffi::curve::frame::gusset_frame;
 use crate::ffi::curve::{gusset_curve, points, times};

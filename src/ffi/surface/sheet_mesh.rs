@@ -1,4 +1,4 @@
-//! Meshes of sheets, as C sees them.
+//! C interface: meshes of sheets.
 
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::prelude::*;

@@ -1,4 +1,5 @@
-//! What sheets are, and how far they are from what they stand for, as C sees them.
+//! C interface to reports on sheets: size, degree, closure and poles, and estimates and bounds of
+//! their error for each cell.
 
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;

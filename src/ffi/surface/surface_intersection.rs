@@ -1,4 +1,4 @@
-//! Where two surfaces meet, as C sees it.
+//! C interface: intersection curves of two surfaces.
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, read};

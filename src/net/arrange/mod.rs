@@ -43,7 +43,7 @@ impl Net<'_> {
         let map = Rearrangement::Part { row: rows.start, column: columns.start };
         let mut part = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
-            if let Some(bridge) = bridge.within(&rows, &columns) {
+            if let Some(bridge) = bridge.clipped_to(&rows, &columns) {
                 alloc::push(part.bridges_mut(), bridge)?;
             }
         }
@@ -132,7 +132,7 @@ impl Bridge {
     }
 
     /// The part of the bridge within a rectangle, if a cell of it is.
-    pub(crate) fn within(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
+    pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
         let (across, along) = self.direction.ordered(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
         let at = self.at as usize;

@@ -95,7 +95,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     } else {
         alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
     };
-    let mut faces = Faces {
+    let mut faces = FaceBuilder {
         columns: shape.columns() as u32,
         places: VertexPlaces::new(planes, &classes, &job.part(0.1, 0.2))?,
         planes,
@@ -185,7 +185,7 @@ fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
 }
 
 /// Faces under construction, their corners as nodes.
-struct Faces<'a, T> {
+struct FaceBuilder<'a, T> {
     columns: u32,
     places: VertexPlaces,
     planes: &'a Planes<'a, T>,
@@ -201,7 +201,7 @@ struct Faces<'a, T> {
     edges: Vec<[u32; 2]>,
 }
 
-impl<T: Real> Faces<'_, T> {
+impl<T: Real> FaceBuilder<'_, T> {
     /// Adds a cell, given its corners in order.
     fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let finite = corners.map(|node| self.places.finite[node as usize]);

@@ -146,7 +146,7 @@ fn bridges_cut(
         for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
         {
             let (rows, columns) = direction.ordered(range, &all);
-            if let Some(bridge) = bridge.within(rows, columns) {
+            if let Some(bridge) = bridge.clipped_to(rows, columns) {
                 alloc::push(bridges, bridge)?;
             }
         }

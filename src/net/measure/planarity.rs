@@ -1,4 +1,4 @@
-//! Planarity of the cells: whether a surface can be clad with plane quads (Deryagin, "Facing of
+//! Planarity of the cells: whether a surface can be clad with planar quads (Deryagin, "Facing of
 //! smooth surfaces by quadrangular tiles"). O(nodes).
 
 use crate::alloc;

@@ -42,7 +42,7 @@ impl Duplicates {
     }
 
     /// Calls `visit` with the column of each duplicate of row `i` and the node that it repeats.
-    pub(super) fn in_row(&self, i: usize, mut visit: impl FnMut(usize, u32)) {
+    pub(super) fn for_each_in_row(&self, i: usize, mut visit: impl FnMut(usize, u32)) {
         let start = self.shape.node(i, 0);
         let end = start + self.shape.columns() as u32;
         let from = self.pairs.partition_point(|pair| pair[0] < start);
@@ -55,7 +55,7 @@ impl Duplicates {
         let levels = |i: usize, j: usize| planes.row(i).map(|row| row[j].level());
         (0..self.shape.rows()).all(|i| {
             let mut exact = true;
-            self.in_row(i, |j, first| {
+            self.for_each_in_row(i, |j, first| {
                 let (a, b) = self.shape.place(first);
                 exact &= levels(i, j) == levels(a, b);
             });
@@ -67,7 +67,7 @@ impl Duplicates {
     pub(super) fn restore<T: Bits>(&self, planes: &mut Planes<'_, T>, rows: Range<usize>) {
         let w = self.shape.columns();
         for matrix in planes.matrices_mut() {
-            rows.clone().for_each(|i| self.in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]));
+            rows.clone().for_each(|i| self.for_each_in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]));
         }
     }
 }
@@ -82,25 +82,25 @@ pub(super) struct Blocks<'a, T, L> {
 
 impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
     /// Loads row `i`: the states of its nodes, and their levels.
-    fn load(&self, i: usize, row: &mut Row) {
+    fn load_row(&self, i: usize, row: &mut Row) {
         let numbers = self.planes.row(i);
         for (axis, (to, from)) in row.levels.iter_mut().zip(numbers).enumerate() {
             to.iter_mut().zip(from).for_each(|(level, &number)| *level = self.levels.level(axis, number));
         }
         row.nodes.fill(NodeState::Coded);
-        if has_gaps(numbers) {
+        if has_non_finite(numbers) {
             for (j, node) in row.nodes.iter_mut().enumerate() {
                 if self.levels.is_missing(numbers.map(|row| row[j])) {
                     *node = NodeState::Missing;
                 }
             }
         }
-        self.duplicates.in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
+        self.duplicates.for_each_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
     }
 
     fn sample(&self, rows: Range<usize>, count: usize) -> Result<Sample> {
         let shape = self.info.shape;
-        Sample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| self.load(i, row))
+        Sample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| self.load_row(i, row))
     }
 
     /// The best order of coordinates for the whole net.
@@ -113,12 +113,12 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
         let (info, rows) = (self.info, self.info.block_rows(block));
         let order = ORDERS[info.order as usize];
         let (predictors, _) = self.sample(rows.clone(), SAMPLE)?.predictors(order, fraction(info), 3)?;
-        let may_miss = rows.clone().any(|i| has_gaps(self.planes.row(i)));
+        let may_miss = rows.clone().any(|i| has_non_finite(self.planes.row(i)));
         let mut coder = Encoder::new();
         let mut state = RowCoder::new(info.shape.columns(), std::array::from_fn(|k| (order[k], predictors[k])))?;
         let mut row = Row::new(info.shape.columns())?;
         for i in rows {
-            self.load(i, &mut row);
+            self.load_row(i, &mut row);
             state.code(&mut coder, &mut row, &self.levels, may_miss, place(i, info.shape.rows()));
         }
         let (words, bits) = coder.finish()?;
@@ -171,7 +171,7 @@ pub(super) fn decode<T: Bits>(
     let mut row = Row::new(columns)?;
     for (k, i) in info.block_rows(block).enumerate() {
         row.nodes.fill(NodeState::Coded);
-        duplicates.in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
+        duplicates.for_each_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
         state.code(&mut coder, &mut row, levels, may_miss, place(i, info.shape.rows()));
         let mut to = to.each_mut().map(|matrix| &mut matrix[k * columns..(k + 1) * columns]);
         if !store(&row, levels, &mut to) {
@@ -208,7 +208,7 @@ fn fraction(info: &StreamInfo) -> u32 {
 }
 
 /// True if a coordinate of a row is not finite.
-fn has_gaps<T: Bits>(row: [&[T]; 3]) -> bool {
+fn has_non_finite<T: Bits>(row: [&[T]; 3]) -> bool {
     // Counted, not searched, so that the loop vectorises.
     row.into_iter()
         .any(|numbers| numbers.iter().map(|&x| u32::from(!Into::<f64>::into(x).is_finite())).sum::<u32>() > 0)

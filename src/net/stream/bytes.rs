@@ -1,4 +1,4 @@
-//! Little-endian numbers in byte strings; every read is checked.
+//! Reading and writing little-endian numbers in byte buffers; every read is bounds-checked.
 
 use crate::alloc;
 use crate::error::{Error, Result};

@@ -154,7 +154,7 @@ impl<const N: usize> Search<'_, N> {
     /// Looks from the middle of parts.
     fn improve(&mut self, parts: &SegmentPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
-        let found = descend(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
+        let found = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
         if found.1 < self.best.distance {
             let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: found.0[k] });
             self.best = NearestPoints { places, distance: found.1 };
@@ -179,7 +179,7 @@ impl<const N: usize> SegmentPair<N> {
 
 /// Goes from parameters of two segments to where they are nearest thereabouts: Gauss and Newton's
 /// steps, within 0 to 1.
-fn descend<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
+fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f64; 2], f64) {
     let apart = |at: [f64; 2]| {
         let [[p, pd], [q, qd]] = [0, 1].map(|k| evaluate_with_slope(&segments[k], at[k]));
         (p - q, pd, qd)

@@ -92,7 +92,7 @@ pub(super) fn chain(
 ) -> Result<()> {
     by_level(&mut found.arcs)?;
     if jumps {
-        stitch(&mut found.arcs, lattice)?;
+        link_arcs(&mut found.arcs, lattice)?;
     }
     let levels: Vec<&[Arc]> = found.arcs.chunk_by(|a, b| a.level == b.level).collect();
     let parts = par::map(threads, levels.into_iter(), |arcs| paths(sheet, arcs, &found.inner));
@@ -200,7 +200,7 @@ struct End {
 /// the k-th that leaves with the k-th that enters. Where the fields have no sign in common, the
 /// side itself belongs to the zero set between the two. What is left over then, because the cells
 /// at a corner disagree on the sign there, is linked round the corner that it is nearer to.
-fn stitch(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
+fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
         for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {

@@ -88,7 +88,7 @@ struct Squares<const M: usize> {
 
 impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     /// The angles that are in a range, or whose supplements are, and what lies between them.
-    fn within(&self, [low, high]: [f64; 2]) -> Range<usize> {
+    fn levels_in(&self, [low, high]: [f64; 2]) -> Range<usize> {
         let AngleClasses { radians, unsigned, .. } = self.classes;
         let own = between(radians, [low, high], 0.0);
         if !unsigned {
@@ -112,18 +112,18 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     }
 
     fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
-        if self.within(angles(&block.ranges(cell), 0.0)).is_empty() {
+        if self.levels_in(angles(&block.ranges(cell), 0.0)).is_empty() {
             return false;
         }
         let of = self.normals.hodographs(cell);
-        !self.within(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
+        !self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
     }
 
     fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Squares<M>> {
         let of = self.normals.hodographs(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
-        let levels = self.within(angles(&of.ranges(), self.normals.rounding_error(&of)));
+        let levels = self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of)));
         let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
         CellBase {
             levels,

@@ -1,4 +1,4 @@
-//! The cells of a sheet, their sides, and what these are called.
+//! Numbering of the cells of a sheet and of their sides, across closed directions too.
 
 use crate::surface::Sheet;
 use crate::surface::cells::{BLOCK, block_range};

@@ -1,4 +1,4 @@
-//! Paths of sheets joined: joined across sheets, with points and normals.
+//! Joins the paths of single sheets across sheet boundaries, and adds points and normals.
 //!
 //! Cost: O(n log n) for n paths of sheets, and O(1) a point.
 

@@ -84,7 +84,7 @@ struct Workspace {
 
 impl Workspace {
     /// Finds the ends that are left.
-    fn finish_roots(&mut self, arcs: &mut [Arc]) {
+    fn solve_open_ends(&mut self, arcs: &mut [Arc]) {
         roots(&self.sides, &mut self.roots);
         for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
             arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
@@ -140,7 +140,7 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> Search<'_, C, S,
                 for k in range {
                     self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
                 }
-                workspace.finish_roots(&mut part.arcs);
+                workspace.solve_open_ends(&mut part.arcs);
                 Ok(part)
             });
             for part in parts? {

@@ -159,7 +159,7 @@ impl ProductRange {
 
 #[cfg(test)]
 mod tests {
-    use super::super::foot::{MAX_STEPS, descend};
+    use super::super::foot::{MAX_STEPS, minimise};
     use super::*;
 
     /// A patch through control points z(a, b) over a square grid.
@@ -197,7 +197,7 @@ mod tests {
                 assert!(patch.half_space_distance(query, (query - target).normalize()) <= min + 1e-12);
             }
             for start in [DVec2::splat(0.5), DVec2::ZERO] {
-                let foot = descend(&patch, query, start, MAX_STEPS);
+                let foot = minimise(&patch, query, start, MAX_STEPS);
                 // A foot in another valley, too: the bound is of all the patch.
                 assert!(patch.convexity_distance(query, &foot) <= min + 1e-12, "{seed} {query}");
                 assert!(lower_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
@@ -216,7 +216,7 @@ mod tests {
             (DVec3::new(2.0, -1.0, -1.0), DVec3::new(1.0, 0.0, 0.0)),
         ] {
             let truth = query.distance(nearest);
-            let foot = descend(&patch, query, DVec2::splat(0.5), MAX_STEPS);
+            let foot = minimise(&patch, query, DVec2::splat(0.5), MAX_STEPS);
             assert!((foot.distance - truth).abs() < 1e-12);
             assert!((patch.box_distance(query) - truth).abs() < 1e-12);
             assert!((patch.half_space_distance(query, (query - nearest).normalize()) - truth).abs() < 1e-12);
@@ -228,7 +228,7 @@ mod tests {
         let profile = [0.024, -0.008, -0.008, 0.024];
         let bowl = graph(|a, b| profile[a] + profile[b]);
         let query = DVec3::new(0.5, 0.5, 1.0);
-        let foot = descend(&bowl, query, DVec2::new(0.2, 0.9), MAX_STEPS);
+        let foot = minimise(&bowl, query, DVec2::new(0.2, 0.9), MAX_STEPS);
         let direction = (query - foot.jet.point).normalize();
         assert!(bowl.half_space_distance(query, direction) < foot.distance - 0.04);
         assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);

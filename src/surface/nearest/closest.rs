@@ -1,4 +1,4 @@
-//! The nearest point of a surface.
+//! Entry points of the nearest-point query.
 //!
 //! Sheet by sheet depth first, then by rising lower bounds (`search`). Cost: O(log n) boxes and a
 //! few patches for most queries; near a centre of curvature up to the limits of `search`.

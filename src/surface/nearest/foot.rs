@@ -37,7 +37,7 @@ impl Foot {
 }
 
 /// The place that descent from `start` leads to: from there no permitted step goes down, or nearly.
-pub(super) fn descend<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
+pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
     let mut foot = Foot::at(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
     for _ in 0..steps {
         let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);

@@ -7,7 +7,7 @@
 
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
-use super::foot::{MAX_STEPS, descend};
+use super::foot::{MAX_STEPS, minimise};
 use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
@@ -196,7 +196,7 @@ impl MinimaSearch<'_> {
             let found =
                 nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
             let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
-            let foot = descend(&patch, self.query, there.place, MAX_STEPS);
+            let foot = minimise(&patch, self.query, there.place, MAX_STEPS);
             let moved = foot.jet.point.distance(minimum.point) > SAME_POINT * self.tolerance;
             !(moved && foot.distance < minimum.distance)
         })

@@ -11,7 +11,7 @@
 //!
 //! Control points bound all of these, so that no minimum is missed. At most [`MAX_PARTS`] parts.
 
-use super::foot::{Foot, MAX_STEPS, descend, gradient_and_hessian};
+use super::foot::{Foot, MAX_STEPS, minimise, gradient_and_hessian};
 use super::part::{MAX_PARTS, PatchPart};
 use crate::geom::aabb::range;
 use crate::geom::bernstein::halves;
@@ -64,7 +64,7 @@ pub(super) fn interior_minima<const N: usize>(
             continue;
         }
         examined += 1;
-        let foot = descend(&part.patch, query, DVec2::splat(0.5), MAX_STEPS);
+        let foot = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS);
         let hessian = part.patch.hessian_range(query, &foot);
         let noise = part.patch.noise();
         let speed = foot.jet.u.length() + foot.jet.v.length();

@@ -4,7 +4,7 @@
 //! the patch is split by branch and bound, down to 2^-26 of a side and [`MAX_PARTS`] parts.
 
 use super::bounds::lower_bound;
-use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, descend};
+use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
 use super::part::{MAX_PARTS, PatchPart};
 use crate::surface::Patch;
 use crate::surface::frontier::{BranchAndBound, Frontier};
@@ -42,7 +42,7 @@ pub(super) fn nearest_on_patch<const N: usize>(
     tolerance: f64,
     frontier: &mut PartFrontier<N>,
 ) -> Option<NearestOnPatch> {
-    let best = descend(patch, query, start, MAX_STEPS);
+    let best = minimise(patch, query, start, MAX_STEPS);
     let bound = lower_bound(patch, query, &best, 0.0, tolerance);
     if bound > limit {
         return None;
@@ -105,7 +105,7 @@ impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
 
     fn branch(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
         self.examined += 1;
-        let local = descend(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
+        let local = minimise(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance < self.best.distance {
             // As the whole patch has it: the part's control points are rounded.
             let foot = Foot::at(self.patch, self.query, part.place(local.place));

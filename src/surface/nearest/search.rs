@@ -1,4 +1,4 @@
-//! The nearest point of a surface.
+//! The search for the nearest point: depth first, then best first.
 //!
 //! Sheets are searched depth first, nearest blocks first: no queue, boxes in single precision, and
 //! a good answer soon. A search that turns out long leaves what is left to the frontier: blocks,
@@ -12,7 +12,7 @@
 
 use super::block::Block;
 use super::bounds::lower_bound;
-use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, descend};
+use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
 use super::incumbent::{Answer, Incumbent};
 use super::leaf::{CellCandidate, Leaf};
 use super::part::PatchPart;
@@ -241,7 +241,7 @@ impl NearestSearch {
     fn examine<const N: usize>(&mut self, at: &CellPatch<'_, N>, start: DVec2) {
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
-        let foot = descend(at.patch, query, start, MAX_STEPS);
+        let foot = minimise(at.patch, query, start, MAX_STEPS);
         let bound = lower_bound(at.patch, query, &foot, 0.0, tolerance);
         if bound > self.prune_bound() {
             return;
@@ -260,7 +260,7 @@ impl NearestSearch {
         }
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
-        let local = descend(&part.patch, query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
+        let local = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance <= self.prune_bound().min(self.incumbent.distance()) {
             // As the whole patch has it: the part's control points are rounded.
             self.add(at, &Foot::at(at.patch, query, part.place(local.place)));
