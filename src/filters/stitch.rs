@@ -94,7 +94,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 /// The vertices of the loop that parameter `id` numbers; `None` for -1.
-fn loop_by_number(mesh: &MeshView<'_>, values: &Values<'_>, id: &'static str, job: &Job<'_>) -> Result<Option<Vec<u32>>> {
+fn loop_by_number(
+    mesh: &MeshView<'_>,
+    values: &Values<'_>,
+    id: &'static str,
+    job: &Job<'_>,
+) -> Result<Option<Vec<u32>>> {
     let number = values.number(id);
     if number < 0.0 {
         return Ok(None);

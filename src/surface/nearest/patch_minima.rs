@@ -11,7 +11,7 @@
 //!
 //! Control points bound all of these, so that no minimum is missed. At most [`MAX_PARTS`] parts.
 
-use super::foot::{Foot, MAX_STEPS, minimise, gradient_and_hessian};
+use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
 use super::part::{MAX_PARTS, PatchPart};
 use crate::geom::aabb::range;
 use crate::geom::bernstein::halves;

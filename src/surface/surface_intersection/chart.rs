@@ -203,7 +203,8 @@ fn slopes<const N: usize, const M: usize>(
     let (mut errors, mut right) = ([[0.0; 3]; 3], [[0.0; 2]; 3]);
     for k in 0..3 {
         let ([s, t], [u, v]) = (a[k].slope_ranges(), b[k].slope_ranges());
-        let (of_a, of_b) = ([s, t].map(|x| scaled_about_middle(x, growth_a)), [u, v].map(|x| scaled_about_middle(x, growth_b)));
+        let (of_a, of_b) =
+            ([s, t].map(|x| scaled_about_middle(x, growth_a)), [u, v].map(|x| scaled_about_middle(x, growth_b)));
         let columns = [of_a[0], of_a[1], [-of_b[0][1], -of_b[0][0]], [-of_b[1][1], -of_b[1][0]]];
         for (n, &other) in others.iter().enumerate() {
             let identity = if n == k { 1.0 } else { 0.0 };
