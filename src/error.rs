@@ -357,11 +357,6 @@ pub enum Error {
 }
 
 impl Error {
-    /// [`Error::OptionOutOfRange`], unless the value is `allowed`.
-    pub(crate) fn check_option(option: &'static str, value: f64, allowed: bool) -> Result<()> {
-        if allowed { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
-    }
-
     /// [`Error::NotFinite`], if a coordinate of an element is not.
     pub(crate) fn check_finite(element: Element, index: u64, p: glam::DVec3) -> Result<()> {
         match p.to_array().into_iter().find(|x| !x.is_finite()) {

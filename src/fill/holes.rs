@@ -37,7 +37,7 @@ use std::collections::BTreeSet;
 pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Options, job: &Job<'_>) -> Result<Filled> {
     for (option, limit) in [("max_length", options.limits.length), ("max_diameter", options.limits.diameter)] {
         let limit = limit.unwrap_or(0.0);
-        Error::check_option(option, limit, limit >= 0.0)?;
+        Error::require(limit >= 0.0, option, limit)?;
     }
     let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
     let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;

@@ -85,7 +85,7 @@ pub struct Weld {
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
     let tolerance = options.tolerance.unwrap_or(0.0);
-    Error::check_option("tolerance", tolerance, (0.0..f64::INFINITY).contains(&tolerance))?;
+    Error::require((0.0..f64::INFINITY).contains(&tolerance), "tolerance", tolerance)?;
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;

@@ -190,7 +190,7 @@ pub(super) fn round_off(scalar: Scalar) -> f64 {
 /// [`Error::OptionOutOfRange`].
 pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
     let value = tolerance.unwrap_or(0.0);
-    Error::check_option("tolerance", value, (0.0..f64::INFINITY).contains(&value))
+    Error::require((0.0..f64::INFINITY).contains(&value), "tolerance", value)
 }
 
 /// Algorithm 2 on points whose coordinates are at most 2.

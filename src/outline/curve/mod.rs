@@ -64,7 +64,7 @@ impl<'a> CurveView<'a> {
                 return Err(bad(k));
             }
             let degree = (ends[k] - ends[k - 1]) as usize;
-            Error::check_option("degree", degree as f64, degree <= MAX_DEGREE)?;
+            Error::require(degree <= MAX_DEGREE, "degree", degree as f64)?;
         }
         if ends.len() > 1 && ends[ends.len() - 1] as usize != points.len() - 1 {
             return Err(bad(ends.len() - 1));

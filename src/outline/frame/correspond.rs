@@ -178,9 +178,9 @@ fn add_landmarks(
     parts: usize,
     found: &mut SectionNodes,
 ) -> Result<()> {
-    let check = |value: usize, allowed: bool| Error::check_option("landmarks", value as f64, allowed);
+    let check = |value: usize, allowed: bool| Error::require(allowed, "landmarks", value as f64);
     check(points.len(), found.rows > 0 && !points.is_empty() && points.len().is_multiple_of(found.rows))?;
-    Error::check_option("parts", parts as f64, parts > 0)?;
+    Error::require(parts > 0, "parts", parts as f64)?;
     let each = points.len() / found.rows;
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
     found.reserve(columns.unwrap_or(usize::MAX))?;
@@ -216,13 +216,13 @@ fn add_landmarks(
 fn axes(direction: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
     let unit = |v: DVec3, option: &'static str| {
         let largest = v.abs().max_element();
-        Error::check_option(option, largest, v.is_finite() && largest > 0.0)?;
+        Error::require(v.is_finite() && largest > 0.0, option, largest)?;
         Ok((v / largest).normalize())
     };
     let along = unit(direction, "axis")?;
     let reference = unit(reference, "reference")?;
     let across = reference - along * reference.dot(along);
-    Error::check_option("reference", across.length(), across.length() >= 1e-9)?;
+    Error::require(across.length() >= 1e-9, "reference", across.length())?;
     let first = across.normalize();
     Ok([along, first, along.cross(first)])
 }

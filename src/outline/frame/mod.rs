@@ -75,7 +75,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
     let (rows, columns) = (found.rows, found.columns);
     for (option, count, closed) in [("sections", rows, options.ring), ("columns", columns, sections.closed)] {
-        Error::check_option(option, count as f64, count >= if closed { 3 } else { 2 })?;
+        Error::require(count >= if closed { 3 } else { 2 }, option, count as f64)?;
     }
     let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.6))?;
     let turned_back = |point: usize| (point % rows) * columns + point / rows;

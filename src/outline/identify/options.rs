@@ -180,6 +180,6 @@ impl Options {
             ("max_steps", f64::from(self.max_steps), self.max_steps > 0),
             ("step_divisor", self.step_divisor, self.step_divisor > 1.0 && self.step_divisor <= 1e6),
         ];
-        ranges.into_iter().try_for_each(|(option, value, allowed)| Error::check_option(option, value, allowed))
+        ranges.into_iter().try_for_each(|(option, value, allowed)| Error::require(allowed, option, value))
     }
 }

@@ -31,7 +31,7 @@ impl<'a> Points<'a> {
     /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
     /// [`Error::SizeOverflow`].
     pub fn bytes_needed(stride: usize, count: usize, dimension: usize) -> Result<usize> {
-        Error::check_option("dimension", dimension as f64, (2..=3).contains(&dimension))?;
+        Error::require((2..=3).contains(&dimension), "dimension", dimension as f64)?;
         Error::check_count("points", count as u64, MAX_POINTS as u64)?;
         Strided::span(count, stride, 8 * dimension, "points")
     }

@@ -42,7 +42,7 @@ pub struct Sections {
 pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Result<Sections> {
     let count = outlines.check()?;
     let alpha = method.alpha().unwrap_or(0.5);
-    Error::check_option("alpha", alpha, (0.0..=1.0).contains(&alpha))?;
+    Error::require((0.0..=1.0).contains(&alpha), "alpha", alpha)?;
     let finder = Finder { points: &outlines.points, method, scale: scale(outlines)? };
     let total = outlines.points.len();
     let mut found = Sections {

@@ -26,7 +26,7 @@ pub struct Reduced {
 }
 
 fn check_degree(degree: usize) -> Result<()> {
-    Error::check_option("degree", degree as f64, (1..=MAX_DEGREE).contains(&degree))
+    Error::require((1..=MAX_DEGREE).contains(&degree), "degree", degree as f64)
 }
 
 impl CurveView<'_> {
@@ -71,7 +71,7 @@ impl CurveView<'_> {
     /// each segment.
     pub fn reduced(&self, degree: usize, tolerance: f64) -> Result<Reduced> {
         check_degree(degree)?;
-        Error::check_option("tolerance", tolerance, tolerance >= 0.0)?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
         for (k, controls) in self.segments().enumerate() {
             if controls.len() - 1 <= degree {

@@ -33,7 +33,7 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`].
     pub fn derivatives_at(&self, places: &[Place], order: usize) -> Result<Vec<DVec3>> {
-        Error::check_option("order", order as f64, order <= MAX_DEGREE)?;
+        Error::require(order <= MAX_DEGREE, "order", order as f64)?;
         let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
         for (index, &place) in places.iter().enumerate() {
             self.check_place(index, place)?;

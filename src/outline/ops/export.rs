@@ -104,7 +104,7 @@ impl CurveView<'_> {
     pub fn contour(&self, tolerance: f64) -> Result<Contour> {
         self.check_plane()?;
         self.check_degrees(1..=2)?;
-        Error::check_option("tolerance", tolerance, tolerance >= 0.0)?;
+        Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -173,7 +173,7 @@ impl CurveView<'_> {
 
     fn check_degrees(&self, allowed: RangeInclusive<usize>) -> Result<()> {
         let mut degrees = self.segments().map(|controls| controls.len() - 1);
-        degrees.try_for_each(|degree| Error::check_option("degree", degree as f64, allowed.contains(&degree)))
+        degrees.try_for_each(|degree| Error::require(allowed.contains(&degree), "degree", degree as f64))
     }
 }
 

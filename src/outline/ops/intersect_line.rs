@@ -35,7 +35,7 @@ impl CurveView<'_> {
         check_finite(0, point)?;
         check_finite(1, normal)?;
         let largest = normal.abs().max_element();
-        Error::check_option("normal", largest, largest > 0.0)?;
+        Error::require(largest > 0.0, "normal", largest)?;
         let frame = UnitFrame::of(self.points());
         let normal = (normal / largest).normalize();
         let level = normal.dot(frame.point(point));

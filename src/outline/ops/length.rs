@@ -78,7 +78,7 @@ impl<'a> Lengths<'a> {
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
     pub fn place(&self, length: f64) -> Result<Place> {
-        Error::check_option("length", length, !length.is_nan())?;
+        Error::require(!length.is_nan(), "length", length)?;
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
         }

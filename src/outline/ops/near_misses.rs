@@ -85,7 +85,7 @@ impl CurveView<'_> {
         if self.is_empty() || other.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        Error::check_option("within", within, (0.0..f64::INFINITY).contains(&within))?;
+        Error::require((0.0..f64::INFINITY).contains(&within), "within", within)?;
         let frame = UnitFrame::of(self.points().iter().chain(other.points()));
         let points = [frame.points(self.points())?, frame.points(other.points())?];
         let sides = [

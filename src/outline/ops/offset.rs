@@ -67,10 +67,10 @@ impl CurveView<'_> {
         self.check_plane()?;
         let frame = UnitFrame::of(self.points());
         let d = frame.length(distance);
-        Error::check_option("distance", distance, d.abs() <= 1e100)?;
-        Error::check_option("tolerance", options.tolerance, options.tolerance > 0.0)?;
-        Error::check_option("degree", options.degree as f64, (2..=3).contains(&options.degree))?;
-        Error::check_option("max_segments", options.max_segments as f64, options.max_segments > 0)?;
+        Error::require(d.abs() <= 1e100, "distance", distance)?;
+        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
+        Error::require((2..=3).contains(&options.degree), "degree", options.degree as f64)?;
+        Error::require(options.max_segments > 0, "max_segments", options.max_segments as f64)?;
         let mut fit = OffsetFit {
             job: *job,
             frame,

@@ -54,7 +54,7 @@ impl CurveView<'_> {
             Spacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
             Spacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
         };
-        Error::check_option(option, value, value >= least)?;
+        Error::require(value >= least, option, value)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }

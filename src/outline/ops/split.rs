@@ -30,7 +30,7 @@ impl CurveView<'_> {
         if order.is_lt() || (order.is_eq() && !self.is_closed()) {
             return self.between(from, to);
         }
-        Error::check_option("to", to.t, self.is_closed())?;
+        Error::require(self.is_closed(), "to", to.t)?;
         let last = Place { segment: self.len() as u32 - 1, t: 1.0 };
         let mut curve = self.between(from, last)?;
         let rest = self.between(Place { segment: 0, t: 0.0 }, to)?;

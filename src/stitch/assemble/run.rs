@@ -35,7 +35,7 @@ use crate::stitch::{self, IndexMap};
 /// [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(gap) = options.max_gap {
-        Error::check_option("max_gap", gap, (0.0..f64::INFINITY).contains(&gap))?;
+        Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
     let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
     let mut loops = Loops::of(&base.done.mesh, &job.part(0.3, 0.4))?;
@@ -399,7 +399,7 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
             let map = base.done.maps.get(selector.piece as usize);
             map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())
         };
-        Error::check_option("excluded", k as f64, pair.iter().all(exists))?;
+        Error::require(pair.iter().all(exists), "excluded", k as f64)?;
         let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
         alloc::extend(&mut excluded, pairs)?;
     }
