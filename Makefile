@@ -6,12 +6,20 @@ LIBDIR  ?= $(PREFIX)/lib
 DOCDIR  ?= $(PREFIX)/share/doc/gusset
 DESTDIR ?=
 CARGO   ?= cargo
+OBJCOPY ?= objcopy
+# release, or release-debug: the same with line tables.
+PROFILE ?= release
+# Where the archive of `make dist` will be downloaded from, for the recipes beside it.
+DIST_URL ?= file://$(CURDIR)/build/dist
 
 manifest = $(shell sed -n 's/^$(1) = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 version := $(call manifest,version)
 abi     := $(basename $(version))
-release := $(or $(CARGO_TARGET_DIR),target)/release
+release := $(or $(CARGO_TARGET_DIR),target)/$(PROFILE)
 stage   := $(CURDIR)/build/stage
+# The program, where `make cli` has built it; the stage is without.
+cli      = $(shell test -x build/cli/gusset && echo yes)
+archive := $(CURDIR)/build/dist/gusset-$(version)-linux-$(shell uname -m).tar.gz
 # A build of its own: the same file name would otherwise stand for two libraries.
 openmfx := $(CURDIR)/target/openmfx/debug/libgusset.so
 libdir   = $(DESTDIR)$(LIBDIR)
@@ -31,7 +39,7 @@ deb_packages   := debhelper dpkg-dev lintian
 pictures_packages := $(host_packages)
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build openmfx test check check-fuzz exhaustive cli check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test check check-fuzz exhaustive cli check-cancel demo docs pictures bench install install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -50,11 +58,15 @@ help:
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
 	@echo 'make install [PREFIX=/usr/local] [LIBDIR=] [DESTDIR=]   libraries, headers, pkg-config file, CMake package, docs'
-	@echo 'make install-strip                the same, without what debuggers read'
+	@echo 'make install-debug                the same with line tables and symbols, for debuggers and profilers'
+	@echo 'make dist [DIST_URL=]             an archive for those without Rust, and recipes of conan and vcpkg for it, into build/dist'
+	@echo 'make check-dist                   whether another checkout makes the same bytes of it; builds the library again'
+	@echo 'make check-conan                  the recipe of conan by conan, which it installs from PyPI into build'
 	@echo 'make check-abi                    whether the binary interface is that of packaging/abi; it is in make test too'
 	@echo 'make abi-baseline [UNRELEASED=1]  writes it anew, where its rule allows; UNRELEASED=1: although programs would break'
 	@echo 'make check-cargo-c                the installation that cargo-c makes, looked at like ours; builds cargo-c, minutes'
 	@echo 'make deb                          Debian packages, into build/deb'
+	@echo 'make check-deb                    the tests of those packages, which it installs and removes again; as root'
 	@echo 'make clean                        remove build and target'
 
 # What is built tells no folders of the machine that built it; unless RUSTFLAGS is set, which cargo takes instead of these flags.
@@ -62,7 +74,7 @@ cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
 remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
 
 build:
-	$(CARGO) build --release --locked --config 'build.rustflags=[$(remapped)]'
+	$(CARGO) build --profile $(PROFILE) --locked --config 'build.rustflags=[$(remapped)]'
 
 check:
 	$(CARGO) fmt --check
@@ -82,9 +94,9 @@ exhaustive:
 openmfx:
 	$(CARGO) rustc --locked --lib --crate-type cdylib --features openmfx --target-dir target/openmfx
 
-test: check check-fuzz stage openmfx
+test: check check-fuzz stage openmfx dist
 	@scripts/install-packages.sh $(test_packages)
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx) -DGUSSET_ARCHIVE=$(archive)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
 
@@ -113,13 +125,17 @@ pictures: stage
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)
 
-# The static library without the Rust compiler's own code, half of it, which C linkers have no use for and nm stumbles over where clang is.
+# Both without what debuggers read; the static library also without the Rust compiler's own code, half of it, which C linkers have
+# no use for and nm stumbles over where clang is.
+strip_shared = --strip-unneeded
+strip_static = --strip-debug
 install: build
 	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
-	install -m 755 $(release)/libgusset.so $(libdir)/libgusset.so.$(version)
+	$(OBJCOPY) $(strip_shared) $(release)/libgusset.so $(libdir)/libgusset.so.$(version)
+	chmod 755 $(libdir)/libgusset.so.$(version)
 	ln -sf libgusset.so.$(version) $(libdir)/libgusset.so.$(abi)
 	ln -sf libgusset.so.$(abi) $(libdir)/libgusset.so
-	objcopy -D -R .llvmbc -R .llvmcmd $(release)/libgusset.a $(libdir)/libgusset.a
+	$(OBJCOPY) -D $(strip_static) -R .llvmbc -R .llvmcmd $(release)/libgusset.a $(libdir)/libgusset.a
 	chmod 644 $(libdir)/libgusset.a
 	install -m 644 include/*.h include/*.hpp $(incdir)
 	install -m 644 include/gusset/*.hpp $(incdir)/gusset
@@ -132,11 +148,20 @@ install: build
 	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
 	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
 	    xargs -I@ install -D -m 644 @ $(docdir)/@
+	$(if $(cli),DESTDIR='$(DESTDIR)' cmake --install build/cli --prefix '$(PREFIX)')
 
-# Without what debuggers read, which is most of their size.
-install-strip: install
-	strip --strip-unneeded $(libdir)/libgusset.so.$(version)
-	strip --strip-debug $(libdir)/libgusset.a
+install-debug:
+	@$(MAKE) --no-print-directory install PROFILE=release-debug strip_shared= strip_static=
+
+# For those without Rust: docs/guides/linking.md.
+dist: cli
+	@scripts/dist.sh '$(archive)' '$(DIST_URL)'
+
+check-dist: dist
+	@scripts/check-dist.sh '$(archive)'
+
+check-conan: dist
+	@scripts/check-conan.sh build/dist/conan
 
 # The binary interface against packaging/abi, whose script says the rule; `make test` does the same.
 check-abi abi-baseline:
@@ -150,10 +175,13 @@ check-cargo-c:
 deb:
 	@scripts/deb.sh $(deb_packages)
 
+check-deb:
+	@scripts/check-deb.sh autopkgtest
+
 # An installation of its own for tests and demo.
 stage:
 	@rm -rf '$(stage)'
-	@$(MAKE) --no-print-directory -s install PREFIX='$(stage)' DESTDIR=
+	@$(MAKE) --no-print-directory -s install PREFIX='$(stage)' DESTDIR= cli=
 
 clean:
 	rm -rf build target

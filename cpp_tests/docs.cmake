@@ -75,6 +75,26 @@ if(EXISTS ${GUSSET_PREFIX}/lib/cmake/gusset)
                        PASS_REGULAR_EXPRESSION "; 0 loops left")
 endif()
 
+# docs/guides/linking.md: start.c in a project that fetches gusset, as sources and as the archive.
+set(fetched_source -DGUSSET_SOURCE=${root} -DGUSSET_CARGO_TARGET_DIR=${root}/target)
+if(DEFINED ENV{CARGO_TARGET_DIR})
+  set(fetched_source -DGUSSET_SOURCE=${root} -DGUSSET_CARGO_TARGET_DIR=$ENV{CARGO_TARGET_DIR})
+endif()
+set(fetched_archive -DGUSSET_ARCHIVE=${GUSSET_ARCHIVE})
+foreach(project source archive)
+  configure_file(${guides}/start.c ${CMAKE_BINARY_DIR}/guides/${project}/start.c COPYONLY)
+endforeach()
+configure_file(${guides}/source.cmake ${CMAKE_BINARY_DIR}/guides/source/CMakeLists.txt COPYONLY)
+configure_file(${guides}/archive.cmake ${CMAKE_BINARY_DIR}/guides/archive/CMakeLists.txt COPYONLY)
+foreach(project source archive)
+  if(project STREQUAL source OR GUSSET_ARCHIVE)
+    add_test(NAME guides/${project} COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_BINARY_DIR}/guides/${project}
+             ${CMAKE_BINARY_DIR}/guides/${project}/build --build-generator ${CMAKE_GENERATOR}
+             --build-options ${fetched_${project}} --test-command start_c)
+    set_tests_properties(guides/${project} PROPERTIES PASS_REGULAR_EXPRESSION "; 0 loops left")
+  endif()
+endforeach()
+
 # The pictures: the same bytes each time.
 add_executable(gallery ${root}/examples/pictures/gallery.cpp)
 target_compile_options(gallery PRIVATE ${strict} -Wconversion -Wshadow)

@@ -24,7 +24,8 @@ for name in Name Description Version; do
     <(sed "s|@VERSION@|$(eval "$package --modversion")|; s|@DESCRIPTION@|$(sed -n 's/^description = "\(.*\)"/\1/p' Cargo.toml)|" \
       packaging/gusset.pc.in | field "$name" /dev/stdin)
 done
-words() { tr ' ' '\n' | sed '/^$/d' | sort -u; }
+# Flags for the linker are ours alone: cargo-c names libraries.
+words() { tr ' ' '\n' | sed '/^$/d; /^-Wl,/d' | sort -u; }
 diff <(field Libs.private "$stage/lib/pkgconfig/gusset.pc" | words) <(field Libs.private packaging/gusset.pc.in | words)
 mkdir -p "$work/pkg_config" && make --always-make -C "$work/pkg_config" -f "$PWD/cpp_tests/consumer/pkg_config/Makefile" \
   PREFIX="$stage" "package=$package"

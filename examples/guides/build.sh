@@ -11,7 +11,7 @@ cc -std=c99 start.c $(pkg-config --cflags --libs gusset) "-Wl,-rpath,$(pkg-confi
 
 #! [static]
 cc -std=c99 start.c $(pkg-config --cflags gusset) "$(pkg-config --variable=libdir gusset)/libgusset.a" \
-  -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o start-static
+  -Wl,--gc-sections -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o start-static
 #! [static]
 
 ./start-static

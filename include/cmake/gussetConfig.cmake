@@ -10,55 +10,32 @@
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.13)
 
-# PREFIX/lib/cmake/gusset or PREFIX/share/cmake/gusset, or PREFIX/lib/ARCHITECTURE/cmake/gusset.
+# PREFIX/lib/cmake/gusset or PREFIX/share/cmake/gusset, PREFIX/lib/ARCHITECTURE/cmake/gusset, or PREFIX/share/gusset.
 get_filename_component(_gusset_here "${CMAKE_CURRENT_LIST_DIR}" REALPATH)
-foreach(_gusset_up "../../.." "../../../..")
+foreach(_gusset_up "../../.." "../../../.." "../..")
   get_filename_component(_gusset_prefix "${_gusset_here}/${_gusset_up}" ABSOLUTE)
   if(EXISTS "${_gusset_prefix}/include/gusset.h")
     break()
   endif()
 endforeach()
-
-if(NOT TARGET gusset::headers)
-  add_library(gusset::headers INTERFACE IMPORTED)
-  set_target_properties(gusset::headers PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${_gusset_prefix}/include")
-endif()
+set(_gusset_include "${_gusset_prefix}/include")
 
 foreach(_gusset_kind shared static)
   string(TOUPPER ${_gusset_kind} _gusset_upper)
   set(_gusset_name "${CMAKE_${_gusset_upper}_LIBRARY_PREFIX}gusset${CMAKE_${_gusset_upper}_LIBRARY_SUFFIX}")
   set(gusset_${_gusset_kind}_FOUND FALSE)
+  unset(_gusset_file_${_gusset_kind})
   foreach(_gusset_folder "${_gusset_here}/../.." "${_gusset_prefix}/lib/${CMAKE_LIBRARY_ARCHITECTURE}"
           "${_gusset_prefix}/lib" "${_gusset_prefix}/lib64")
     get_filename_component(_gusset_file "${_gusset_folder}/${_gusset_name}" ABSOLUTE)
     if(EXISTS "${_gusset_file}")
       set(gusset_${_gusset_kind}_FOUND TRUE)
-      if(NOT TARGET gusset::${_gusset_kind})
-        add_library(gusset::${_gusset_kind} ${_gusset_upper} IMPORTED)
-        set_target_properties(gusset::${_gusset_kind} PROPERTIES
-                              IMPORTED_LOCATION "${_gusset_file}" INTERFACE_LINK_LIBRARIES gusset::headers)
-      endif()
+      set(_gusset_file_${_gusset_kind} "${_gusset_file}")
       break()
     endif()
   endforeach()
 endforeach()
-
-if(TARGET gusset::static AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
-  # A library that holds gusset must stay mapped once it is loaded, as threads of the host may still end inside the Rust
-  # runtime after it is closed; and it keeps gusset's symbols to itself, lest those of another copy take their place.
-  set_target_properties(gusset::static PROPERTIES
-    INTERFACE_LINK_LIBRARIES "gusset::headers;-lgcc_s;-lutil;-lrt;-lpthread;-lm;-ldl;-lc"
-    INTERFACE_LINK_OPTIONS "LINKER:-z,nodelete;LINKER:--exclude-libs,libgusset.a")
-endif()
-
-if(NOT TARGET gusset::gusset)
-  foreach(_gusset_kind shared static)
-    if(TARGET gusset::${_gusset_kind} AND NOT TARGET gusset::gusset)
-      add_library(gusset::gusset INTERFACE IMPORTED)
-      set_target_properties(gusset::gusset PROPERTIES INTERFACE_LINK_LIBRARIES gusset::${_gusset_kind})
-    endif()
-  endforeach()
-endif()
+include("${CMAKE_CURRENT_LIST_DIR}/gussetTargets.cmake")
 
 set(gusset_FOUND TRUE)
 if(NOT EXISTS "${_gusset_prefix}/include/gusset.h" OR NOT TARGET gusset::gusset)

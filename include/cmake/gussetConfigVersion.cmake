@@ -1,5 +1,5 @@
 # Which versions will do: the binary interface is that of major.minor, and within it later is better. The version is the header's.
-foreach(_gusset_up "../../.." "../../../..")
+foreach(_gusset_up "../../.." "../../../.." "../..")
   get_filename_component(_gusset_here "${CMAKE_CURRENT_LIST_DIR}" REALPATH)
   get_filename_component(_gusset_header "${_gusset_here}/${_gusset_up}/include/gusset.h" ABSOLUTE)
   if(EXISTS "${_gusset_header}")

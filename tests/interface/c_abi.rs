@@ -33,9 +33,23 @@ fn committed(path: &str, generated: &str) {
 
 #[test]
 fn the_committed_headers_are_the_generated_ones() {
-    for name in HEADERS {
-        let generated = Path::new(env!("OUT_DIR")).join(name);
-        committed(&format!("include/{name}"), &fs::read_to_string(generated).unwrap());
+    let config = |name: &str| cbindgen::Config::from_file(Path::new(ROOT).join(name)).unwrap();
+    let mut library = config("cbindgen.toml");
+    let [major, minor, patch] =
+        [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH")];
+    let versions = format!(
+        "\n/** Version of this header; compare with gusset_version() of the library loaded. */\n\
+         #define GUSSET_VERSION_MAJOR {major}\n#define GUSSET_VERSION_MINOR {minor}\n#define GUSSET_VERSION_PATCH {patch}\n\
+         #define GUSSET_VERSION_STRING \"{major}.{minor}.{patch}\"\n"
+    );
+    library.after_includes = Some(library.after_includes.unwrap_or_default() + &versions);
+    // The interfaces alone: C has no use for the constants of the core.
+    let sources = [("mod.rs", library), ("plugin/mod.rs", config("cbindgen_plugin.toml"))];
+    for (name, (source, config)) in HEADERS.iter().zip(sources) {
+        let builder = cbindgen::Builder::new().with_src(Path::new(ROOT).join("src/ffi").join(source));
+        let mut generated = Vec::new();
+        builder.with_config(config).generate().expect("the header can be generated").write(&mut generated);
+        committed(&format!("include/{name}"), &String::from_utf8(generated).unwrap());
     }
 }
 
@@ -120,11 +134,17 @@ fn the_library_has_its_soname_and_stays_loaded() {
 
 #[test]
 fn all_that_name_the_static_link_line_agree() {
-    for (path, separator) in
-        [("docs/guides/linking.md", " "), ("packaging/gusset.pc.in", " "), ("include/cmake/gussetConfig.cmake", ";")]
-    {
+    let files = [
+        ("docs/guides/c.md", " "),
+        ("docs/guides/linking.md", " "),
+        ("packaging/gusset.pc.in", " "),
+        ("include/cmake/gussetTargets.cmake", ";"),
+    ];
+    for (path, separator) in files {
         let text = fs::read_to_string(Path::new(ROOT).join(path)).unwrap();
         assert!(text.contains(&STATIC_LINK_LINE.replace(' ', separator)), "{path}");
+        // Without it a small program has the whole library in it.
+        assert!(text.contains("--gc-sections"), "{path}");
     }
 }
 

@@ -3,7 +3,7 @@
 #   build.sh PREFIX
 set -eux
 sources=$(dirname "$0")/..
-system='-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc'
+system='-Wl,--gc-sections -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc'
 # Word by word.
 # shellcheck disable=SC2086
 cc -std=c99 -I"$1/include" "$sources/app.c" "$1/lib/libgusset.a" $system -o app_c

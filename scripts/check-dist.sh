@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# make check-dist: whether a clone of this checkout elsewhere makes the same bytes of the archive $1. Builds the library again.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+archive=$1
+[ -z "$(git status --porcelain)" ] || { echo 'gusset: a clone has what is committed only: commit first' >&2; exit 1; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+git clone -q . "$work/a-folder-of-another-name"
+cd "$work/a-folder-of-another-name"
+env -u CARGO_TARGET_DIR -u MAKELEVEL -u MAKEFLAGS make --no-print-directory -s dist
+sha256sum "$archive" "build/dist/${archive##*/}"
+cmp "$archive" "build/dist/${archive##*/}" || { echo 'FAILED: the bytes differ' >&2; exit 1; }
+echo 'the same bytes'

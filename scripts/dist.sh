@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# make dist: packs an installation into the archive $1, the same bytes wherever the same sources are built by the same compiler, with
+# its checksum; and beside it, in conan and vcpkg, the recipes of packaging/ for that archive, as it will be found under the URL $2.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+archive=$1 url=${2%/}
+out=${archive%/*} file=${archive##*/}
+name=${file%.tar.gz}
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+
+rm -rf "$out"
+mkdir -p "$out"
+env -u MAKELEVEL -u MAKEFLAGS make --no-print-directory -s install PREFIX="$out/$name" DESTDIR=
+cp packaging/archive/CMakeLists.txt "$out/$name"
+
+# The time of the last commit; of sources without a history, the beginning of 1980, before which some archives know no time.
+epoch=${SOURCE_DATE_EPOCH:-$([ ! -e .git ] || git log -1 --format=%ct)}
+tar --sort=name --format=gnu --mtime="@${epoch:-315532800}" --owner=0 --group=0 --numeric-owner --mode='u=rwX,go=rX' \
+  -C "$out" -c "$name" | gzip -9n >"$archive"
+(cd "$out" && sha256sum "$file" | tee "$file.sha256")
+sha512=$(sha512sum "$archive" | cut -d' ' -f1)
+
+arch=$(uname -m)
+case $arch in x86_64) vcpkg=x64 ;; aarch64) vcpkg=arm64 ;; *) vcpkg=$arch ;; esac
+
+fill() { # A template of packaging/, its name without .in
+  mkdir -p "$out/$(dirname "$1")"
+  sed -e "s|@VERSION@|$version|; s|@ARCH@|$arch|; s|@VCPKG_ARCH@|$vcpkg|; s|@FILE@|$file|; s|@URL@|$url/$file|; s|@SHA512@|$sha512|" \
+    -e "s|@SHA256@|$(cut -d' ' -f1 "$archive.sha256")|" "packaging/$1.in" >"$out/$1"
+}
+cp -r packaging/conan packaging/vcpkg "$out"
+cp examples/c/stitch.c "$out/conan/test_package/example.c"
+find "$out/conan" "$out/vcpkg" -name '*.in' -delete
+for template in conan/conandata.yml vcpkg/gusset/vcpkg.json vcpkg/gusset/portfile.cmake; do fill "$template"; done
+
+glibc=$(find "$out/$name" -type f \( -name '*.so*' -o -path '*/bin/*' \) -exec objdump -T {} + | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n 1)
+echo "build/dist/$file: $(du -h "$archive" | cut -f1), needs ${glibc/_/ } or later"
