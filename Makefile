@@ -32,25 +32,27 @@ build_packages := cmake g++ pkg-config
 cli_packages   := $(build_packages) libcli11-dev libtinygltf-dev libtinyobjloader-dev nlohmann-json3-dev
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
 docs_packages  := doxygen
-test_packages  := $(host_packages) $(cli_packages) $(docs_packages) fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools
+# A browser without a window: it takes the pictures of the demo, and the tests read the pages with it.
+browser_packages := chromium chromium-driver python3-selenium
+test_packages  := $(host_packages) $(cli_packages) $(docs_packages) $(browser_packages) python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian
-pictures_packages := $(host_packages)
-demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
+demo_packages  := $(host_packages) libcgal-demo
+pictures_packages := $(demo_packages) $(browser_packages)
 
 .PHONY: help build openmfx test check check-fuzz exhaustive cli check-cancel demo docs pictures bench install install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
-	@echo 'make demo                         stitch two halves of a real mesh, with pictures, into build/demo'
+	@echo 'make demo                         stitch two halves of a real mesh, with a page to turn it and pictures, into build/demo'
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
 	@echo 'make check-fuzz                   whether the fuzzers compile; it is in make test too'
 	@echo 'make exhaustive                   long searches for wrong answers of surfaces, by brute force; minutes'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
-	@echo 'make pictures                     draws the pictures of docs/ anew'
+	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make cli                          the program gusset, its manual and its completions, into build/cli'
@@ -113,7 +115,7 @@ check-cancel: stage
 	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
 
 demo: stage
-	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages)
+	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages) -- $(browser_packages)
 
 docs:
 	@scripts/install-packages.sh $(docs_packages)
@@ -145,7 +147,7 @@ install: build
 	    -e 's|@LIB@|$(shell realpath -ms --relative-to='$(PREFIX)' '$(LIBDIR)')|' -e 's|@VERSION@|$(version)|' \
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
 	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(wildcard $(notices)) $(docdir)
-	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
+	find docs -name '*.md' -o -name '*.svg' -o -name '*.jpg' -o -name '*.html' | xargs -I% install -D -m 644 % $(docdir)/%
 	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
 	    xargs -I@ install -D -m 644 @ $(docdir)/@
 	$(if $(cli),DESTDIR='$(DESTDIR)' cmake --install build/cli --prefix '$(PREFIX)')

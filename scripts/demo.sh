@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
 # make demo: builds the demo against the installation in $1 and runs it on the meshes $2 and $3, or, where these are empty, on
-# a real closed mesh that it cuts in two. The remaining arguments are the Debian packages it needs. Where there is no apt to
-# install them it stitches shapes that it generates.
+# a real closed mesh that it takes a band out of. The remaining arguments are the Debian packages it needs; after -- those that
+# only the pictures need. Where there is no apt to install them it stitches shapes that it generates.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1 left=$2 right=$3
 shift 3
+packages=()
+while [ $# -gt 0 ] && [ "$1" != -- ]; do
+  packages+=("$1")
+  shift
+done
+[ $# -eq 0 ] || shift
 out=$PWD/build/demo
 rm -rf "$out"
 mkdir -p "$out"
 
 status=0
-scripts/install-packages.sh "$@" || status=$?
+scripts/install-packages.sh "${packages[@]}" || status=$?
 if [ "$status" -eq 3 ]; then
   [ -z "$left$right" ] || { echo "gusset: your own files need those packages" >&2; exit 1; }
   echo "gusset: so the demo stitches two shells that it generates, judged by the library alone, without pictures"
@@ -26,32 +32,31 @@ fi
 cmake -S examples -B build/examples -DGUSSET_PREFIX="$stage" >build/examples.log 2>&1 &&
   env -u MAKELEVEL -u MAKEFLAGS cmake --build build/examples --parallel 2 >>build/examples.log 2>&1 || { tail -n 40 build/examples.log; exit 1; }
 
+title="Two open meshes, joined"
 if [ -n "$left" ] || [ -n "$right" ]; then
-  build/examples/demo --left "$left" --right "$right" --out "$out"
+  build/examples/demo --left "$left" --right "$right" --out "$out" --title "$title"
 else
-  # Real meshes under CC0, from CGAL's own collection.
+  # A real mesh under CC0, from CGAL's own collection.
+  mesh=armadillo.off title="A scan, cut and joined"
+  band=(--point 0 0 0 --normal 0 1 0 --width 1)
   archive=$(dpkg -L libcgal-demo libcgal-dev | grep '/data\.tar\.gz$' | head -n 1)
-  tar -xzf "$archive" -C "$out" --strip-components=2 data/meshes/armadillo.off
-  echo "armadillo.off, from the Debian package libcgal-demo"
-  build/examples/demo --mesh "$out/armadillo.off" --out "$out"
+  tar -xzf "$archive" -C "$out" --strip-components=2 "data/meshes/$mesh"
+  echo "$mesh, from the Debian package libcgal-demo"
+  build/examples/demo --mesh "$out/$mesh" "${band[@]}" --out "$out" --title "$title"
 fi
+python3 -B scripts/page.py "$title" "$out/joined.html" "$out/showcase"
+echo "to turn in your hands, in any browser: $out/joined.html"
 
-# OpenMesh calls the file of materials .mat; viewers look for .mtl.
-for name in before after; do
-  mv "$out/$name.mat" "$out/$name.mtl"
-  sed -i "s/^mtllib $name.mat/mtllib $name.mtl/" "$out/$name.obj"
+status=0
+scripts/install-packages.sh "$@" || { echo "gusset: so there are no pictures, only that page"; exit 0; }
+pictures=(before "slider=1" after "slider=0" joint "slider=0&look=near&wire=1")
+if [ -z "$left$right" ]; then
+  pictures=(before "slider=1" after "slider=0" joint "slider=0&look=near&wire=1" beside "pair=1&side=1&look=near&distance=1&named=1")
+fi
+arguments=()
+for ((k = 0; k < ${#pictures[@]}; k += 2)); do
+  arguments+=("$out/${pictures[k]}.png" "plain=1&theme=light&${pictures[k + 1]}")
 done
-
-# Line 1: the camera that sees the whole; line 2: the one that sees the strip.
-mapfile -t cameras <"$out/cameras.txt"
-picture() {
-  # shellcheck disable=SC2086 # the camera is several options
-  timeout 120 xvfb-run -a f3d "$out/$1.obj" --output="$out/$2.png" --dry-run --quiet --resolution=1200,900 \
-    --bg-color=1,1,1 $3 >"$out/$2.log" 2>&1 && [ -s "$out/$2.png" ] && rm "$out/$2.log" &&
-    echo "  $out/$2.png" || { echo "gusset: no picture: see $out/$2.log" >&2; exit 1; }
-}
 echo "pictures:"
-picture before before "${cameras[0]}"
-picture after after "${cameras[0]}"
-picture before gap "${cameras[1]} --edges"
-picture after strip "${cameras[1]} --edges"
+/usr/bin/python3 -B scripts/photograph.py "$out/joined.html" 1200 900 "${arguments[@]}" || status=$?
+[ "$status" -eq 0 ] || [ "$status" -eq 3 ] || exit "$status"

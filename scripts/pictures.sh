@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # make pictures: builds the examples that draw against the installation in $1, and draws the pictures of docs/ anew, all but that of
-# the benchmarks, which `make bench` draws. The remaining arguments are the Debian packages it needs. The same bytes each time.
+# the benchmarks, which `make bench` draws; and the page of showcases, which begins with that of `make demo`. The remaining arguments
+# are the Debian packages it needs. The same bytes each time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 stage=$1
@@ -12,3 +13,7 @@ build/pictures/gallery docs
 build/pictures/outline - docs/outline.svg
 build/pictures/hull - docs/hull.svg docs/hull_view.svg
 build/pictures/scene build/pictures/scene.obj docs/scene.svg
+scripts/demo.sh "$stage" '' '' "$@"
+build/pictures/showcases build/pictures/gallery
+python3 -B scripts/page.py "gusset: showcases" docs/showcases.html build/demo/showcase build/pictures/gallery
+/usr/bin/python3 -B scripts/photograph.py docs/showcases.html 1500 760 docs/joined.jpg "show=demo&plain=1&named=1&theme=light&side=1"

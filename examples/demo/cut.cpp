@@ -4,63 +4,41 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace {
+using OpenMesh::FaceHandle;
 using Point = HostMesh::Point;
 
-constexpr int removed = -1;
+constexpr int taken = -1, unseen = -2;
 
-struct Slab {
-    Point normal;
-    double low, high;
-};
+std::size_t at(FaceHandle face) { return static_cast<std::size_t>(face.idx()); }
 
-/// Per face the number of its connected part, or `removed` if it reaches into the slab. Returns the parts' sizes.
-std::vector<std::size_t> parts(const HostMesh &mesh, const Slab &slab, std::vector<int> &part) {
-    constexpr int unseen = -2;
-    part.assign(mesh.n_faces(), unseen);
-    for (auto face : mesh.faces()) {
-        double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-        for (auto vertex : mesh.fv_range(face)) {
-            const double h = slab.normal | mesh.point(vertex);
-            low = std::min(low, h);
-            high = std::max(high, h);
-        }
-        if (low < slab.high && high > slab.low) {
-            part[static_cast<std::size_t>(face.idx())] = removed;
-        }
-    }
-    std::vector<std::size_t> sizes;
-    std::vector<OpenMesh::FaceHandle> open;
-    for (auto start : mesh.faces()) {
-        if (part[static_cast<std::size_t>(start.idx())] != unseen) {
-            continue;
-        }
-        const int number = static_cast<int>(sizes.size());
-        sizes.push_back(0);
-        part[static_cast<std::size_t>(start.idx())] = number;
-        for (open = {start}; !open.empty();) {
-            const auto face = open.back();
-            open.pop_back();
-            ++sizes.back();
-            for (auto next : mesh.ff_range(face)) {
-                int &seen = part[static_cast<std::size_t>(next.idx())];
-                if (seen == unseen) {
-                    seen = number;
-                    open.push_back(next);
-                }
+/// Gives a number to all faces that hang together with `start` and are `from` so far; how many there are.
+std::size_t flood(const HostMesh &mesh, FaceHandle start, int from, int number, std::vector<int> &part) {
+    std::size_t count = 0;
+    std::vector<FaceHandle> open{start};
+    part[at(start)] = number;
+    while (!open.empty()) {
+        const FaceHandle face = open.back();
+        open.pop_back();
+        ++count;
+        for (const auto next : mesh.ff_range(face)) {
+            if (part[at(next)] == from) {
+                part[at(next)] = number;
+                open.push_back(next);
             }
         }
     }
-    return sizes;
+    return count;
 }
 
 /// The faces of one part, as a mesh of its own.
 HostMesh piece(const HostMesh &mesh, const std::vector<int> &part, int number) {
     HostMesh copy = mesh;
-    for (auto face : mesh.faces()) {
-        if (part[static_cast<std::size_t>(face.idx())] != number) {
+    for (const auto face : mesh.faces()) {
+        if (part[at(face)] != number) {
             copy.delete_face(face);
         }
     }
@@ -73,43 +51,74 @@ std::size_t loops(const HostMesh &mesh) {
 }
 } // namespace
 
-std::optional<Cut> cut_in_two(const HostMesh &mesh) {
-    struct Candidate {
-        Slab slab;
-        std::size_t smaller;
-    };
-    std::vector<Candidate> candidates;
-    std::vector<int> part;
-    for (int code = 0; code < 27; ++code) {
-        const Point direction(code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1);
-        // One of each pair of opposite directions.
-        if (!(Point(0, 0, 0) < direction)) {
-            continue;
-        }
-        const Point normal = direction.normalized();
+std::optional<Cut> cut_in_two(const HostMesh &mesh, const Band &band) {
+    constexpr int between = -3;
+    const Point normal = band.normal.normalized();
+    std::vector<int> part(mesh.n_faces(), unseen);
+    FaceHandle nearest;
+    double least = std::numeric_limits<double>::max();
+    for (const auto face : mesh.faces()) {
         double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-        for (auto vertex : mesh.vertices()) {
-            const double h = normal | mesh.point(vertex);
-            low = std::min(low, h);
-            high = std::max(high, h);
+        Point centre(0, 0, 0);
+        for (const auto vertex : mesh.fv_range(face)) {
+            const Point p = mesh.point(vertex) - band.point;
+            low = std::min(low, normal | p);
+            high = std::max(high, normal | p);
+            centre += p / static_cast<double>(mesh.valence(face));
         }
-        for (int step = 0; step <= 20; ++step) {
-            const double middle = low + (high - low) * (0.2 + 0.03 * step), half = 0.02 * (high - low);
-            const Slab slab{normal, middle - half, middle + half};
-            const auto sizes = parts(mesh, slab, part);
-            if (sizes.size() == 2) {
-                candidates.push_back({slab, std::min(sizes[0], sizes[1])});
+        if (low < 0.5 * band.width && high > -0.5 * band.width) {
+            part[at(face)] = between;
+            if (centre.norm() < least) {
+                least = centre.norm();
+                nearest = face;
             }
         }
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate &a, const Candidate &b) { return a.smaller > b.smaller; });
-    for (const Candidate &candidate : candidates) {
-        const auto sizes = parts(mesh, candidate.slab, part);
-        Cut cut{piece(mesh, part, 0), piece(mesh, part, 1), candidate.slab.normal, mesh.n_faces() - sizes[0] - sizes[1]};
-        if (loops(cut.left) == 1 && loops(cut.right) == 1) {
-            return cut;
+    if (!nearest.is_valid()) {
+        return std::nullopt;
+    }
+    flood(mesh, nearest, between, taken, part);
+    std::replace(part.begin(), part.end(), between, unseen);
+    // Faces that would stick out of a rim by two of their edges go too.
+    for (bool is_even = false; !is_even;) {
+        is_even = true;
+        for (const auto face : mesh.faces()) {
+            const auto range = mesh.ff_range(face);
+            const auto beside = std::count_if(range.begin(), range.end(), [&](const auto &next) { return part[at(next)] == taken; });
+            if (part[at(face)] != taken && beside >= 2) {
+                part[at(face)] = taken;
+                is_even = false;
+            }
         }
     }
-    return std::nullopt;
+
+    std::vector<std::size_t> sizes;
+    std::vector<FaceHandle> starts;
+    for (const auto start : mesh.faces()) {
+        if (part[at(start)] == unseen) {
+            starts.push_back(start);
+            sizes.push_back(flood(mesh, start, unseen, static_cast<int>(sizes.size()), part));
+        }
+    }
+    std::vector<int> order(sizes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)]; });
+    for (std::size_t k = 2; k < order.size(); ++k) {
+        const auto number = static_cast<std::size_t>(order[k]);
+        if (100 * sizes[number] > mesh.n_faces()) {
+            return std::nullopt;
+        }
+        flood(mesh, starts[number], order[k], taken, part);
+    }
+    if (order.size() < 2) {
+        return std::nullopt;
+    }
+    Cut cut{piece(mesh, part, order[0]), piece(mesh, part, order[1]), piece(mesh, part, taken), {}};
+    for (const int number : part) {
+        cut.part.push_back(number == order[0] ? 0 : number == order[1] ? 1 : 2);
+    }
+    if (loops(cut.left) != 1 || loops(cut.right) != 1) {
+        return std::nullopt;
+    }
+    return cut;
 }

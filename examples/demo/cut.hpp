@@ -1,18 +1,24 @@
-// Takes a slab of faces out of a closed mesh, so that two open shells with jagged rims remain.
+// Takes a band of faces out of a closed mesh, so that two open shells remain.
 #pragma once
 
 #include "host.hpp"
 
+#include <cstdint>
 #include <optional>
-#include <utility>
+#include <vector>
 
-struct Cut {
-    HostMesh left, right;
-    /// Unit normal of the slab.
-    HostMesh::Point normal;
-    std::size_t removed;
+/// The faces between two planes, of which only those that hang together with the nearest one to a point.
+struct Band {
+    HostMesh::Point point, normal;
+    double width;
 };
 
-/// The most even cut, of all that leave exactly two shells with one loop each: 13 directions, 21 places along each, slabs of
-/// 4 % of the mesh's size. Nothing if there is none.
-std::optional<Cut> cut_in_two(const HostMesh &mesh);
+struct Cut {
+    /// The larger shell, the smaller one, and what was between them.
+    HostMesh left, right, removed;
+    /// Of each face of the mesh which of the three has it: 0, 1 or 2.
+    std::vector<uint8_t> part;
+};
+
+/// Nothing unless the band parts the mesh into two shells with one boundary loop each; specks beside them go with the band.
+std::optional<Cut> cut_in_two(const HostMesh &mesh, const Band &band);

@@ -1,4 +1,4 @@
-// The host's mesh: polygons, double precision, coloured faces.
+// The host's mesh: polygons, double precision, vertices and faces with colours.
 #pragma once
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -6,7 +6,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 struct HostTraits : OpenMesh::DefaultTraitsDouble {
-    VertexAttributes(OpenMesh::Attributes::Status);
+    VertexAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Color);
     EdgeAttributes(OpenMesh::Attributes::Status);
     FaceAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Color);
 };

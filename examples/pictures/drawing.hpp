@@ -99,6 +99,8 @@ public:
         std::ofstream out(file);
         out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << width_ << ' ' << height_
             << "' stroke='#fff' stroke-width='0.5' stroke-linejoin='round' font-family='sans-serif' font-size='15'>\n"
+            // A ground of its own, so that it can be read on a dark page too.
+            << "<rect width='100%' height='100%' rx='8' stroke='none' fill='#fbfaf7'/>\n"
             << body_ << captions_ << "</svg>\n";
         return out.good();
     }
