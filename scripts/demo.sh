@@ -37,8 +37,8 @@ if [ -n "$left" ] || [ -n "$right" ]; then
   build/examples/demo --left "$left" --right "$right" --out "$out" --title "$title"
 else
   # A real mesh under CC0, from CGAL's own collection.
-  mesh=armadillo.off title="A scan, cut and joined"
-  band=(--point 0 0 0 --normal 0 1 0 --width 1)
+  mesh=diplodocus.off title="A closed mesh, cut and joined"
+  band=(--point 0.02 0.1 0 --normal 1 0 0 --width 0.07 --eye 0.1 0.12 1 --near-eye 0.1 0.25 1)
   archive=$(dpkg -L libcgal-demo libcgal-dev | grep '/data\.tar\.gz$' | head -n 1)
   tar -xzf "$archive" -C "$out" --strip-components=2 "data/meshes/$mesh"
   echo "$mesh, from the Debian package libcgal-demo"

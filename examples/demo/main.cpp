@@ -16,6 +16,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 namespace {
@@ -38,7 +39,12 @@ struct Request {
     std::string whole, left, right, out = ".", title = "Two open meshes, joined";
     std::vector<double> point, normal, eye, near_eye;
     double width = 0;
+    gusset::Meridians meridians = gusset::Meridians::quad;
 };
+
+const std::map<std::string, gusset::Meridians> meridians{
+    {"area", gusset::Meridians::min_area},         {"index", gusset::Meridians::index},   {"arc", gusset::Meridians::arc_length}, {"greedy", gusset::Meridians::greedy},
+    {"diagonal", gusset::Meridians::min_diagonal}, {"smooth", gusset::Meridians::smooth}, {"quad", gusset::Meridians::quad}};
 
 std::string counted(std::size_t count, const char *one, const char *many) { return std::to_string(count) + ' ' + (count == 1 ? one : many); }
 
@@ -90,7 +96,7 @@ void compare(const HostMesh &original, const HostMesh &removed, const gusset::St
                   << 100 * distance / diagonal << " % of the bounding diagonal\n";
     }
     std::ostringstream text;
-    text << std::setprecision(2) << "A band of " << removed.n_faces() << " faces was taken out of a scan, and the gap closed by rows of new vertices, "
+    text << std::setprecision(2) << "A band of " << removed.n_faces() << " faces was taken out of a closed mesh, and the gap closed by rows of new vertices, "
          << "faired as a thin plate. The new surface is " << 100 * found.mean / across << " % of the gap away from the one that was removed, on average, and "
          << 100 * found.max / across << " % at most: " << 100 * found.mean / diagonal << " % and " << 100 * found.max / diagonal
          << " % of the bounding diagonal.";
@@ -146,7 +152,7 @@ void aim(const Request &request, const gusset::Stitch &stitch, page::Showcase &s
     showcase.eye = request.eye.empty() ? best_eye(stitch.mesh(), stitch.strip_faces().first) : point(request.eye, {});
     showcase.near_eye = point(request.near_eye, showcase.eye);
     showcase.near_centre = {middle[0], middle[1], middle[2]};
-    showcase.near_radius = 0.62 * (high - low).norm();
+    showcase.near_radius = 0.5 * (high - low).norm();
 }
 
 int run(const Request &request) {
@@ -181,6 +187,7 @@ int run(const Request &request) {
 
     const Input a(left.mesh), b(right.mesh);
     gusset::StitchOptions options;
+    options.meridians = request.meridians;
     options.rows = gusset::StripRows::mean_edge();
     options.fairing = gusset::Fairing::thin_plate;
     const auto start = std::chrono::steady_clock::now();
@@ -245,6 +252,7 @@ int main(int argc, char **argv) {
     app.add_option("--point", request.point, "a point in the band's middle")->expected(3)->needs(mesh);
     app.add_option("--normal", request.normal, "the direction across the band")->expected(3)->needs(mesh);
     app.add_option("--width", request.width, "the band's width")->needs(mesh);
+    app.add_option("--meridians", request.meridians, "how the rims are matched")->transform(CLI::CheckedTransformer(meridians));
     app.add_option("--eye", request.eye, "the direction to look from")->expected(3);
     app.add_option("--near-eye", request.near_eye, "the direction to look from for a close look")->expected(3);
     app.add_option("--title", request.title, "the heading of the showcase");
