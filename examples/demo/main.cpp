@@ -201,7 +201,7 @@ int run(const Request &request) {
               << "\n  smallest angle " << quality.min_angle * 180 / M_PI << " degrees, largest aspect ratio " << quality.max_aspect << '\n';
     const Verdict verdict = judge(stitch.mesh());
     std::cout << "the result: " << stitch.mesh().vertex_count() << " vertices, " << stitch.mesh().face_count() << " faces\n  CGAL: " << said(verdict)
-              << '\n';
+              << (intersections > 0 && verdict.self_intersections == intersections ? ", as many as in the mesh itself" : "") << '\n';
 
     const std::array<page::Colour, 3> paints{ivory, cut ? ivory : slate, gold};
     const Joined before = joined(left, right, stitch, paints, false), after = joined(left, right, stitch, paints, true);
