@@ -32,8 +32,10 @@ def page(title, names):
     for name in names:
         described += moved(json.loads(pathlib.Path(f"{name}.json").read_text("utf-8")), len(arrays))
         arrays += pathlib.Path(f"{name}.bin").read_bytes()
+    links = [f"""<a id="show={show["id"]}" href="#show={show["id"]}">{html.escape(show["title"])}</a>""" for show in described]
     parts = {
         "TITLE": html.escape(title),
+        "SHOWCASES": "\n    ".join(links),
         "STYLE": (PAGE / "page.css").read_text("utf-8"),
         "LICENCE": (PAGE / "three/LICENSE.three").read_text("utf-8").strip(),
         "THREE": packed((PAGE / "three/three.min.js").read_bytes()),

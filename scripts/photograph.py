@@ -1,6 +1,6 @@
-"""Takes pictures of a page of scripts/page.py: photograph.py PAGE.html WIDTH HEIGHT {PICTURE.png ADDRESS}...
+"""Takes pictures of a page of scripts/page.py: photograph.py PAGE.html WIDTH HEIGHT {PICTURE ADDRESS}...
 
-ADDRESS is what comes after # (examples/page/page.js has the words). Exit status 3: there is no browser.
+PICTURE ends in .png or .jpg. ADDRESS is what comes after # (examples/page/page.js has the words). Exit status 3: there is no browser.
 """
 
 import base64
@@ -16,7 +16,8 @@ def photograph(page, width, height, pictures):
         browser.drawn(opened)
         for picture, address in pictures:
             browser.go(opened, address)
-            taken = opened.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})
+            form = {"format": "jpeg", "quality": 88} if picture.endswith(".jpg") else {"format": "png"}
+            taken = opened.execute_cdp_cmd("Page.captureScreenshot", form)
             pathlib.Path(picture).write_bytes(base64.b64decode(taken["data"]))
             print(f"  {picture}")
 

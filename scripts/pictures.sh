@@ -16,4 +16,4 @@ build/pictures/scene build/pictures/scene.obj docs/scene.svg
 scripts/demo.sh "$stage" '' '' "$@"
 build/pictures/showcases build/pictures/gallery
 python3 -B scripts/page.py "gusset: showcases" docs/showcases.html build/demo/showcase build/pictures/gallery
-/usr/bin/python3 -B scripts/photograph.py docs/showcases.html 1500 760 docs/joined.jpg "show=demo&plain=1&named=1&theme=light&side=1"
+/usr/bin/python3 -B scripts/photograph.py docs/showcases.html 1600 720 docs/joined.jpg "show=demo&plain=1&named=1&theme=light&side=1"

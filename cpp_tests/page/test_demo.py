@@ -79,11 +79,10 @@ class Demo(unittest.TestCase):
     def test_colours_of_vertices_are_kept(self):
         out, _ = self.run_demo("vertices", *self.halves(vertex_colour={"left": RED, "right": BLUE}))
         for name in ("before", "after"):
-            seen = set()
-            for line in (out / f"{name}.obj").read_text().splitlines():
-                if line.startswith("v "):
-                    _, _, y, _, *colour = map(float, ("0", *line.split()[1:]))
-                    seen.add(tuple(round(255 * c) if max(colour) <= 1 else round(c) for c in colour))
+            head, _, body = (out / f"{name}.ply").read_text().partition("end_header\n")
+            count = int(re.search(r"element vertex (\d+)", head)[1])
+            self.assertEqual(re.findall(r"property \w+ (\w+)\n", head)[:6], ["x", "y", "z", "red", "green", "blue"])
+            seen = {tuple(map(int, line.split()[3:6])) for line in body.splitlines()[:count]}
             self.assertLessEqual({RED, BLUE}, seen)
             # Between the rims, and nowhere else, colours are between theirs.
             self.assertEqual(len(seen) > 2, name == "after")

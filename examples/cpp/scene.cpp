@@ -139,7 +139,7 @@ void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::
         path << std::fixed << std::setprecision(1) << "<path d=\"";
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const Point3 at = minus(flat.mesh().position(corners[k]), aim);
-            path << (k == 0 ? 'M' : 'L') << 465 + 128 * dot(at, right) << ' ' << 250 - 128 * dot(at, up);
+            path << (k == 0 ? 'M' : 'L') << 460 + 116 * dot(at, right) << ' ' << 240 - 116 * dot(at, up);
             depth += std::sqrt(dot(minus(eye, points[k]), minus(eye, points[k]))) / static_cast<double>(corners.size());
         }
         const int red = std::stoi(part.colour.substr(1, 2), nullptr, 16), green = std::stoi(part.colour.substr(3, 2), nullptr, 16),
@@ -164,7 +164,7 @@ bool write_picture(const std::string &file, const std::vector<Part> &all) {
     std::stable_sort(faces.begin(), faces.end(), farther);
     std::ofstream out(file);
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 480\" stroke=\"#fff\" stroke-width=\"0.4\" "
-           "stroke-linejoin=\"round\">\n";
+           "stroke-linejoin=\"round\">\n<rect width=\"100%\" height=\"100%\" rx=\"8\" stroke=\"none\" fill=\"#f6f4ee\"/>\n";
     for (const auto *drawn : {&ground, &faces}) {
         for (const Drawn &face : *drawn) {
             out << face.path;

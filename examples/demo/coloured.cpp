@@ -74,12 +74,13 @@ Joined joined(const Coloured &left, const Coloured &right, const gusset::Stitch 
     return out;
 }
 
-void write(const HostMesh &mesh, bool has_vertex_colours, const std::string &path) {
+std::string write(const HostMesh &mesh, bool has_vertex_colours, const std::string &stem) {
+    const std::string path = stem + (has_vertex_colours ? ".ply" : ".obj");
     if (!OpenMesh::IO::write_mesh(mesh, path, Options(has_vertex_colours ? Options::VertexColor : Options::FaceColor), 17)) {
         throw std::runtime_error("cannot write " + path);
     }
     // OpenMesh calls the file of materials .mat; what reads it looks for .mtl.
-    const std::string stem = path.substr(0, path.size() - 4), name = stem.substr(stem.rfind('/') + 1);
+    const std::string name = stem.substr(stem.rfind('/') + 1);
     if (std::rename((stem + ".mat").c_str(), (stem + ".mtl").c_str()) == 0) {
         std::ifstream in(path);
         std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -89,4 +90,5 @@ void write(const HostMesh &mesh, bool has_vertex_colours, const std::string &pat
         }
         std::ofstream(path) << text;
     }
+    return path;
 }

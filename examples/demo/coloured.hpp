@@ -32,5 +32,6 @@ struct Joined {
 Joined joined(const Coloured &left, const Coloured &right, const gusset::Stitch &stitch, const std::array<page::Colour, 3> &paints,
               bool with_strip);
 
-/// Writes an OBJ file, and one of materials beside it where faces have colours.
-void write(const HostMesh &mesh, bool has_vertex_colours, const std::string &path);
+/// Writes STEM.ply where vertices have colours, for OpenMesh has no other format for them, else STEM.obj with its materials beside
+/// it. Returns its path.
+std::string write(const HostMesh &mesh, bool has_vertex_colours, const std::string &stem);

@@ -24,7 +24,7 @@ using gusset::Point3;
 using gusset::openmesh::Input;
 using Point = HostMesh::Point;
 
-const page::Colour ivory{228, 219, 200}, slate{150, 170, 186}, gold{217, 154, 28}, blue{74, 128, 168};
+const page::Colour ivory{219, 203, 173}, slate{150, 170, 186}, gold{217, 154, 28}, blue{74, 128, 168};
 
 std::string hex(const page::Colour &colour) {
     std::ostringstream text;
@@ -205,8 +205,8 @@ int run(const Request &request) {
 
     const std::array<page::Colour, 3> paints{ivory, cut ? ivory : slate, gold};
     const Joined before = joined(left, right, stitch, paints, false), after = joined(left, right, stitch, paints, true);
-    write(before.mesh, before.has_vertex_colours, request.out + "/before.obj");
-    write(after.mesh, after.has_vertex_colours, request.out + "/after.obj");
+    const std::string written = write(before.mesh, before.has_vertex_colours, request.out + "/before") + ", " +
+                                write(after.mesh, after.has_vertex_colours, request.out + "/after");
 
     page::Showcase showcase;
     showcase.id = "demo";
@@ -232,13 +232,13 @@ int run(const Request &request) {
         for (const auto f : cut->removed.faces()) {
             cut->removed.set_color(f, {0.29f, 0.5f, 0.66f, 1});
         }
-        write(cut->removed, false, request.out + "/removed.obj");
+        write(cut->removed, false, request.out + "/removed");
     }
     aim(request, stitch, showcase);
     page::write(request.out + "/showcase", {showcase});
 
     const bool good = verdict.is_mesh && (!cut || (verdict.closed && verdict.self_intersections <= intersections));
-    std::cout << (good ? "good: " : "NOT GOOD: ") << request.out << "/before.obj, " << request.out << "/after.obj\n";
+    std::cout << (good ? "good: " : "NOT GOOD: ") << written << '\n';
     return good ? 0 : 1;
 }
 } // namespace

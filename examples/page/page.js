@@ -84,8 +84,8 @@ async function start() {
       const { states } = showcase;
       return new Option(`${states[left].name} and ${states[right].name}`, k);
     }));
-    for (const button of by('showcases').children) {
-      button.setAttribute('aria-pressed', String(button.dataset.id === showcase.id));
+    for (const link of by('showcases').children) {
+      link.setAttribute('aria-current', String(link.id === `show=${showcase.id}`));
     }
   };
 
@@ -123,18 +123,6 @@ async function start() {
     look(given.get('look') === 'near' && now.showcase.near ? 'near' : 'whole');
   };
 
-  if (showcases.length > 1) {
-    by('showcases').replaceChildren(...showcases.map(({ id, title }) => {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.dataset.id = id;
-      button.textContent = title;
-      button.addEventListener('click', () => {
-        location.hash = `show=${id}`;
-      });
-      return button;
-    }));
-  }
   for (const id of ['slider', 'wire', 'measured']) {
     by(id).addEventListener('input', apply);
   }

@@ -91,9 +91,9 @@ class View {
     this.scene = new THREE.Scene();
     const generator = new THREE.PMREMGenerator(this.renderer);
     this.scene.environment = generator.fromScene(new THREE.RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.6;
+    this.scene.environmentIntensity = 0.5;
     this.camera = new THREE.PerspectiveCamera(28, 1, 0.1, 100);
-    this.light = new THREE.DirectionalLight('#fff4e2', 1.9);
+    this.light = new THREE.DirectionalLight('#fff4e2', 1.75);
     this.light.castShadow = true;
     this.light.shadow.mapSize.set(2048, 2048);
     this.light.shadow.radius = 4;

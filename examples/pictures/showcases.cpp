@@ -9,7 +9,7 @@
 namespace {
 using namespace pictures;
 
-const page::Paint ivory{"ivory", "#e4dbc8", 0, 0.42}, slate{"slate", "#8fa3b3", 0, 0.42}, clay{"clay", "#b5744f", 0, 0.5},
+const page::Paint ivory{"ivory", "#dbcbad", 0, 0.42}, slate{"slate", "#8fa3b3", 0, 0.42}, clay{"clay", "#b5744f", 0, 0.5},
     moss{"moss", "#7d8c5c", 0, 0.5}, gold{"joint", "#d99a1c", 0.4, 0.35, true};
 
 std::string text(double value) {
@@ -19,10 +19,21 @@ std::string text(double value) {
     return out.str();
 }
 
+page::Showcase titled(const char *id, const char *title, std::vector<page::Paint> paints, const Point3 &eye) {
+    page::Showcase show;
+    show.id = id;
+    show.title = title;
+    show.paints = std::move(paints);
+    show.eye = eye;
+    show.up = {0, 0, 1};
+    return show;
+}
+
 /// Two shells, joined without new vertices and with them.
 page::Showcase stitched() {
     const Mesh upper = shell(56, 10, 1, 0.25), lower = shell(41, 8, -1, 0.25);
-    page::Showcase show{"stitch", "Two shells", "", {ivory, slate, gold}, {}, {}, {{0, 2}, {1, 2}}, {0.4, -1, 0.42}, {0, 0, 1}, {}, {}};
+    page::Showcase show = titled("stitch", "Two shells", {ivory, slate, gold}, {0.4, -1, 0.42});
+    show.pairs = {{0, 2}, {1, 2}};
     for (const gusset::StitchOptions &options : {gusset::StitchOptions(), faired_strip()}) {
         const gusset::Stitch stitch = gusset::stitch(upper.view(), lower.view(), options);
         const std::size_t first = upper.view().face_count(), strip = stitch.strip_faces().first;
@@ -36,7 +47,8 @@ page::Showcase stitched() {
 /// Four pieces of a shell, assembled.
 page::Showcase assembled() {
     const std::vector<Mesh> pieces = quarters();
-    page::Showcase show{"pieces", "Four pieces", "", {ivory, slate, clay, moss, gold}, {}, {}, {{0, 1}}, {0.5, -1, 0.9}, {0, 0, 1}, {}, {}};
+    page::Showcase show = titled("pieces", "Four pieces", {ivory, slate, clay, moss, gold}, {0.5, -1, 0.9});
+    show.pairs = {{0, 1}};
     show.bodies.resize(2);
     std::vector<gusset::MeshView> views;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -60,7 +72,11 @@ page::Showcase assembled() {
 /// A ball with holes, filled flat and fair; beside them the ball.
 page::Showcase filled() {
     const Mesh torn = torn_ball();
-    page::Showcase show{"holes", "Three holes", "", {ivory, gold}, {}, {}, {{0, 2}, {1, 2}}, {0.25, -1, 0.42}, {0, 0, 1}, {0, 0, 0}, {0.45, -1, 0.55}};
+    page::Showcase show = titled("holes", "Three holes", {ivory, gold}, {0.25, -1, 0.42});
+    show.pairs = {{0, 2}, {1, 2}};
+    show.near_centre = {0.37, -0.82, 0.45};
+    show.near_eye = {0.45, -1, 0.55};
+    show.near_radius = 0.5;
     show.bodies.resize(1);
     show.bodies[0].add(torn.view(), [](std::size_t) { return 0; });
     for (const gusset::Loop rim : gusset::Boundary(torn.view())) {
@@ -95,7 +111,8 @@ page::Showcase filled() {
 page::Showcase met() {
     const gusset::Sheet pipe = tube(), sea = waves();
     const gusset::Surface a(pipe), b(sea);
-    page::Showcase show{"meet", "Two surfaces", "", {clay, slate}, {}, {}, {{0, 1}}, {0.55, -1, 0.75}, {0, 0, 1}, {}, {}};
+    page::Showcase show = titled("meet", "Two surfaces", {clay, slate}, {0.55, -1, 0.75});
+    show.pairs = {{0, 1}};
     show.bodies.resize(1);
     gusset::SheetMeshOptions fine;
     fine.min_u = fine.min_v = 4;
