@@ -13,7 +13,8 @@ struct gusset_outputs {
 
 static const uint32_t in[] = {GUSSET_KIND_MESH}, out[] = {GUSSET_KIND_MESH, GUSSET_KIND_TEXT};
 static const double none[] = {0};
-static const gusset_param_info by = {sizeof by, "by", "By", "How far.", GUSSET_PARAM_LENGTH, 1, -1e3, 1e3, none, 0, NULL, 0, 0};
+static const gusset_param_info by = {sizeof by, "by", "By", "How far.", GUSSET_PARAM_LENGTH, 1, -1e3, 1e3, none,
+                                     0,         NULL, 0,    0};
 
 static const gusset_param_info *param(const gusset_filter *filter, uint32_t index) {
     (void)filter;
@@ -51,8 +52,9 @@ static int32_t run(const gusset_filter *filter, const gusset_host *host, const g
     return GUSSET_PLUGIN_DONE;
 }
 
-static const gusset_filter shift = {sizeof shift, "shift", "Shift", "shift", "Test", "Shifts a mesh.", "None", in, out, 1, 1, 1,
-                                    2, GUSSET_FILTER_REPLACES, 1, 1, 0, param, suggest, run};
+static const gusset_filter shift = {
+    sizeof shift,           "shift", "Shift", "shift", "Test", "Shifts a mesh.", "None", in, out, 1, 1, 1, 2,
+    GUSSET_FILTER_REPLACES, 1,       1,       0,       param,  suggest,          run};
 
 static const gusset_filter *filter_at(uint32_t index) { return index == 0 ? &shift : NULL; }
 static const gusset_filter *find(const char *id) { return strcmp(id, "shift") == 0 ? &shift : NULL; }
@@ -89,8 +91,24 @@ static const void *extension(const char *name) {
     return NULL;
 }
 
-static const gusset_plugin tables = {
-    sizeof tables, GUSSET_PLUGIN_ABI, 1, "other", "Other", "1.0.0", "a test", "Shifts meshes.", "MIT OR Apache-2.0", filter_at,
-    find, output_count, output_kind, output_mesh, output_curves, output_text, output_failure, output_free, extension};
+static const gusset_plugin tables = {sizeof tables,
+                                     GUSSET_PLUGIN_ABI,
+                                     1,
+                                     "other",
+                                     "Other",
+                                     "1.0.0",
+                                     "a test",
+                                     "Shifts meshes.",
+                                     "MIT OR Apache-2.0",
+                                     filter_at,
+                                     find,
+                                     output_count,
+                                     output_kind,
+                                     output_mesh,
+                                     output_curves,
+                                     output_text,
+                                     output_failure,
+                                     output_free,
+                                     extension};
 
 const gusset_plugin *gusset_plugin_entry(uint32_t host_abi) { return host_abi == GUSSET_PLUGIN_ABI ? &tables : NULL; }

@@ -56,7 +56,8 @@ static void check_values(const gusset_filter *filter, const gusset_outputs *outp
     CHECK_OF(filter->id, is_text || count == 0);
     for (uint32_t v = 0; v < count; ++v) {
         const char *name = values->name(outputs, index, v);
-        CHECK_OF(filter->id, name != NULL && name[0] != '\0' && name[strspn(name, "abcdefghijklmnopqrstuvwxyz_")] == '\0');
+        CHECK_OF(filter->id,
+                 name != NULL && name[0] != '\0' && name[strspn(name, "abcdefghijklmnopqrstuvwxyz_")] == '\0');
         CHECK_OF(filter->id, isfinite(values->value(outputs, index, v)));
         for (uint32_t before = 0; before < v && name != NULL; ++before) {
             CHECK_OF(filter->id, strcmp(name, values->name(outputs, index, before)) != 0);

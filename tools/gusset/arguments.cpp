@@ -51,7 +51,8 @@ CLI::Option *add(CLI::App &app, const OptionSpec &of, std::vector<std::string> &
 /// An option that the command does not have, in words: the parser may speak of what follows it instead.
 std::string unknown_option(int argc, char **argv, const std::vector<CommandSpec> &specs) {
     const auto named = [](const std::vector<OptionSpec> &options, const std::string &name) {
-        return std::any_of(options.begin(), options.end(), [&](const OptionSpec &option) { return option.name == name; });
+        return std::any_of(options.begin(), options.end(),
+                           [&](const OptionSpec &option) { return option.name == name; });
     };
     const CommandSpec *command = nullptr;
     for (int k = 1; k < argc; ++k) {
@@ -63,7 +64,8 @@ std::string unknown_option(int argc, char **argv, const std::vector<CommandSpec>
             command = found == specs.end() ? nullptr : &*found;
         } else if (name.size() > 2 && name.compare(0, 2, "--") == 0 && name != "--help" && name != "--version" &&
                    !named(command->options, name) && !named(common_options(), name)) {
-            return command->name + " has no option " + name + "; 'gusset " + command->name + " --help' lists those it has";
+            return command->name + " has no option " + name + "; 'gusset " + command->name +
+                   " --help' lists those it has";
         }
     }
     return "";

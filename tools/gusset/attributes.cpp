@@ -12,8 +12,7 @@ template <std::size_t N> void simplify(const Mesh &mesh, Attribute<N> &of) {
     }
 }
 
-template <std::size_t N>
-void name(const Attribute<N> &of, const std::string &what, std::vector<std::string> &names) {
+template <std::size_t N> void name(const Attribute<N> &of, const std::string &what, std::vector<std::string> &names) {
     if (of) {
         names.push_back(what + (of.at == Attribute<N>::At::vertices ? " of vertices" : " of corners"));
     }

@@ -80,10 +80,12 @@ Colour narrow(const std::array<double, 4> &value, bool steps) {
 
 class Carrier {
 public:
-    Carrier(const std::vector<Piece> &pieces_, Mesh &result_) : pieces(pieces_), result(result_), found(match(meshes(), result_)) {}
+    Carrier(const std::vector<Piece> &pieces_, Mesh &result_)
+        : pieces(pieces_), result(result_), found(match(meshes(), result_)) {}
 
     std::vector<std::string> run() {
-        const bool any = std::any_of(found.vertices.begin(), found.vertices.end(), [](const auto &v) { return v.has_value(); });
+        const bool any =
+            std::any_of(found.vertices.begin(), found.vertices.end(), [](const auto &v) { return v.has_value(); });
         if (!any) {
             std::set<std::string> names;
             for (const Piece &piece : pieces) {
@@ -134,7 +136,8 @@ private:
     const Mesh &input(uint32_t place) const { return *pieces[place].mesh; }
 
     void carry_vertex_colours() {
-        if (!present([](const Mesh &mesh) { return !mesh.vertex_colours.empty(); }, "colours of vertices", "white is taken")) {
+        if (!present([](const Mesh &mesh) { return !mesh.vertex_colours.empty(); }, "colours of vertices",
+                     "white is taken")) {
             return;
         }
         bool steps = true;
@@ -172,16 +175,20 @@ private:
                 const uint32_t was = from.corners[from.offsets[face.face] + corner_of(face, k, result.degree(f))];
                 const auto &kept = found.vertices[result.corners[result.offsets[f] + k]];
                 const Mesh &other = input(kept->input);
-                count += !other.vertex_colours.empty() && other.vertex_colours[kept->vertex] != from.vertex_colours[was] ? 1 : 0;
+                count += !other.vertex_colours.empty() && other.vertex_colours[kept->vertex] != from.vertex_colours[was]
+                             ? 1
+                             : 0;
             }
         }
         if (count > 0) {
-            lost.push_back("colours of " + number_of(count, "corner") + " whose vertices were welded to others of another colour");
+            lost.push_back("colours of " + number_of(count, "corner") +
+                           " whose vertices were welded to others of another colour");
         }
     }
 
     void carry_face_colours() {
-        if (!present([](const Mesh &mesh) { return !mesh.face_colours.empty(); }, "colours of faces", "white is taken")) {
+        if (!present([](const Mesh &mesh) { return !mesh.face_colours.empty(); }, "colours of faces",
+                     "white is taken")) {
             return;
         }
         bool steps = true;
@@ -259,7 +266,8 @@ private:
     }
 
     void carry_texcoords() {
-        if (!present([](const Mesh &mesh) { return bool(mesh.texcoords); }, "texture coordinates", "its faces have none")) {
+        if (!present([](const Mesh &mesh) { return bool(mesh.texcoords); }, "texture coordinates",
+                     "its faces have none")) {
             return;
         }
         if (found.moved || all_same()) {
@@ -268,8 +276,8 @@ private:
         }
         using At = Attribute<2>::At;
         Values<2> corners = old_corners(&Mesh::texcoords);
-        const bool continuous = std::all_of(pieces.begin(), pieces.end(),
-                                            [](const Piece &piece) { return piece.mesh->texcoords.at == At::vertices; });
+        const bool continuous = std::all_of(
+            pieces.begin(), pieces.end(), [](const Piece &piece) { return piece.mesh->texcoords.at == At::vertices; });
         std::size_t bare = 0;
         if (continuous) {
             Values<2> values = agreed(corners);
@@ -308,7 +316,8 @@ private:
         }
         Values<3> corners = old_corners(&Mesh::normals);
         for (std::size_t f = 0; f < result.face_count(); ++f) {
-            for (uint32_t c = result.offsets[f]; found.faces[f] && found.faces[f]->turned && c < result.offsets[f + 1]; ++c) {
+            for (uint32_t c = result.offsets[f]; found.faces[f] && found.faces[f]->turned && c < result.offsets[f + 1];
+                 ++c) {
                 for (double &part : corners[c]) {
                     part = -part;
                 }
@@ -351,7 +360,8 @@ private:
 
     /// The result is the first input.
     bool all_same() const {
-        return result.points == input(0).points && result.offsets == input(0).offsets && result.corners == input(0).corners;
+        return result.points == input(0).points && result.offsets == input(0).offsets &&
+               result.corners == input(0).corners;
     }
 
     const std::vector<Piece> &pieces;

@@ -13,6 +13,7 @@ struct Piece {
     std::string name;
 };
 
-/// Vertices and faces that are the inputs' keep what they had. New vertices and faces take the mean of their neighbours,
-/// normals of their faces; new faces get texture coordinates only where each vertex has one pair. Returns what was lost.
+/// Vertices and faces that are the inputs' keep what they had. New vertices and faces take the mean of their
+/// neighbours, normals of their faces; new faces get texture coordinates only where each vertex has one pair. Returns
+/// what was lost.
 std::vector<std::string> carry(const std::vector<Piece> &pieces, Mesh &result);

@@ -7,7 +7,8 @@
 namespace {
 std::vector<CommandSpec> shown(const std::vector<CommandSpec> &specs) {
     std::vector<CommandSpec> all;
-    std::copy_if(specs.begin(), specs.end(), std::back_inserter(all), [](const CommandSpec &spec) { return !spec.hidden; });
+    std::copy_if(specs.begin(), specs.end(), std::back_inserter(all),
+                 [](const CommandSpec &spec) { return !spec.hidden; });
     return all;
 }
 
@@ -57,12 +58,17 @@ void manual(std::ostream &out, const std::vector<CommandSpec> &specs) {
         out << " [\\fIoption\\fR ...]\n.br\n";
     }
     out << ".B gusset \\-\\-help\n.br\n.B gusset \\-\\-version\n"
-        << ".SH DESCRIPTION\n" << troff(program_summary) << '\n' << troff(formats_text) << "\n.SH OPTIONS\n";
+        << ".SH DESCRIPTION\n"
+        << troff(program_summary) << '\n'
+        << troff(formats_text) << "\n.SH OPTIONS\n";
     for (const OptionSpec &of : common_options()) {
         option(out, of);
     }
-    option(out, {"--help", "-h", ValueKind::flag, "", "Shows what there is; behind a command, its options", {}, false, ""});
-    option(out, {"--version", "", ValueKind::flag, "", "Prints the version of the program and of the library", {}, false, ""});
+    option(out,
+           {"--help", "-h", ValueKind::flag, "", "Shows what there is; behind a command, its options", {}, false, ""});
+    option(
+        out,
+        {"--version", "", ValueKind::flag, "", "Prints the version of the program and of the library", {}, false, ""});
     out << ".SH COMMANDS\n";
     for (const CommandSpec &spec : specs) {
         out << ".SS gusset " << troff(spec.name) << '\n' << troff(spec.summary) << ".\n";
@@ -159,7 +165,8 @@ _gusset() {
             if (!of.choices.empty()) {
                 out << pattern << ") COMPREPLY=($(compgen -W '" << words(of.choices) << "' -- \"$word\")); return ;;\n";
             } else if (of.kind == ValueKind::file) {
-                out << pattern << ") COMPREPLY=($(compgen -f -- \"$word\")); compopt -o filenames 2>/dev/null; return ;;\n";
+                out << pattern
+                    << ") COMPREPLY=($(compgen -f -- \"$word\")); compopt -o filenames 2>/dev/null; return ;;\n";
             } else if (of.kind != ValueKind::flag) {
                 out << pattern << ") return ;;\n";
             }
@@ -184,7 +191,8 @@ _gusset() {
         return
     fi
     local IFS=$'\n'
-    COMPREPLY=($(compgen -f -X '!*.@()sh" << files("|") << R"sh()' -- "$word") $(compgen -d -- "$word"))
+    COMPREPLY=($(compgen -f -X '!*.@()sh"
+        << files("|") << R"sh()' -- "$word") $(compgen -d -- "$word"))
     compopt -o filenames 2>/dev/null
 }
 shopt -s extglob
@@ -201,13 +209,15 @@ std::string quoted(std::string text, bool zsh) {
 }
 
 void zsh(std::ostream &out, const std::vector<CommandSpec> &specs) {
-    out << "#compdef gusset\n# Completion of gusset for zsh.\n_gusset() {\n    local context state line\n    local -a commands\n    commands=(\n";
+    out << "#compdef gusset\n# Completion of gusset for zsh.\n_gusset() {\n    local context state line\n    local -a "
+           "commands\n    commands=(\n";
     for (const CommandSpec &spec : specs) {
         out << "        '" << spec.name << ':' << quoted(spec.summary, true) << "'\n";
     }
     out << "    )\n    _arguments -C '--help[Shows what there is]' '--version[Prints the version]' \\\n"
            "        '--plugin[The plugin]:library:_files' '1:command:->command' '*::argument:->argument'\n"
-           "    case $state in\n        command) _describe command commands ;;\n        argument)\n            case $words[1] in\n";
+           "    case $state in\n        command) _describe command commands ;;\n        argument)\n            case "
+           "$words[1] in\n";
     const std::string meshes = "_files -g \"*.(" + files("|") + ")\"";
     for (const CommandSpec &spec : specs) {
         out << "                " << spec.name << ") _arguments '(-h --help)'{-h,--help}'[Shows the options]'";
@@ -215,7 +225,9 @@ void zsh(std::ostream &out, const std::vector<CommandSpec> &specs) {
             std::string value;
             if (of.kind != ValueKind::flag) {
                 value = ':' + of.value + ':';
-                value += !of.choices.empty() ? '(' + words(of.choices) + ')' : of.kind == ValueKind::file ? "_files" : " ";
+                value += !of.choices.empty()          ? '(' + words(of.choices) + ')'
+                         : of.kind == ValueKind::file ? "_files"
+                                                      : " ";
             }
             const std::string text = '[' + quoted(of.help, true) + ']' + value;
             const std::string many = of.repeats ? "*" : "";
@@ -225,7 +237,8 @@ void zsh(std::ostream &out, const std::vector<CommandSpec> &specs) {
             } else if (of.repeats) {
                 out << "'*'{" << of.letter << ',' << of.name << "}'" << text << '\'';
             } else {
-                out << "'(" << of.letter << ' ' << of.name << ")'{" << of.letter << ',' << of.name << "}'" << text << '\'';
+                out << "'(" << of.letter << ' ' << of.name << ")'{" << of.letter << ',' << of.name << "}'" << text
+                    << '\'';
             }
         }
         if (names_a_filter(spec)) {
@@ -233,7 +246,8 @@ void zsh(std::ostream &out, const std::vector<CommandSpec> &specs) {
         }
         out << " \\\n                    '*:file:" << meshes << "' ;;\n";
     }
-    out << "            esac ;;\n    esac\n}\nif [ \"$funcstack[1]\" = _gusset ]; then\n    _gusset \"$@\"\nelse\n    compdef _gusset gusset\nfi\n";
+    out << "            esac ;;\n    esac\n}\nif [ \"$funcstack[1]\" = _gusset ]; then\n    _gusset \"$@\"\nelse\n    "
+           "compdef _gusset gusset\nfi\n";
 }
 
 void fish(std::ostream &out, const std::vector<CommandSpec> &specs) {

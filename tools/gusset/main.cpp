@@ -100,8 +100,8 @@ void show_filters(const Plugin &plugin, const Arguments &arguments) {
 }
 
 void dispatch(const Arguments &arguments, const std::vector<CommandSpec> &specs, const Loaded &loaded) {
-    const auto spec = std::find_if(specs.begin(), specs.end(),
-                                   [&](const CommandSpec &one) { return one.name == arguments.command; });
+    const auto spec =
+        std::find_if(specs.begin(), specs.end(), [&](const CommandSpec &one) { return one.name == arguments.command; });
     if (arguments.command == "generate") {
         static_cast<void>(loaded.get());
         generate(std::cout, arguments.one("what"), specs);

@@ -93,7 +93,8 @@ struct Faces {
     Faces(const std::vector<const Mesh *> &inputs, const Places &places) {
         for (uint32_t i = 0; i < inputs.size(); ++i) {
             for (uint32_t f = 0; f < inputs[i]->face_count(); ++f) {
-                by_hash[hash_of(places_of(*inputs[i], f, places.of_input[i]))].push_back(static_cast<uint32_t>(all.size()));
+                by_hash[hash_of(places_of(*inputs[i], f, places.of_input[i]))].push_back(
+                    static_cast<uint32_t>(all.size()));
                 all.push_back({i, f});
             }
         }

@@ -9,7 +9,8 @@ const char *const program_summary = "Joins, fills, mends and checks meshes in fi
 
 const char *const formats_text =
     "Meshes are .obj, .ply, .stl, .off, .gltf or .glb files, curves are the lines (l) of .obj files; a line that ends "
-    "where it begins is closed. Colours, normals and texture coordinates are kept: old vertices and faces have what they "
+    "where it begins is closed. Colours, normals and texture coordinates are kept: old vertices and faces have what "
+    "they "
     "had, new ones the mean of their neighbours. What a format cannot hold is named on the standard error. "
     "PLY and STL files are written in binary, unless --text is given.";
 
@@ -26,12 +27,12 @@ constexpr FilterCommand filter_commands[] = {
     {"stitch", "stitch", "Joins two open meshes, or two rims of one mesh, by a strip of new faces",
      "The two meshes, or the one", 1, 2, true},
     {"fill", "fill_holes", "Closes the holes of a mesh by new faces", "The mesh", 1, 1, true},
-    {"assemble", "assemble", "Joins any number of open meshes where their rims meet or face each other", "The meshes", 1,
-     many, true},
+    {"assemble", "assemble", "Joins any number of open meshes where their rims meet or face each other", "The meshes",
+     1, many, true},
     {"weld", "weld", "Makes borders that coincide one", "The mesh", 1, 1, true},
     {"orient", "orient", "Turns faces over until neighbours agree", "The mesh", 1, 1, true},
-    {"check", "check", "Says what is wrong with a mesh, and how many pieces, edges and handles it has", "The mesh", 1, 1,
-     false},
+    {"check", "check", "Says what is wrong with a mesh, and how many pieces, edges and handles it has", "The mesh", 1,
+     1, false},
 };
 
 OptionSpec flag(const char *name, const char *letter, const char *help) {
@@ -47,7 +48,8 @@ OptionSpec text() { return flag("--text", "", "Writes PLY and STL files as text"
 
 void add_steering(std::vector<OptionSpec> &options) {
     options.push_back(json());
-    options.push_back(option("--threads", "", ValueKind::count, "N", "Threads; 0: as many as the machine has (default)"));
+    options.push_back(
+        option("--threads", "", ValueKind::count, "N", "Threads; 0: as many as the machine has (default)"));
     options.push_back(flag("--progress", "", "Shows progress, which it does by itself in a terminal"));
     options.push_back(
         option("--cancel-after", "", ValueKind::seconds, "SECONDS", "Cancels the run after so many seconds"));
@@ -121,9 +123,10 @@ std::string slug(const std::string &label) {
 
 const std::vector<OptionSpec> &common_options() {
     static const std::vector<OptionSpec> options = {
-        option("--plugin", "", ValueKind::file, "LIBRARY",
-               "The plugin whose filters are run, looked for as the system looks for libraries; otherwise the library of "
-               "gusset"),
+        option(
+            "--plugin", "", ValueKind::file, "LIBRARY",
+            "The plugin whose filters are run, looked for as the system looks for libraries; otherwise the library of "
+            "gusset"),
     };
     return options;
 }
@@ -163,13 +166,13 @@ std::vector<CommandSpec> command_specs(const Plugin *plugin) {
                         {{"input", "The mesh", 1, 1, true}},
                         {option("--output", "-o", ValueKind::file, "FILE", "The file that is written"), text(), json()},
                         false};
-    CommandSpec filters{"filters",
-                        "Lists all filters, or describes one and its parameters",
-                        "",
-                        {{"filter", "The filter to describe", 0, 1, false},
-                         {"input", "Files to suggest values for", 0, many, true}},
-                        {flag("--ids", "", "Lists the names of the filters alone"), json()},
-                        false};
+    CommandSpec filters{
+        "filters",
+        "Lists all filters, or describes one and its parameters",
+        "",
+        {{"filter", "The filter to describe", 0, 1, false}, {"input", "Files to suggest values for", 0, many, true}},
+        {flag("--ids", "", "Lists the names of the filters alone"), json()},
+        false};
     CommandSpec run{"run",
                     "Runs any filter",
                     "",
@@ -181,8 +184,9 @@ std::vector<CommandSpec> command_specs(const Plugin *plugin) {
     run.options.back().repeats = true;
     add_outputs(run.options, "The file of the first mesh or curves that come out; again for the next", true);
     add_steering(run.options);
-    CommandSpec generate{"generate", "Prints the manual or the completions of a shell", "",
-                         {{"what", "man, bash, zsh or fish", 1, 1, false}}, {}, true};
+    CommandSpec generate{"generate", "Prints the manual or the completions of a shell",
+                         "",         {{"what", "man, bash, zsh or fish", 1, 1, false}},
+                         {},         true};
     for (CommandSpec *one : {&convert, &filters, &run, &generate}) {
         all.push_back(std::move(*one));
     }

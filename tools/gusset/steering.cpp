@@ -16,7 +16,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touc
 extern "C" void interrupted(int) { stop = true; }
 
 void on_interrupt(void (*handler)(int), int flags) {
-    struct sigaction action{};
+    struct sigaction action {};
     action.sa_handler = handler;
     action.sa_flags = flags;
     sigaction(SIGINT, &action, nullptr);

@@ -93,8 +93,8 @@ std::vector<double> parse_values(const gusset_filter &filter, std::vector<double
         const std::string name = one.substr(0, equals);
         const auto found = std::find_if(all.begin(), all.end(), [&](const auto *param) { return name == param->id; });
         if (found == all.end()) {
-            throw Failure(Exit::usage, std::string(filter.id) + " has no parameter " + name +
-                                           "; 'gusset filters " + filter.id + "' shows what it has");
+            throw Failure(Exit::usage, std::string(filter.id) + " has no parameter " + name + "; 'gusset filters " +
+                                           filter.id + "' shows what it has");
         }
         if (!seen.insert(name).second) {
             throw Failure(Exit::usage, "parameter " + name + " is given twice");

@@ -152,7 +152,8 @@ private:
         }
         const std::size_t part = static_cast<std::size_t>(size), step = static_cast<std::size_t>(stride);
         const std::size_t start = view.byteOffset + accessor.byteOffset;
-        if (accessor.count > 0 && (start > bytes.size() || (accessor.count - 1) * step + width * part > bytes.size() - start)) {
+        if (accessor.count > 0 &&
+            (start > bytes.size() || (accessor.count - 1) * step + width * part > bytes.size() - start)) {
             fail(name + " reaches beyond its buffer");
         }
         const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
@@ -220,7 +221,8 @@ private:
             for (const double index : numbers(primitive.indices, 1)) {
                 if (index >= static_cast<double>(count)) {
                     fail(Element{"face", mesh.face_count() + indices.size() / 3}.text() + ": it names vertex " +
-                         std::to_string(static_cast<uint32_t>(index)) + ", and there are " + std::to_string(count) + ", from 0 on");
+                         std::to_string(static_cast<uint32_t>(index)) + ", and there are " + std::to_string(count) +
+                         ", from 0 on");
                 }
                 indices.push_back(static_cast<uint32_t>(first + static_cast<std::size_t>(index)));
             }
@@ -252,7 +254,8 @@ private:
     void add_normals(int accessor, std::size_t count, const Matrix &by) {
         add_values(mesh.normals, accessor, count);
         const auto turn = cofactors(by);
-        for (std::size_t v = mesh.normals.values.size() - count; by != identity && v < mesh.normals.values.size(); ++v) {
+        for (std::size_t v = mesh.normals.values.size() - count; by != identity && v < mesh.normals.values.size();
+             ++v) {
             auto &normal = mesh.normals.values[v];
             std::array<double, 3> made;
             for (std::size_t i = 0; i < 3; ++i) {
@@ -319,7 +322,8 @@ private:
             }
             face.clear();
         };
-        const std::size_t step = primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP || primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN ? 1 : 3;
+        const std::size_t step =
+            primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP || primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN ? 1 : 3;
         for (std::size_t k = 0; k + 2 < indices.size(); k += step) {
             std::array<uint32_t, 3> triangle{indices[k], indices[k + 1], indices[k + 2]};
             if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -417,7 +421,8 @@ private:
     bool textured = false, coloured = false, has_lines = false, morphed = false, skinned = false;
 };
 
-bool leave_image(tinygltf::Image *, const int, std::string *, std::string *, int, int, const unsigned char *, int, void *) {
+bool leave_image(tinygltf::Image *, const int, std::string *, std::string *, int, int, const unsigned char *, int,
+                 void *) {
     return true;
 }
 } // namespace

@@ -1,5 +1,5 @@
-// glTF by tinygltf: one mesh of triangles in a buffer within the file. Polygons are fans by an extension that readers may
-// ignore, and vertices whose corners carry different values are divided, with a note of what they were.
+// glTF by tinygltf: one mesh of triangles in a buffer within the file. Polygons are fans by an extension that readers
+// may ignore, and vertices whose corners carry different values are divided, with a note of what they were.
 #include "../attributes.hpp"
 #include "../failure.hpp"
 #include "formats.hpp"
@@ -110,7 +110,7 @@ public:
     }
 
     /// What was put since the last one, as an accessor; returns its number.
-    int close(int component, int type, std::size_t count, int target, bool normalized = false) {
+    int close(int component, int type, std::size_t count, int target) {
         auto &data = model.buffers[0].data;
         tinygltf::BufferView view;
         view.buffer = 0;
@@ -127,7 +127,6 @@ public:
         accessor.componentType = component;
         accessor.type = type;
         accessor.count = count;
-        accessor.normalized = normalized;
         model.accessors.push_back(accessor);
         return static_cast<int>(model.accessors.size() - 1);
     }
@@ -152,30 +151,23 @@ void add_positions(Builder &builder, const Mesh &mesh, const Divided &as) {
             high[k] = std::max(high[k], static_cast<double>(x));
         }
     }
-    const int made =
-        builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+    const int made = builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, as.origins.size(),
+                                   TINYGLTF_TARGET_ARRAY_BUFFER);
     builder.model.accessors.back().minValues.assign(low.begin(), low.end());
     builder.model.accessors.back().maxValues.assign(high.begin(), high.end());
     builder.primitive().attributes["POSITION"] = made;
 }
 
 void add_colours(Builder &builder, const Mesh &mesh, const Divided &as) {
-    // Sixteen bits keep all steps of a screen apart, though they are linear.
-    const bool steps = are_steps(mesh.vertex_colours);
+    // As floats: eight bits are too few for linear parts, and MeshLab 2025.07 takes sixteen for eight.
     for (const uint32_t v : as.origins) {
         for (std::size_t k = 0; k < 4; ++k) {
             const auto part = static_cast<double>(mesh.vertex_colours[v][k]);
-            const double linear = k == 3 ? part : linear_of(part);
-            if (steps) {
-                builder.put(static_cast<uint16_t>(std::lround(65535 * std::clamp(linear, 0.0, 1.0))));
-            } else {
-                builder.put(static_cast<float>(linear));
-            }
+            builder.put(static_cast<float>(k == 3 ? part : linear_of(part)));
         }
     }
-    builder.primitive().attributes["COLOR_0"] =
-        builder.close(steps ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4,
-                      as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER, steps);
+    builder.primitive().attributes["COLOR_0"] = builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4,
+                                                              as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
 void add_origins(Builder &builder, const Divided &as) {
@@ -258,8 +250,8 @@ Losses write_gltf(const std::string &path, const Mesh &mesh, bool binary) {
                 builder.put(single(x));
             }
         }
-        builder.primitive().attributes["NORMAL"] =
-            builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, as.normals.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+        builder.primitive().attributes["NORMAL"] = builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
+                                                                 as.normals.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
     }
     if (!as.texcoords.empty()) {
         for (const auto &[u, v] : as.texcoords) {
@@ -267,8 +259,8 @@ Losses write_gltf(const std::string &path, const Mesh &mesh, bool binary) {
             // Images hang down from their first row here.
             builder.put(single(1 - v));
         }
-        builder.primitive().attributes["TEXCOORD_0"] = builder.close(
-            TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, as.texcoords.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+        builder.primitive().attributes["TEXCOORD_0"] = builder.close(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2,
+                                                                     as.texcoords.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
     }
     if (!mesh.vertex_colours.empty()) {
         add_colours(builder, mesh, as);

@@ -1,6 +1,6 @@
 // OBJ files by tinyobjloader, which reads faces of up to 255 corners. Its numbers are right to some 15 digits only, and
-// what is no number is 0 to it; so as it takes line after line, numbers are read here, and it gives the indices: borders of two files
-// are found to coincide by the same digits in both.
+// what is no number is 0 to it; so as it takes line after line, numbers are read here, and it gives the indices:
+// borders of two files are found to coincide by the same digits in both.
 #include "../attributes.hpp"
 #include "../failure.hpp"
 #include "formats.hpp"
@@ -84,7 +84,8 @@ private:
     }
 
     /// `count` numbers, 0 where there are fewer.
-    void enter(const std::vector<std::string_view> &words, const char *name, std::size_t count, std::vector<double> &into) {
+    void enter(const std::vector<std::string_view> &words, const char *name, std::size_t count,
+               std::vector<double> &into) {
         const Element of{name, into.size() / count};
         for (std::size_t k = 0; k < count; ++k) {
             into.push_back(k + 1 < words.size() && words[k + 1][0] != '#' ? number(words[k + 1], of) : 0);
@@ -140,15 +141,15 @@ Obj parse(Lines &lines) {
     std::vector<tinyobj::material_t> materials;
     std::string warnings, error;
     // Without a reader of materials; and faces stay polygons.
-    if (!tinyobj::LoadObj(&obj.attributes, &obj.shapes, &materials, &warnings, &error, &stream, nullptr, false, false)) {
+    if (!tinyobj::LoadObj(&obj.attributes, &obj.shapes, &materials, &warnings, &error, &stream, nullptr, false,
+                          false)) {
         lines.fail(lines.lines, "a vertex is numbered 0, or from the end by more than there are");
     }
     return obj;
 }
 
 /// Values by the indices of corners, -1 for none.
-template <std::size_t N>
-Attribute<N> at_indices(const std::vector<double> &values, const std::vector<int> &indices) {
+template <std::size_t N> Attribute<N> at_indices(const std::vector<double> &values, const std::vector<int> &indices) {
     Attribute<N> made;
     if (std::all_of(indices.begin(), indices.end(), [](int index) { return index < 0; })) {
         return made;

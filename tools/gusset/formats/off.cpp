@@ -1,5 +1,5 @@
-// OFF files: Geomview's, in which normals, colours and texture coordinates follow a vertex's position in this order, and
-// colours follow a face; and MeshLab's NCOFF, in which colours come before normals.
+// OFF files: Geomview's, in which normals, colours and texture coordinates follow a vertex's position in this order,
+// and colours follow a face; and MeshLab's NCOFF, in which colours come before normals.
 #include "../attributes.hpp"
 #include "../failure.hpp"
 #include "formats.hpp"

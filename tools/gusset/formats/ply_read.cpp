@@ -149,7 +149,8 @@ struct Colours {
     std::optional<std::size_t> opacity;
     double full = 1;
 
-    Colours(const PlyElement &element, Properties &properties) : parts(properties.together<3>({"red", "green", "blue"})) {
+    Colours(const PlyElement &element, Properties &properties)
+        : parts(properties.together<3>({"red", "green", "blue"})) {
         if (!parts) {
             parts = properties.together<3>({"diffuse_red", "diffuse_green", "diffuse_blue"});
         }
@@ -172,8 +173,7 @@ struct Colours {
     }
 };
 
-template <std::size_t N>
-void enter(const Source &source, const Places<N> &places, Attribute<N> &into) {
+template <std::size_t N> void enter(const Source &source, const Places<N> &places, Attribute<N> &into) {
     if (places) {
         into.at = Attribute<N>::At::vertices;
         into.values.emplace_back();
@@ -241,7 +241,8 @@ void read_faces(const std::string &path, Source &source, const PlyElement &eleme
         const Element of{"face", f};
         source.row(element, of);
         for (const double v : source.lists[*vertices]) {
-            if (!(v >= 0 && v < static_cast<double>(mesh.points.size())) || v != static_cast<double>(static_cast<uint32_t>(v))) {
+            if (!(v >= 0 && v < static_cast<double>(mesh.points.size())) ||
+                v != static_cast<double>(static_cast<uint32_t>(v))) {
                 char name[32];
                 std::snprintf(name, sizeof name, "%.17g", v);
                 source.fail(of, std::string("it names vertex ") + name + ", and there are " +

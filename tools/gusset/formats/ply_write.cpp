@@ -39,7 +39,8 @@ void announce(Writer &out, const char *type, std::initializer_list<const char *>
 void announce_colours(Writer &out, const std::vector<Colour> &colours, bool opaque) {
     if (!colours.empty()) {
         announce(out, "uchar ", {"red", "green", "blue"});
-        announce(out, "uchar ", opaque ? std::initializer_list<const char *>{} : std::initializer_list<const char *>{"alpha"});
+        announce(out, "uchar ",
+                 opaque ? std::initializer_list<const char *>{} : std::initializer_list<const char *>{"alpha"});
     }
 }
 
@@ -111,7 +112,8 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
         announce(out, textures.type(), {"s", "t"});
     }
     const char *length = small ? "list uchar " : "list uint ";
-    out << "element face " << static_cast<uint32_t>(mesh.face_count()) << "\nproperty " << length << "int vertex_indices\n";
+    out << "element face " << static_cast<uint32_t>(mesh.face_count()) << "\nproperty " << length
+        << "int vertex_indices\n";
     announce_colours(out, mesh.face_colours, opaque_faces);
     if (at_faces) {
         out << "property " << length << textures.type() << "texcoord\n";
@@ -144,7 +146,8 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
         if (at_faces) {
             const auto *first = mesh.texcoords.values.data() + mesh.offsets[f];
             // A face has all of them or none.
-            const bool there = std::none_of(first, first + mesh.degree(f), [](const auto &value) { return is_missing(value); });
+            const bool there =
+                std::none_of(first, first + mesh.degree(f), [](const auto &value) { return is_missing(value); });
             write_length(out, there ? 2 * mesh.degree(f) : 0, small, text);
             for (std::size_t k = 0; there && k < mesh.degree(f); ++k) {
                 textures.write(first[k][0]);

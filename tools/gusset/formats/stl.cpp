@@ -233,7 +233,9 @@ Losses write_stl(const std::string &path, const Mesh &mesh, bool text) {
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const std::size_t degree = mesh.degree(f);
         const std::size_t start = degree > 3 ? fan_corner(mesh, f) : 0;
-        const auto point = [&](std::size_t k) { return mesh.points[mesh.corners[mesh.offsets[f] + (start + k) % degree]]; };
+        const auto point = [&](std::size_t k) {
+            return mesh.points[mesh.corners[mesh.offsets[f] + (start + k) % degree]];
+        };
         for (std::size_t k = 1; k + 1 < degree; ++k) {
             write_facet(out, {point(0), point(k), point(k + 1)}, text);
         }
