@@ -1019,7 +1019,8 @@ enum gusset_status
      */
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
     /**
-     * A vertex used by a face, or a point of a loop, has a coordinate that is NaN or infinite.
+     * A coordinate is NaN or infinite: of a vertex that a face uses, a point, a tangent, a query
+     * or a node.
      */
     GUSSET_ERROR_NOT_FINITE = 1006,
     /**
