@@ -61,6 +61,7 @@ async function start() {
     const isSideBySide = by('side').checked, at = isSideBySide ? 0.5 : by('slider').value / by('slider').max;
     by('pairs').value = now.pair;
     by('slider').disabled = isSideBySide;
+    by('stage').classList.toggle('halves', isSideBySide);
     by('slider').setAttribute('aria-valuetext', `${Math.round(100 * at)} % ${showcase.states[left].name}`);
     by('divider').style.left = `${100 * at}%`;
     by('left').textContent = showcase.states[left].name;
