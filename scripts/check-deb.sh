@@ -8,12 +8,12 @@ scripts/install-packages.sh "$@"
 [ "$(id -u)" -eq 0 ] || { echo 'gusset: the packages are installed for this: run it as root, in a container say' >&2; exit 1; }
 packages=(build/deb/*.deb)
 mapfile -t names < <(for package in "${packages[@]}"; do dpkg-deb -f "$package" Package; done)
-installed() { dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${names[@]}" 2>/dev/null | sed -n 's/^installed //p'; }
+# Where none of them is known, that is no failure.
+installed() { { dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${names[@]}" 2>/dev/null || true; } | sed -n 's/^installed //p'; }
 there=$(installed)
 [ -z "$there" ] || { echo "gusset: installed already, and not to be replaced: $there" >&2; exit 1; }
 trap 'apt-get purge -y -q $(installed) >/dev/null 2>&1 || true' EXIT
 tree=build/deb/gusset-$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 status=0
-autopkgtest --quiet --apt-upgrade=no "${packages[@]}" "$tree/" -- null || status=$?
-# 2 and 8: some were skipped, or there were none.
+autopkgtest --quiet "${packages[@]}" "$tree/" -- null || status=$?
 exit "$status"
