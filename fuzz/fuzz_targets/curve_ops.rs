@@ -32,7 +32,12 @@ fuzz_target!(|input: (Vec<Point>, Vec<u8>, bool, Point, u8)| {
     if let Ok(found) = curve.self_intersections(&job) {
         assert!(found.points.iter().all(|both| curve.point(both.a).is_ok() && curve.point(both.b).is_ok()));
     }
-    let _ = (curve.sampled(Spacing::Count(7), &Job::default()), curve.svg_path(&Job::default()), curve.contour(0.0), curve.spline());
+    let _ = (
+        curve.sampled(Spacing::Count(7), &Job::default()),
+        curve.svg_path(&Job::default()),
+        curve.contour(0.0),
+        curve.spline(),
+    );
     let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
     if let Ok(done) = curve.offset(t, &options, &Job::default()) {
         assert!(done.curve.view().points().iter().all(|point| !point.is_nan()));

@@ -26,8 +26,8 @@ const MIN_RELATIVE_PIVOT: f64 = 4.0 * f64::EPSILON;
 const REPORT_INTERVAL: usize = 1 << 10;
 
 impl Triangle {
-    /// The factor of a symmetric matrix. An unknown whose pivot is not positive is left out: its solution will be
-    /// 0, and the others are found as if its row and column did not exist.
+    /// The factor of a symmetric matrix. An unknown whose pivot is not positive is left out: its
+    /// solution will be 0, and the others are found as if its row and column did not exist.
     ///
     /// O(sum of the squares of the columns' lengths); memory: 16 bytes an entry of L, and 36 a row.
     pub(super) fn factor(&self, job: &Job<'_>) -> Result<Self> {

@@ -62,8 +62,9 @@ pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
     controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
 }
 
-/// The parameters at which the distance from `q` is stationary: the roots of (C - q) . C', of degree
-/// 2 n - 1. Multiple ones are no minima that matter: what rounding may have made counts as 0.
+/// The parameters at which the distance from `q` is stationary: the roots of (C - q) . C', of
+/// degree 2 n - 1. Multiple ones are no minima that matter: what rounding may have made counts as
+/// 0.
 pub(crate) fn stationary_points(controls: &[DVec3], q: DVec3) -> Roots {
     let n = controls.len() - 1;
     let mut product = [0.0; MAX_COEFFICIENTS];
