@@ -611,8 +611,8 @@ typedef struct gusset_plugin {
 typedef const struct gusset_plugin *(*gusset_plugin_entry_fn)(uint32_t host_abi);
 
 /**
- * The numbers in a text under names, for programs: extension("values/1"). The struct is static; the
- * functions may be called from many threads at once.
+ * The numbers in a text under names, for programs: extension("values/1"). The struct is static;
+ * the functions may be called from many threads at once.
  */
 typedef struct gusset_plugin_values {
     /**

@@ -26,7 +26,7 @@ def linked(text):
 
 
 def beside(text):
-    return re.sub(r"\]\((?:\.\./)+(?:[\w/]+/)?([\w.]+\.(?!md)\w+)\)", r"](\1)", text)
+    return re.sub(r"\]\((?:(?:\.\./)+(?:[\w/]+/)?|docs/)([\w.]+\.(?!md)\w+)\)", r"](\1)", text)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-//! Reports of filters: lines for people, and the numbers in them under names for programs. A line has
-//! six significant digits of a measure; the number under its name has all of them.
+//! Reports of filters: lines for people, and the numbers in them under names for programs. A line
+//! has six significant digits of a measure; the number under its name has all of them.
 
 use glam::DVec3;
 use std::fmt::{self, Display};

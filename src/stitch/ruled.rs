@@ -43,8 +43,10 @@ pub struct Ruled {
 ///
 /// Time and memory of [`stitch()`](super::stitch())'s meridians.
 ///
-/// # Errors [`Error::LoopTooShort`] for a closed polyline of fewer than three points or an open one without any,
-/// [`Error::NotFinite`], [`Error::TooLarge`], [`Error::NoStrip`], [`Error::OutOfMemory`],
+/// # Errors
+///
+/// [`Error::LoopTooShort`] for a closed polyline of fewer than three points or an open one without
+/// any, [`Error::NotFinite`], [`Error::TooLarge`], [`Error::NoStrip`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job: &Job<'_>) -> Result<Ruled> {
     let least = if closed { 3 } else { 1 };

@@ -195,8 +195,8 @@ impl Sheet<'_> {
         })
     }
 
-    /// True if the whole line of nodes before a row of cells (direction 0) or a column, or after it,
-    /// is one point.
+    /// True if the whole line of nodes before a row of cells (direction 0) or a column, or after
+    /// it, is one point.
     pub(super) fn line_is_point(&self, direction: usize, cell: usize, end: bool) -> bool {
         (0..self.cells()[1 - direction]).all(|k| {
             let [i, j] = if direction == 0 { [cell, k] } else { [k, cell] };

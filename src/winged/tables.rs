@@ -19,8 +19,8 @@ pub enum Winding {
 
 /// One edge, equation 2; [`NONE`] is NULL. It runs from the vertex M to N; the face L runs N to M,
 /// and R runs M to N. In R the edge after this one is b, which leaves N, and the one before it d,
-/// which arrives at M; in L the one before it is c, which arrives at N, and the one after it e, which
-/// leaves M.
+/// which arrives at M; in L the one before it is c, which arrives at N, and the one after it e,
+/// which leaves M.
 #[allow(missing_docs, reason = "the paper's letters, explained above")]
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

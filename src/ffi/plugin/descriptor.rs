@@ -342,8 +342,8 @@ pub struct gusset_plugin {
     pub extension: unsafe extern "C" fn(name: *const c_char) -> *const c_void,
 }
 
-/// The numbers in a text under names, for programs: extension("values/1"). The struct is static; the
-/// functions may be called from many threads at once.
+/// The numbers in a text under names, for programs: extension("values/1"). The struct is static;
+/// the functions may be called from many threads at once.
 #[repr(C)]
 pub struct gusset_plugin_values {
     /// sizeof(gusset_plugin_values) of the plugin.

@@ -1,8 +1,8 @@
 //! Conversion: nets to polygon meshes and back, and nets from height fields.
 //!
-//! `mesh` makes meshes; `texture` makes their texture coordinates; `wires` extracts edges that belong
-//! to no face; `used_links` lists the edges that diagonals must avoid; `grid` finds the rows and
-//! columns of a mesh of quads; `heights` builds nets from height fields.
+//! `mesh` makes meshes; `texture` makes their texture coordinates; `wires` extracts edges that
+//! belong to no face; `used_links` lists the edges that diagonals must avoid; `grid` finds the rows
+//! and columns of a mesh of quads; `heights` builds nets from height fields.
 
 mod grid;
 mod heights;

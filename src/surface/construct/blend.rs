@@ -20,8 +20,8 @@ pub(super) struct Piece {
     points: [[f64; 4]; TAPS],
 }
 
-/// The cardinal functions between each line and the next. `lengths`: of the intervals between lines,
-/// positive; of closed directions the last one leads back to the first line.
+/// The cardinal functions between each line and the next. `lengths`: of the intervals between
+/// lines, positive; of closed directions the last one leads back to the first line.
 pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<Piece>> {
     let row = Row { lengths, closed };
     alloc::collect((0..lengths.len()).map(|interval| row.piece(interval)))
