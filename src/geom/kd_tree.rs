@@ -189,7 +189,7 @@ impl<'a> KdTree<'a> {
 impl KdTree<'_> {
     /// Calls `visit` with (squared distance in units of the reach, index) of every point within
     /// `reach` of the query, in no particular order. O(log n) for each point found.
-    pub(crate) fn within(&self, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
+    pub(crate) fn for_each_within(&self, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
         self.search_within(0..self.order.len(), query, reach, visit);
     }
 
@@ -313,7 +313,7 @@ mod tests {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
                 let mut found = Vec::new();
                 let tree = KdTree::new(&scaled, &Job::default(), "").unwrap();
-                tree.within(query * unit, Radius::new(reach * unit), &mut |_, i| found.push(i));
+                tree.for_each_within(query * unit, Radius::new(reach * unit), &mut |_, i| found.push(i));
                 found.sort_unstable();
                 // On a lattice, in a power of two: nothing is rounded.
                 let close = |&i: &u32| points[i as usize].distance(query) <= reach;

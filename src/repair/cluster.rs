@@ -124,7 +124,7 @@ impl<'a> Near<'a> {
             }
             Near::Within { tree, reach } => {
                 let mut outcome = Ok(());
-                tree.within(points[i], *reach, &mut |squared, j| {
+                tree.for_each_within(points[i], *reach, &mut |squared, j| {
                     if outcome.is_ok() {
                         outcome = alloc::push(out, (squared, j));
                     }

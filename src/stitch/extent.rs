@@ -22,9 +22,9 @@ pub enum Extent {
     Arcs([Arc; 2]),
 }
 
-/// Loops whose normals make, in the mean, more than this |cosine| with the line of their centres
-/// are joined whole: 60 degrees.
-const MAX_AXIS_COSINE: f64 = 0.5;
+/// Loops are joined whole if the mean |cosine| of the angles between their normals and the line of
+/// their centres exceeds this: angles below 60 degrees.
+const MIN_WHOLE_COSINE: f64 = 0.5;
 
 /// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which
 /// coordinates are at most 2; so is the tolerance in `options`, `None` being the round-off of such
@@ -47,7 +47,7 @@ pub(super) fn arcs(
         Extent::WholeLoops => Ok(None),
         Extent::OpenArcs => found(),
         Extent::Auto => {
-            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * MAX_AXIS_COSINE {
+            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * MIN_WHOLE_COSINE {
                 return Ok(None);
             }
             match found() {

@@ -219,7 +219,7 @@ impl<'a> Neighbourhood<'a> {
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
         self.space_evenly(strip, &vertices, &triangles, &mut points)?;
         let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
-            Some(k) => strip.grid.unrolled(k as usize),
+            Some(k) => strip.grid.even_position(k as usize),
             None => DVec3::ZERO,
         }))?;
         thin_plate(&mut points, &triangles, &free, &centres, Weights::Uniform, Some(&layout), job)?;

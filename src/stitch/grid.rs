@@ -78,7 +78,7 @@ impl Grid {
 
     /// Where new vertex `k` would lie if all edges had the same length: on a cylinder, or in a
     /// plane if the strip is open.
-    pub(super) fn unrolled(&self, k: usize) -> DVec3 {
+    pub(super) fn even_position(&self, k: usize) -> DVec3 {
         let (column, t) = self.new[k];
         let (along, up) = (column as f64, t * (self.rows + 1) as f64);
         if self.distinct == self.columns {
@@ -92,9 +92,9 @@ impl Grid {
         self.matrix[row * self.columns + column]
     }
 
-    /// The two parents of the new vertices, by their own numbers: a vertex of rim A and one of rim
-    /// B.
-    pub(super) fn parents(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
+    /// The rim vertices that each new vertex lies between, by their own numbers: one of rim A and
+    /// one of rim B.
+    pub(super) fn meridian_ends(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
         self.new.iter().map(|&(column, _)| [self.at(0, column), self.at(self.rows + 1, column)])
     }
 

@@ -94,7 +94,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 
     let name = |v: u32| attached.names[v as usize];
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
-    let parents = alloc::collect(strip.grid.parents().map(|pair| pair.map(name)))?;
+    let parents = alloc::collect(strip.grid.meridian_ends().map(|pair| pair.map(name)))?;
     let weights = alloc::collect(strip.grid.new.iter().map(|&(_, t)| t))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
