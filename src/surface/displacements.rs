@@ -43,8 +43,8 @@ pub(super) fn displacements(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: R
     });
 }
 
-/// What sums with weights that sum to 1, and whose absolute values sum to `lebesgue` at most, make
-/// of a box.
+/// A box that contains every weighted sum of points of `bounds`, for weights that sum to 1 and whose
+/// absolute values sum to at most `lebesgue`.
 pub(super) fn widened(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
     Aabb { low: bounds.low - more, high: bounds.high + more }
