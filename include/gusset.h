@@ -3279,7 +3279,7 @@ typedef struct gusset_seam {
      */
     int32_t column_step_b;
     /**
-     * The number of nodes of each; at least 1.
+     * The number of nodes of each; at least 1, and 1 if all steps are 0.
      */
     uint32_t count;
     /**
@@ -7875,7 +7875,7 @@ gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
  * @return GUSSET_OK, or an error: NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE,
  *     SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
  *     with the cell, OUT_OF_MEMORY.
- * @complexity O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
+ * @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
  * @source Deryagin, "Model of the tetragonal regular network".
  * @since 0.1
  */
@@ -7897,7 +7897,7 @@ gusset_status gusset_net_create(const struct gusset_context *context,
  * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
  *     NULL_ARGUMENT, OVERLAP.
- * @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
+ * @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
  * @since 0.1
  */
 GUSSET_API
@@ -8255,7 +8255,7 @@ gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
  * @param cells GUSSET_NET_CELLS_...
- * @param[out] complex receives the result, for gusset_net_complex_destroy; NULL on failure.
+ * @param[out] quotient receives the result, for gusset_net_complex_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
  *     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
@@ -8266,12 +8266,12 @@ GUSSET_MUST_USE
 gusset_status gusset_net_complex_create(const struct gusset_context *context,
                                         const struct gusset_net *net,
                                         gusset_net_cells cells,
-                                        struct gusset_net_complex **complex);
+                                        struct gusset_net_complex **quotient);
 
 /**
  * Lends what is known of a complex.
  *
- * @param complex the complex.
+ * @param quotient the complex.
  * @param[out] report receives the report; struct_size is set by the caller.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * @complexity O(1).
@@ -8279,16 +8279,16 @@ gusset_status gusset_net_complex_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *complex,
+gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
                                           struct gusset_net_complex_view *report);
 
 /**
  * Destroys a complex; NULL is allowed.
  *
- * @param[in,out] complex the handle; NULL is allowed.
+ * @param[in,out] quotient the handle; NULL is allowed.
  * @since 0.1
  */
-GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
+GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *quotient);
 
 /**
  * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping,
@@ -8582,7 +8582,7 @@ gusset_status gusset_net_histogram(const struct gusset_context *context,
  * @param[in,out] net the net.
  * @param gluing NULL for a sheet; it replaces what was glued.
  * @return GUSSET_OK, or an error: as gusset_net_create.
- * @complexity O(nodes).
+ * @complexity O(nodes + pairs of seams).
  * @since 0.1
  */
 GUSSET_API

@@ -243,8 +243,8 @@ pub enum Error {
         /// The first such cell.
         cell: u32,
     },
-    /// A seam without nodes, or with nodes outside the net.
-    #[error("seam {seam} is empty or leaves the net")]
+    /// A seam without nodes, with nodes outside the net, or of one pair again and again.
+    #[error("seam {seam} is empty, leaves the net, or repeats one pair of nodes")]
     BadSeam { seam: u32 },
     /// An element that does not exist, or that is of another kind.
     #[error("there is no {element} {index}")]

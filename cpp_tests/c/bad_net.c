@@ -153,6 +153,10 @@ static void gluing(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, &gluing, &net));
     gluing.seams = &seam, seam.count = 4;
     EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, &net));
+    /* One pair again and again is refused at once, not walked. */
+    seam.count = UINT32_MAX, seam.row_step_a = seam.row_step_b = 0;
+    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, &net));
+    seam.row_step_a = 1, seam.row_step_b = -1;
     seam.count = 3, seam.reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
     seam.reserved = 0;

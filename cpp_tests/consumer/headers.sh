@@ -26,4 +26,12 @@ one() { # The words of a line, then the flags.
 }
 export -f one
 xargs -P "$(nproc)" -L 1 bash -c 'one "${@: -4}" "${@:1:$#-4}"' one "${strict[@]}" <<<"$jobs"
-echo "$(wc -l <<<"$jobs") compilations"
+
+# After every header of C99: names of theirs are macros, <complex.h> has `complex`.
+standard=(assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdarg stdbool stddef stdint stdio
+  stdlib string tgmath time wchar wctype)
+for header in *.h; do
+  { printf '#include <%s.h>\n' "${standard[@]}"; echo "#include <$header>"; } | "$cc" -x c -std=c99 "${strict[@]}" - ||
+    { echo "FAILED: $header after the headers of C99" >&2; exit 1; }
+done
+echo "$(wc -l <<<"$jobs") compilations, and C after its own headers"

@@ -1,7 +1,7 @@
 //! Gluing: classes, reduced cells, and the forms that topologies are kept in.
 
 use crate::nets::any_topology;
-use gusset::net::topology::{Links, Matrix, Run};
+use gusset::net::topology::{Gluing, Links, Matrix, Run};
 use gusset::net::{Classes, Seam, Shape, Sides, Topology, closure};
 use proptest::prelude::*;
 
@@ -140,8 +140,14 @@ fn seams_in_one_form() {
     let [p, q, r] = [at(0, 0), at(2, 4), at(3, 8)];
     let [one, other] = [[pair(p, q), pair(q, r)], [pair(p, r), pair(r, q)]].map(|seams| of(&seams));
     assert_eq!(one.saturated().unwrap(), other.saturated().unwrap());
-    // The same pair again and again is one.
-    assert_eq!(of(&[Seam { a: p, b: r, count: 7 }]), of(&[pair(p, r)]));
+    // A pair again and again is no seam, however often; a run that meets one node is.
+    for count in [2, 7, u32::MAX] {
+        let repeated = [pair(p, q), Seam { a: p, b: r, count }];
+        let refused = Topology::new(shape, Links::Sides(Sides::SHEET), &repeated);
+        assert_eq!(refused, Err(gusset::Error::BadSeam { seam: 1 }));
+        assert_eq!(whole.glued(&repeated.map(Gluing::Seam)), Err(gusset::Error::BadSeam { seam: 1 }));
+    }
+    assert_eq!(of(&[Seam { a: Run::along_row(0, 0, 1), b: r, count: 9 }]).seams()[0].count, 9);
     // Closures that turn a side round are one seam still.
     for turned in [closure::moebius(shape).unwrap(), closure::klein(shape).unwrap()] {
         assert_eq!(turned.saturated().unwrap().seams().len(), 1);

@@ -87,7 +87,7 @@ versioned! { gusset_net_complex_view: 216 }
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
 /// @param cells GUSSET_NET_CELLS_...
-/// @param[out] complex receives the result, for gusset_net_complex_destroy; NULL on failure.
+/// @param[out] quotient receives the result, for gusset_net_complex_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE
 ///     (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes), and a sort of what belongs to each glued node; linear extra memory.
@@ -98,9 +98,9 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     context: *const gusset_context,
     net: *const gusset_net,
     cells: gusset_net_cells,
-    complex: *mut *mut gusset_net_complex,
+    quotient: *mut *mut gusset_net_complex,
 ) -> gusset_status {
-    create(context, complex, "complex", |job| {
+    create(context, quotient, "quotient", |job| {
         let net = read(net)?;
         Ok(gusset_net_complex(match cells {
             GUSSET_NET_CELLS_ALL => Complex::of_topology(net.topology(), job)?,
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn gusset_net_complex_create(
 
 /// Lends what is known of a complex.
 ///
-/// @param complex the complex.
+/// @param quotient the complex.
 /// @param[out] report receives the report; struct_size is set by the caller.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
 /// @complexity O(1).
@@ -120,10 +120,10 @@ pub unsafe extern "C" fn gusset_net_complex_create(
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_get_view(
-    complex: *const gusset_net_complex,
+    quotient: *const gusset_net_complex,
     report: *mut gusset_net_complex_view,
 ) -> gusset_status {
-    lend!(complex, report, |gusset_net_complex(c)| {
+    lend!(quotient, report, |gusset_net_complex(c)| {
         let bit = |set, bit| if set { bit } else { 0 };
         gusset_net_complex_view {
             struct_size: 0,
@@ -156,9 +156,9 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
 
 /// Destroys a complex; NULL is allowed.
 ///
-/// @param[in,out] complex the handle; NULL is allowed.
+/// @param[in,out] quotient the handle; NULL is allowed.
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_net_complex_destroy(complex: *mut gusset_net_complex) {
-    input::destroy(complex);
+pub unsafe extern "C" fn gusset_net_complex_destroy(quotient: *mut gusset_net_complex) {
+    input::destroy(quotient);
 }

@@ -147,9 +147,9 @@ pub unsafe extern "C" fn gusset_net_glue(
     gluings: *const gusset_gluing,
     count: usize,
 ) -> gusset_status {
-    guard(context, |_| {
+    guard(context, |job| {
         let gluings = self::gluings(gluings, count)?;
-        let topology = read(net)?.topology().glued(&gluings)?;
+        let topology = read(net)?.topology().glued_cancellable(&gluings, job, "gluing")?;
         edit(net)?.set_topology(topology);
         Ok(())
     })

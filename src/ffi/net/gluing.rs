@@ -2,6 +2,7 @@
 
 use crate::ffi::net::net_handle::{edit, gusset_net, read};
 use crate::ffi::prelude::*;
+use crate::job::Job;
 use crate::net::topology::{Links, Run};
 use crate::net::{Matrix, Seam, Shape, Sides, Topology};
 
@@ -27,7 +28,7 @@ pub struct gusset_seam {
     pub row_step_b: i32,
     /// The same for run B.
     pub column_step_b: i32,
-    /// The number of nodes of each; at least 1.
+    /// The number of nodes of each; at least 1, and 1 if all steps are 0.
     pub count: u32,
     /// 0.
     pub reserved: u32,
@@ -147,7 +148,7 @@ impl From<&Seam> for gusset_seam {
 }
 
 /// The topology that the caller describes; NULL: nothing is glued.
-pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing) -> Result<Topology, Failure> {
+pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job<'_>) -> Result<Topology, Failure> {
     let gluing = input::read(gluing, true, "gluing")?;
     let links = if gluing.matrix.is_null() {
         Links::Sides(sides(gluing.sides)?)
@@ -158,7 +159,8 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing) -> Result
         Links::Matrix(Matrix::from_bytes(shape, bytes)?)
     };
     let seams = seams(gluing.seams, gluing.seam_count)?;
-    Ok(Topology::new(shape, links, &seams)?.with_reversed(flag(gluing.reversed, "reversed")?))
+    Ok(Topology::new_cancellable(shape, links, &seams, job, "gluing")?
+        .with_reversed(flag(gluing.reversed, "reversed")?))
 }
 
 /// Glues a net otherwise; positions stay what they are.
@@ -169,7 +171,7 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing) -> Result
 /// @param[in,out] net the net.
 /// @param gluing NULL for a sheet; it replaces what was glued.
 /// @return GUSSET_OK, or an error: as gusset_net_create.
-/// @complexity O(nodes).
+/// @complexity O(nodes + pairs of seams).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
@@ -178,8 +180,8 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     net: *mut gusset_net,
     gluing: *const gusset_net_gluing,
 ) -> gusset_status {
-    guard(context, |_| {
-        let topology = topology(read(net)?.shape(), gluing)?;
+    guard(context, |job| {
+        let topology = topology(read(net)?.shape(), gluing, job)?;
         edit(net)?.set_topology(topology);
         Ok(())
     })

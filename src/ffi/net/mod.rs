@@ -21,6 +21,7 @@ pub mod validate;
 use crate::ffi::net::gluing::{gusset_net_gluing, topology};
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
+use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 use libc::c_void;
@@ -172,7 +173,7 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 /// @return GUSSET_OK, or an error: NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE,
 ///     SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
 ///     with the cell, OUT_OF_MEMORY.
-/// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
 /// @source Deryagin, "Model of the tetragonal regular network".
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -183,7 +184,7 @@ pub unsafe extern "C" fn gusset_net_create(
     gluing: *const gusset_net_gluing,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| net_of(arrays, gluing, false))
+    create(context, net, "net", |job| net_of(arrays, gluing, false, job))
 }
 
 /// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
@@ -196,7 +197,7 @@ pub unsafe extern "C" fn gusset_net_create(
 /// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
 ///     NULL_ARGUMENT, OVERLAP.
-/// @complexity O(nodes) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
+/// @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
@@ -206,7 +207,7 @@ pub unsafe extern "C" fn gusset_net_borrow_create(
     gluing: *const gusset_net_gluing,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| net_of(arrays, gluing, true))
+    create(context, net, "net", |job| net_of(arrays, gluing, true, job))
 }
 
 /// A net of the caller's matrices, borrowed or copied.
@@ -214,6 +215,7 @@ fn net_of(
     arrays: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
     borrow: bool,
+    job: &Job<'_>,
 ) -> Result<gusset_net, Failure> {
     fn planes<T: Real>(shape: Shape, arrays: &gusset_net_view, borrow: bool) -> Result<Planes<'static, T>, Failure> {
         if borrow { borrowed(shape, arrays) } else { copied(shape, arrays) }
@@ -223,7 +225,7 @@ fn net_of(
         Scalar::F32 => Coordinates::F32(planes(shape, &arrays, borrow)?),
         Scalar::F64 => Coordinates::F64(planes(shape, &arrays, borrow)?),
     };
-    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
+    Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing, job)?)))
 }
 
 fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {

@@ -5,7 +5,7 @@
 //! the order of nodes and independent of the order of unions. O(1) for sides alone, else O(nodes)
 //! with 4 bytes a node.
 
-use super::{Links, Matrix, Sides, Topology};
+use super::{Links, Matrix, Seam, Sides, Topology};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
@@ -50,9 +50,11 @@ impl Classes {
         let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
             Links::Sides(sides) => sides.links(shape).for_each(|link| join(&mut sets, shape.ends(link))),
-            Links::Matrix(matrix) => contract(&mut sets, shape, matrix, &job.part(0.3, 0.8), stage)?,
+            Links::Matrix(matrix) => contract(&mut sets, shape, matrix, &job.part(0.3, 0.7), stage)?,
         }
-        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| join(&mut sets, pair));
+        for seam in Seam::each_cancellable(topology.seams(), &job.part(0.7, 0.8), stage) {
+            seam?.pairs(shape).for_each(|pair| join(&mut sets, pair));
+        }
         Ok(Classes { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
     }
 

@@ -9,6 +9,7 @@ use super::local_gluing::{cell_links, star_links};
 use super::{GluingType, Links, Run, Seam, Topology};
 use crate::alloc;
 use crate::error::{Element, Error, Result};
+use crate::job::Job;
 use crate::net::shape::{Shape, sorted_pair};
 
 /// Which corners of a cell a diagonal joins (type c(1,2)).
@@ -108,12 +109,20 @@ impl Gluing {
 }
 
 impl Topology {
-    /// The topology with more nodes glued. O(nodes).
+    /// The topology with more nodes glued. O(nodes + pairs of seams).
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::OptionOutOfRange`] (a mask above 15), [`Error::BadSeam`] (its
     /// place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
     pub fn glued(&self, gluings: &[Gluing]) -> Result<Self> {
+        self.glued_cancellable(gluings, &Job::default(), "")
+    }
+
+    /// [`Topology::glued`] for large nets and many seams.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub(crate) fn glued_cancellable(&self, gluings: &[Gluing], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let (mut matrix, mut seams) = (self.matrix()?, alloc::copied(self.seams())?);
         for (index, gluing) in gluings.iter().enumerate() {
             let contract = |link| {
@@ -122,7 +131,8 @@ impl Topology {
             };
             gluing.resolve(self.shape(), index, contract, |seam| alloc::push(&mut seams, seam))?;
         }
-        Ok(Topology::new(self.shape(), Links::Matrix(matrix), &seams)?.with_reversed(self.is_reversed()))
+        let glued = Topology::new_cancellable(self.shape(), Links::Matrix(matrix), &seams, job, stage)?;
+        Ok(glued.with_reversed(self.is_reversed()))
     }
 
     /// The topology without the gluings of these pairs of nodes: their links are freed, and seams

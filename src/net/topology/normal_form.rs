@@ -6,17 +6,36 @@
 use super::{Classes, Links, Matrix, Seam, Topology, canonical_seams};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::net::Shape;
 
 impl Topology {
-    /// From contracted links and seams. O(nodes).
+    /// From contracted links and seams. O(nodes + pairs of seams).
     ///
     /// # Errors
     /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
     pub fn new(shape: Shape, links: Links, seams: &[Seam]) -> Result<Self> {
+        Self::new_cancellable(shape, links, seams, &Job::default(), "")
+    }
+
+    /// [`Topology::new`] for large nets and many seams.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub(crate) fn new_cancellable(
+        shape: Shape,
+        links: Links,
+        seams: &[Seam],
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> Result<Self> {
         seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
         let (mut links, mut kept) = (links, Vec::new());
-        for &seam in seams.iter().filter(|seam| !seam.pairs(shape).all(|[a, b]| a == b)) {
+        for seam in Seam::each_cancellable(seams, &job.part(0.0, 0.3), stage) {
+            let seam = seam?;
+            if seam.pairs(shape).all(|[a, b]| a == b) {
+                continue;
+            }
             let link = |pair: [u32; 2]| shape.links_between(pair).next();
             if seam.pairs(shape).all(|pair| link(pair).is_some()) {
                 let mut matrix = links.into_matrix(shape)?;
@@ -27,7 +46,7 @@ impl Topology {
             }
         }
         let topology = Topology::assembled(shape, links, kept, false);
-        topology.check_crossings()?;
+        topology.check_crossings_cancellable(&job.part(0.3, 1.0), stage)?;
         Ok(topology)
     }
 
@@ -72,10 +91,15 @@ impl Topology {
 
     /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.
     pub(crate) fn check_crossings(&self) -> Result<()> {
+        self.check_crossings_cancellable(&Job::default(), "")
+    }
+
+    fn check_crossings_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<()> {
         if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
-        let (table, w) = (Classes::of(self)?.table()?, self.shape.columns());
+        let classes = Classes::of_cancellable(self, &job.part(0.0, 0.8), stage)?;
+        let (table, w) = (classes.table_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
         for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
             let crosses = |j: usize| {
                 let ([a, b], [d, c]) = ([rows.0[j], rows.0[j + 1]], [rows.1[j], rows.1[j + 1]]);

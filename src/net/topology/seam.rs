@@ -3,7 +3,11 @@
 //! PointRangeDonor): O(1) memory whatever the length of the run.
 
 use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::net::Shape;
+
+/// Pairs of seams between two reports.
+const PAIRS_PER_REPORT: u64 = 1 << 18;
 
 /// Nodes in a line: from (row, column) in equal steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -77,24 +81,43 @@ pub struct Seam {
     pub a: Run,
     /// The second run.
     pub b: Run,
-    /// The number of nodes of each; at least 1.
+    /// The number of nodes of each; at least 1, and 1 if neither run moves.
     pub count: u32,
 }
 
 impl Seam {
-    /// [`Error::BadSeam`] if the seam is empty or leaves the net. `index`: the number of the seam.
+    /// [`Error::BadSeam`] if the seam is empty, leaves the net or repeats one pair. `index`: the
+    /// number of the seam. A seam that passes has at most as many pairs as the net has rows or
+    /// columns.
     pub(crate) fn check(&self, shape: Shape, index: usize) -> Result<()> {
-        let good = self.count > 0 && self.a.is_inside(shape, self.count) && self.b.is_inside(shape, self.count);
+        let moves = [self.a, self.b].iter().any(|run| (run.row_step, run.column_step) != (0, 0));
+        let good = self.count > 0
+            && (moves || self.count == 1)
+            && self.a.is_inside(shape, self.count)
+            && self.b.is_inside(shape, self.count);
         if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
+    }
+
+    /// All of `seams`, with a report once in so many pairs.
+    pub(super) fn each_cancellable(
+        seams: &[Seam],
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> impl Iterator<Item = Result<Seam>> {
+        let mut pairs = 0;
+        seams.iter().enumerate().map(move |(k, &seam)| {
+            pairs += u64::from(seam.count);
+            if pairs >= PAIRS_PER_REPORT {
+                job.step(k as f64 / seams.len() as f64, stage)?;
+                pairs = 0;
+            }
+            Ok(seam)
+        })
     }
 
     /// The smallest of the spellings of this seam: either run first, in either sense.
     pub(crate) fn canonical(self) -> Self {
-        let Seam { mut a, mut b, mut count } = self;
-        if [a, b].iter().all(|run| (run.row_step, run.column_step) == (0, 0)) {
-            // One pair, repeated.
-            count = 1;
-        }
+        let Seam { mut a, mut b, count } = self;
         if count == 1 {
             (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
         }
