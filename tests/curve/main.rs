@@ -3,6 +3,7 @@
 mod construct;
 mod curves;
 mod intersect;
+mod lines;
 mod ops;
 mod outline;
 mod outline_data;

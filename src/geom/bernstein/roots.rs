@@ -5,11 +5,13 @@
 //! change decides, and otherwise the interval is halved, which de Casteljau's scheme does without
 //! loss. One root is closed in on by Newton's method, held inside its bracket.
 //!
-//! Multiple roots are where rounding hides the sign. Coefficients within `noise` of 0 count as 0;
-//! an interval where all do is a place where the polynomial cannot be told from 0. Such intervals
-//! and the roots next to them become one root: where the polynomial, or else one of its first two
-//! derivatives, changes its sign, or else the middle. So a root of multiplicity m is found once;
-//! places that come closer to 0 than the noise without reaching it count as double roots.
+//! Multiple roots are where rounding hides the sign: values within `noise` of 0 cannot be told from
+//! 0. So the rule is asked of f - noise and of f + noise: where the coefficients of neither change
+//! sign more than once, f is within the noise on one interval at most, and otherwise the halving
+//! goes on, however the signs of f itself may be. Intervals where all coefficients are within the
+//! noise and the roots next to them become one root: where the polynomial, or else one of its first
+//! two derivatives, changes its sign, or else the middle. So a root of multiplicity m is found
+//! once; places that come closer to 0 than the noise without reaching it count as double roots.
 
 use super::casteljau::{derive, halve};
 use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
@@ -187,21 +189,23 @@ impl Search<'_> {
             self.add(low, high);
             return false;
         }
+        let changes = |level: f64| sign_changes(c.iter().map(|&x| x > level));
+        if changes(noise).max(changes(-noise)) > 1 {
+            if high - low <= MIN_WIDTH {
+                self.add(low, high);
+            }
+            return high - low > MIN_WIDTH;
+        }
+        // Where the polynomial is within the noise is one interval at most: about a crossing, or at
+        // an end.
         let (first, last) = (c[0], c[c.len() - 1]);
         if first.abs() <= noise {
             self.add(low, low);
-        }
-        let changes = sign_changes(c.iter().filter(|x| x.abs() > noise).map(|&x| x < 0.0));
-        if changes == 1 && first.abs() > noise && last.abs() > noise {
-            let t = low + (high - low) * bracketed_root(0.0, 1.0, c[0], |t| value_and_slope(c, t));
-            self.add(t, t);
-        } else if changes > 0 && high - low <= MIN_WIDTH {
-            self.add(low, high);
-        } else if changes > 0 {
-            return true;
-        }
-        if last.abs() <= noise {
+        } else if last.abs() <= noise {
             self.add(high, high);
+        } else if (first < 0.0) != (last < 0.0) {
+            let t = low + (high - low) * bracketed_root(0.0, 1.0, first, |t| value_and_slope(c, t));
+            self.add(t, t);
         }
         false
     }
@@ -328,6 +332,28 @@ mod tests {
         assert!(roots(&[], NOISE).as_slice().is_empty());
         assert!(roots(&[1.0, 0.2, 1.0], NOISE).as_slice().is_empty());
         assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], NOISE).as_slice().len() < 4);
+    }
+
+    /// (t - a)^2 times a factor that is not 0 at `a`, lifted by less than the noise: whichever way
+    /// rounding and the lift turn the least value, it is a touch. What has no touch, lifted by 5
+    /// times the noise, has none.
+    #[test]
+    fn every_touch_is_found_and_no_other() {
+        let factors: [&[f64]; 4] = [&[1.0], &[-0.7, 0.3], &[0.3, 0.5, 0.1], &[1.0, 0.2, 0.3, 2.0]];
+        for (k, factor) in factors.iter().enumerate() {
+            for i in 1..400 {
+                let a = f64::from(i) / 400.0 + 1e-4 * (f64::from(i) * 0.7).sin();
+                let Some(sign) = [value_and_slope(factor, a).0].into_iter().find(|x| x.abs() > 0.05) else { continue };
+                let mut product = vec![0.0; factor.len() + 2];
+                add_product(&[a * a, -a * (1.0 - a), (1.0 - a) * (1.0 - a)], factor, 1.0, &mut product);
+                for (lift, touches) in [(0.0, 1), (0.5, 1), (-0.5, 1), (5.0, 0)] {
+                    let c: Vec<f64> = product.iter().map(|x| x + lift * NOISE * sign.signum()).collect();
+                    let found = roots(&c, NOISE);
+                    let near = found.as_slice().iter().filter(|&&t| (t - a).abs() < 1e-5);
+                    assert_eq!(near.count(), touches, "factor {k}, a {a}, lift {lift}: {:?}", found.as_slice());
+                }
+            }
+        }
     }
 
     proptest! {
