@@ -157,6 +157,56 @@ fn loops_cusps_and_eights() {
     assert_eq!(found.points.len(), 1, "{found:?}");
 }
 
+/// A straight segment that goes far away, on one of the curves, takes none of their crossings,
+/// which a pair of cubics by itself tells, nor the loop of a cubic.
+#[test]
+fn what_goes_far_hides_no_crossing() {
+    let mut random = fastrand::Rng::with_seed(9);
+    let mut cubic =
+        || -> Vec<DVec3> { (0..4).map(|_| v(2.0 * random.f64() - 1.0, 2.0 * random.f64() - 1.0)).collect() };
+    let mut crossings = 0;
+    for _ in 0..120 {
+        let (a, b) = (cubic(), cubic());
+        let alone = meet(&a, &b);
+        crossings += alone.points.len();
+        for far in [1e4, 1e5, 3e5, 1e6, 3e6, 1e8] {
+            let longer: Vec<DVec3> = a.iter().copied().chain([v(far, 0.7 * far)]).collect();
+            let (eb, b) = ([0, 3], &b);
+            let (a, b) = (CurveView::new(&longer, &[0, 3, 4], false).unwrap(), CurveView::new(b, &eb, false).unwrap());
+            let found = a.intersections(&b, &Job::default()).unwrap();
+            let near: Vec<_> = found.points.iter().filter(|m| m.a.segment == 0).collect();
+            assert_eq!((near.len(), found.undecided), (alone.points.len(), false), "{far}: {alone:?} {found:?}");
+            for (m, n) in near.iter().zip(&alone.points) {
+                let gap = (m.a.t - n.a.t).abs().max((m.b.t - n.b.t).abs());
+                assert!(gap < 1e-13 * far, "{far}: {gap:e}");
+            }
+        }
+    }
+    assert!(crossings > 80, "{crossings}");
+    let looped = [v(0.0, 0.0), v(2.0, 1.0), v(-1.0, 1.0), v(1.0, 0.0)];
+    for far in [1e4, 1e5, 1e6, 1e7, 1e8] {
+        let points: Vec<DVec3> = looped.into_iter().chain([v(far, -far)]).collect();
+        assert_eq!(itself(&points, &[0, 3, 4], false).points.len(), 1, "{far}");
+    }
+}
+
+/// (s^2, s^3), s = t - 0.3, has a cusp; lines across it beside the cusp meet both branches.
+#[test]
+fn both_branches_beside_a_cusp_are_crossed() {
+    let (p, q) = (0.3, 0.7);
+    let square = [p * p, -p * q, q * q];
+    let x = [square[0], (square[0] + 2.0 * square[1]) / 3.0, (2.0 * square[1] + square[2]) / 3.0, square[2]];
+    let y = [-p * p * p, p * p * q, -p * q * q, q * q * q];
+    let cusp: Vec<DVec3> = x.iter().zip(y).map(|(&x, y)| v(x, y)).collect();
+    for x in [1e-3f64, 1e-5, 1e-6, 5e-7, 1e-7, 1e-9, 1e-10] {
+        let found = meet(&cusp, &[v(x, -1.0), v(x, 1.0)]);
+        assert_eq!((found.points.len(), found.undecided), (2, false), "{x}: {found:?}");
+        for (m, sign) in found.points.iter().zip([-1.0, 1.0]) {
+            assert!((m.a.t - (0.3 + sign * x.sqrt())).abs() < 1e-15 / x.sqrt(), "{x}: {found:?}");
+        }
+    }
+}
+
 /// Crossings of two polygons, as parameters.
 fn brute(a: &CurveView<'_>, b: &CurveView<'_>, n: usize) -> Vec<(f64, f64)> {
     let sample = |c: &CurveView<'_>| -> Vec<DVec3> {

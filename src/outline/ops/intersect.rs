@@ -67,7 +67,7 @@ const MAX_DEPTH: u32 = 20;
 
 impl CurveView<'_> {
     /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the
-    /// parameters. Curves touch where they come within 1e-12 of their size; intersections that
+    /// parameters. Curves touch where they come within 1e-12 of the size of both; intersections that
     /// differ by less than 1e-6 in both parameters count as one. Parts in common are reported as
     /// such. Bounded work for each pair of segments whose boxes meet; about O(log(1 / distance))
     /// halvings for each intersection.

@@ -8,8 +8,9 @@
 //!   the other. Two common points would give both parts the same chord, which is a positive sum of
 //!   legs of each: its cross product with itself would not be 0. Newton's method then finds the
 //!   crossing, or the halving goes on;
-//! * is so short that only a touch can be told: it is searched for, and accepted if the segments
-//!   come within rounding.
+//! * is so short and so straight that all its points are common within [`MAX_COMMON_DISTANCE`]
+//!   where the hulls are not apart: there they touch, or cross at an angle below rounding, and that
+//!   place is sought. Short alone would not do: beside a long segment a whole curve is short.
 //!
 //! Segments that run together would be halved for ever. They are recognised before: polynomial
 //! segments of degrees n and m that have more than n m points in common lie on the same curve
@@ -31,8 +32,11 @@ use glam::DVec3;
 pub(super) const BOX_SLACK: f64 = 1.0 / (1u64 << 46) as f64;
 /// Points nearer than this are common.
 pub(super) const MAX_COMMON_DISTANCE: f64 = 1e-12;
-/// Parts smaller than this are not halved.
+/// Parts smaller than this are not halved if they are straight.
 const MIN_PART_SIZE: f64 = 1.0 / (1u64 << 20) as f64;
+/// Control points of a straight part are nowhere farther from its chord: of two such parts whose
+/// hulls are not apart the nearest points are common.
+const MAX_SAGITTA: f64 = 0.25 * MAX_COMMON_DISTANCE;
 /// Intersections whose parameters both differ by less are one.
 pub(super) const SAME_PARAMETER: f64 = 1e-6;
 /// Touches farther apart than this, in the parameters, are different ones.
@@ -126,11 +130,13 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
             return Ok(BoxTest::Unique(at));
         }
         let sizes = [p, q].map(Part::size);
-        if sizes[0].max(sizes[1]) > MIN_PART_SIZE {
+        if sizes[0].max(sizes[1]) > MIN_PART_SIZE || ![p, q].into_iter().all(is_straight) {
             return Ok(BoxTest::Undecided(usize::from(sizes[0] < sizes[1])));
         }
-        let touch = if joint { None } else { touch(a, b, p, q) };
-        Ok(touch.map_or(BoxTest::Empty, BoxTest::Unique))
+        if joint {
+            return Ok(BoxTest::Empty);
+        }
+        Ok(touch(a, b, p, q).map_or(BoxTest::Unresolved, BoxTest::Unique))
     }
 
     fn accept(&mut self, _: [Part; 2], at: [f64; 2]) -> Result<()> {
@@ -204,6 +210,18 @@ fn apart(a: &[DVec3], b: &[DVec3]) -> bool {
     [chord(a), chord(b)].into_iter().any(|chord| {
         let across = DVec3::new(-chord.y, chord.x, 0.0);
         chord != DVec3::ZERO && (separates(chord, a, b, BOX_SLACK) || separates(across, a, b, BOX_SLACK))
+    })
+}
+
+/// Whether the hull of a part is its chord, within [`MAX_SAGITTA`].
+fn is_straight(part: &Part) -> bool {
+    let controls = &part.controls;
+    let (first, along) = (controls[0], controls[controls.len() - 1] - controls[0]);
+    controls.iter().all(|&p| {
+        let t = ((p - first).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        // Not a number where the ends coincide.
+        let near = if t.is_nan() { first } else { first + along * t };
+        p.distance(near) <= MAX_SAGITTA
     })
 }
 
