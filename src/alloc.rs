@@ -18,16 +18,6 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
-/// [`filled`], for long vectors: the host can cancel.
-pub(crate) fn filled_cancellable<T: Clone>(value: T, len: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<T>> {
-    let mut vec = with_capacity(len)?;
-    job.ranges(stage, len, |range| {
-        vec.resize(range.end, value.clone());
-        Ok(())
-    })?;
-    Ok(vec)
-}
-
 /// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses
 /// it.
 pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
@@ -39,15 +29,6 @@ pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
 pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
     let mut vec = with_capacity(items.len())?;
     vec.extend(items);
-    Ok(vec)
-}
-
-/// [`collect`], up to the first failure.
-pub(crate) fn try_collect<T, E: From<Error>>(items: impl ExactSizeIterator<Item = Result<T, E>>) -> Result<Vec<T>, E> {
-    let mut vec = with_capacity(items.len())?;
-    for item in items {
-        vec.push(item?);
-    }
     Ok(vec)
 }
 
@@ -67,11 +48,11 @@ pub(crate) fn collect_cancellable<T>(
 
 /// Collects an iterator of any length.
 pub(crate) fn gather<T>(items: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
-    try_gather(items.into_iter().map(Ok))
+    try_collect(items.into_iter().map(Ok))
 }
 
 /// Collects an iterator of any length until one of its items fails.
-pub(crate) fn try_gather<T>(items: impl IntoIterator<Item = Result<T>>) -> Result<Vec<T>> {
+pub(crate) fn try_collect<T, E: From<Error>>(items: impl IntoIterator<Item = Result<T, E>>) -> Result<Vec<T>, E> {
     let items = items.into_iter();
     let mut vec = with_capacity(items.size_hint().0)?;
     for item in items {

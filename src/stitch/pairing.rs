@@ -19,7 +19,7 @@ const SAMPLE_VERTICES: usize = 1 << 10;
 
 /// Every loop of the boundary that can carry a strip.
 pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Vec<Rim>> {
-    alloc::try_gather(boundary.iter().filter(is_usable).map(|found| Rim::found(mesh, &found)))
+    alloc::try_collect(boundary.iter().filter(is_usable).map(|found| Rim::found(mesh, &found)))
 }
 
 /// Takes the nearest two rims out of the candidates, one from each side; of equally near pairs the

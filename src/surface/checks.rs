@@ -4,28 +4,23 @@ use crate::error::{Element, Error, Result};
 use glam::DVec3;
 use std::borrow::Borrow;
 
-/// [`Error::OptionOutOfRange`] unless the value of an option is one that it may have.
-pub(super) fn require(holds: bool, option: &'static str, value: f64) -> Result<()> {
-    if holds { Ok(()) } else { Err(Error::OptionOutOfRange { option, value }) }
-}
-
 /// A direction's unit vector.
 pub(super) fn direction(given: DVec3, option: &'static str) -> Result<DVec3> {
     finite(given, option)?;
     // Neither overflow nor underflow.
     let largest = given.abs().max_element();
-    require(largest > 0.0, option, 0.0)?;
+    Error::require(largest > 0.0, option, 0.0)?;
     Ok((given / largest).normalize())
 }
 
 pub(super) fn finite(given: DVec3, option: &'static str) -> Result<()> {
-    given.to_array().into_iter().try_for_each(|x| require(x.is_finite(), option, x))
+    given.to_array().into_iter().try_for_each(|x| Error::require(x.is_finite(), option, x))
 }
 
 /// Levels, by whatever name, are finite and rise.
 pub(super) fn rising(levels: &[f64], option: &'static str) -> Result<()> {
     let rises = |k: usize| levels[k].is_finite() && (k == 0 || levels[k] > levels[k - 1]);
-    (0..levels.len()).try_for_each(|k| require(rises(k), option, levels[k]))
+    (0..levels.len()).try_for_each(|k| Error::require(rises(k), option, levels[k]))
 }
 
 /// [`Error::NotFinite`] for the first of some nodes with a coordinate that is NaN or infinite.

@@ -5,7 +5,7 @@
 
 use super::axis::{Axis, TAPS};
 use super::cells::Cells;
-use super::checks::{finite_nodes, require};
+use super::checks::finite_nodes;
 use super::{Scheme, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -92,7 +92,7 @@ impl Sheet<'_> {
 
 /// The cell of a parameter that counts cells, and the parameter within it.
 fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
-    require((0.0..=cells as f64).contains(&at), "parameter", at)?;
+    Error::require((0.0..=cells as f64).contains(&at), "parameter", at)?;
     let cell = (at as usize).min(cells - 1);
     Ok((cell, at - cell as f64))
 }

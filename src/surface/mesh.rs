@@ -6,7 +6,6 @@
 //! "Surface algorithms using bounds on derivatives"); bounds come from control nets.
 
 use super::cells::Cells;
-use super::checks::require;
 use super::{Patch, Place, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -90,8 +89,8 @@ impl Sheet<'_> {
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &SurfaceMeshOptions, job: &Job<'_>) -> Result<SurfaceMesh> {
-        require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
-        require(!options.least.contains(&0), "parts", 0.0)?;
+        Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
+        Error::require(!options.least.contains(&0), "parts", 0.0)?;
         let lattice = Lattice::new(self, options, &job.part(0.0, 0.3))?;
         lattice.mesh(options.triangles, &job.part(0.3, 1.0))
     }

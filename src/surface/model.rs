@@ -1,6 +1,5 @@
 //! Surfaces: sheets with their index.
 
-use super::checks::require;
 use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
 use crate::alloc;
@@ -63,7 +62,7 @@ impl<'a> Surface<'a> {
             return Err(Error::EmptyMesh { what: "sheets" });
         }
         let tolerance = tolerance.unwrap_or(1e-9 * bounds.diagonal());
-        require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
         Ok(Surface { sheets: indexed, bounds, tolerance })
     }
 

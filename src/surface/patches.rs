@@ -2,7 +2,7 @@
 
 use super::Patch;
 use super::cells::{BLOCK, Cells, cells_of_block};
-use super::checks::{finite_points, require};
+use super::checks::finite_points;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
@@ -34,7 +34,7 @@ impl<const N: usize> Patches<N> {
     /// patches, [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the
     /// control point, [`Error::OutOfMemory`].
     pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
-        degrees.iter().try_for_each(|&degree| require((1..N).contains(&degree), "degree", degree as f64))?;
+        degrees.iter().try_for_each(|&degree| Error::require((1..N).contains(&degree), "degree", degree as f64))?;
         let each = (degrees[0] + 1) * (degrees[1] + 1);
         let count = (rows as u64).saturating_mul(columns as u64);
         let total = count.saturating_mul(each as u64);

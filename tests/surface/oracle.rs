@@ -1,12 +1,13 @@
 //! The paper's search, corrected, against the index: the same answers, cell for cell and value for
 //! value, on six surfaces. They have nothing in common but the patches.
 
+use crate::halving::{cells_within, closest};
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::line_intersection::{HitSelection, Line};
-use gusset::surface::reference::{CellMask, Diameters, Lattice, Object, cells_within, closest};
+use gusset::surface::reference::{CellMask, Diameters, Lattice, Object};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
 use std::path::{Path, PathBuf};
 
@@ -128,7 +129,7 @@ fn compare_nearest(queries: usize, seed: u64) {
         let mut random = Random(seed);
         for k in 0..queries {
             let query = centre + random.point(size * [0.7, 10.0][k % 2]);
-            let near = closest(&case.sheet, &case.diameters, query, case.tolerance, &Job::default()).unwrap();
+            let near = closest(&case.sheet, &case.diameters, query, case.tolerance);
             let distance = near.distance;
             assert!(near.bound <= distance && near.bound >= distance - 2.0 * case.tolerance, "{}: {near:?}", case.name);
             let found = case.surface.closest(query, f64::INFINITY).unwrap();
@@ -151,10 +152,8 @@ fn regions_of_cells() {
             let query = centre + random.point(0.8 * size);
             let nearest = case.surface.closest(query, f64::INFINITY).unwrap().distance;
             let radius = nearest + 0.2 * size;
-            let within = |radius| {
-                let (object, job) = (Object::Point(query), Job::default());
-                cells_within(&case.sheet, &case.diameters, object, radius, case.tolerance, &job).unwrap()
-            };
+            let within =
+                |radius| cells_within(&case.sheet, &case.diameters, Object::Point(query), radius, case.tolerance);
             let region = case.surface.region(query, radius, &Job::default()).unwrap();
             let (least, most) = (within(radius - 4.0 * case.tolerance), within(radius + 4.0 * case.tolerance));
             for k in 0..case.lattice().len() {
@@ -216,8 +215,7 @@ fn compare_lines(lines: usize, seed: u64) -> usize {
             let line = Line::new(centre + random.point(0.5 * size), random.point(1.0));
             let hits = case.surface.line(&line, HitSelection::All).unwrap();
             let object = Object::Line(line);
-            let scale =
-                cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance, &Job::default()).unwrap();
+            let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);
             let places: Vec<Place> = hits.iter().map(|hit| hit.place).collect();
             count += compare(&case, &scale, &places, &line);
         }
@@ -238,8 +236,7 @@ fn cells_of_sections() {
             let planes = Planes { point, normal, offsets: &[0.0] };
             let paths = case.surface.section(&planes, PointSpacing::Chord(1e-3 * size), &Job::default()).unwrap();
             let object = Object::Plane { point, normal };
-            let scale =
-                cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance, &Job::default()).unwrap();
+            let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);
             let places: Vec<Place> = paths.places.iter().chain(&paths.unresolved).copied().collect();
             count += compare(&case, &scale, &places, &planes);
         }
@@ -256,8 +253,7 @@ fn cells_of_planes() {
         for _ in 0..20 {
             let (point, normal) = (centre + random.point(0.4 * size), random.point(1.0).normalize());
             let object = Object::Plane { point, normal };
-            let scale =
-                cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance, &Job::default()).unwrap();
+            let scale = cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance);
             for k in 0..case.lattice().len() {
                 let cell = case.lattice().cell(k);
                 let at =

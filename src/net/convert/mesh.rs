@@ -15,6 +15,7 @@ use crate::net::hidden_cells::HiddenCells;
 use crate::net::topology::Reduced;
 use crate::net::{Classes, Net, Planes, Real, each};
 use glam::DVec3;
+use std::iter::repeat_n;
 
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
@@ -286,7 +287,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         let edges = std::mem::take(&mut self.edges);
         let part = |from: f64, to: f64| job.part(from, to);
         let wires = wires::without_faces(edges, &self.offsets, &self.nodes, self.classes, &part(0.0, 0.2), NUMBERS)?;
-        let mut vertex = alloc::filled_cancellable(NONE, self.classes.len(), &part(0.2, 0.3), NUMBERS)?;
+        let mut vertex = alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERS)?;
         let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
         part(0.3, 0.4).ranges(NUMBERS, self.nodes.len(), |range| {
             self.nodes[range].iter().for_each(|&node| use_class(node));

@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::NONE;
 use crate::net::Shape;
+use std::iter::repeat_n;
 
 /// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
 ///
@@ -21,7 +22,7 @@ pub struct Texture {
 impl Texture {
     /// The texture coordinates of faces given by nodes.
     pub(super) fn new(shape: Shape, nodes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let mut number = alloc::filled_cancellable(NONE, shape.node_count(), &job.part(0.0, 0.2), stage)?;
+        let mut number = alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), stage)?;
         job.part(0.2, 0.4).ranges(stage, nodes.len(), |range| {
             nodes[range].iter().for_each(|&node| number[node as usize] = 0);
             Ok(())

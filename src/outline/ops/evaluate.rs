@@ -67,7 +67,7 @@ impl CurveView<'_> {
     }
 
     fn at_each<T>(&self, places: &[Place], value: impl Fn(&[DVec3], f64) -> T) -> Result<Vec<T>> {
-        alloc::try_gather(places.iter().enumerate().map(|(index, &place)| {
+        alloc::try_collect(places.iter().enumerate().map(|(index, &place)| {
             self.check_place(index, place)?;
             Ok(value(self.segment(place.segment as usize), place.t))
         }))

@@ -196,7 +196,7 @@ impl FacingSearch<'_> {
 
     /// What each loop sees of each other one, in ascending order of the loops.
     fn proximities(&self, nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<LoopProximity>> {
-        let lengths = alloc::try_gather(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
+        let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let mut proximities = Vec::new();
         for (r, of_rim) in nearest_vertices.iter().enumerate() {
             let mut pairs = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
@@ -269,7 +269,7 @@ impl FacingSearch<'_> {
             let most = groups.rev().max_by_key(|group| group.len()).map_or(NONE, |group| group[0]);
             Ok((most, places.map(|i| nearest_vertices[r][i].distance).sum::<f64>() / arc.count as f64))
         };
-        let partners = alloc::try_gather(arcs.iter().map(partner))?;
+        let partners = alloc::try_collect(arcs.iter().map(partner))?;
         for (x, &(y, gap)) in partners.iter().enumerate() {
             if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
                 let (first, second) = (arcs[x], arcs[y as usize]);

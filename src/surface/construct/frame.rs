@@ -1,7 +1,7 @@
 //! Surfaces of the frames that the outlines module makes.
 
 use super::net::Gordon;
-use super::net_curve::{CurvePlace, NetCurve, degree, try_collect};
+use super::net_curve::{CurvePlace, NetCurve, degree};
 use crate::alloc;
 use crate::choice::choices;
 use crate::error::{Error, Result};
@@ -82,7 +82,7 @@ fn gordon<const N: usize>(
     if rows < min[0] || columns < min[1] {
         return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
     }
-    let net_curves = |fit: &Fit| try_collect(fit.len(), |k| NetCurve::new(&fit.curve(k)));
+    let net_curves = |fit: &Fit| alloc::try_collect((0..fit.len()).map(|k| NetCurve::new(&fit.curve(k))));
     let (row_curves, column_curves) = (net_curves(across)?, net_curves(along)?);
     let at = |net_curve: &NetCurve<N>, place: Place| {
         let (segment, count) = (place.segment as usize, net_curve.segments.len());

@@ -10,14 +10,13 @@
 
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
-use super::net_curve::{CurvePlace, NetCurve, Piece, degree, try_collect};
+use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::Aabb;
 use crate::job::Job;
 use crate::outline::CurveView;
 use crate::surface::axis::TAPS;
-use crate::surface::checks::require;
 use crate::surface::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 
@@ -87,7 +86,7 @@ impl CurveNet<'_> {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }
         let tolerance = self.tolerance.unwrap_or(0.0);
-        require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
+        Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)
     }
 
     /// The diagonal of the box of all curves, and the largest of their coordinates.
@@ -115,17 +114,17 @@ impl<const N: usize> Gordon<N> {
     fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
         let net_curves = |curves: &[CurveView<'_>], before: usize| {
-            try_collect(curves.len(), |k| {
+            alloc::try_collect((0..curves.len()).map(|k| {
                 job.step(0.1 * (before + k) as f64 / total, FINDING)?;
                 NetCurve::new(&curves[k])
-            })
+            }))
         };
         let (rows, columns) = (net_curves(net.rows, 0)?, net_curves(net.columns, net.rows.len())?);
         let boxes = |net_curves: &[NetCurve<N>], before: usize| {
-            try_collect(net_curves.len(), |k| {
+            alloc::try_collect((0..net_curves.len()).map(|k| {
                 job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
                 Boxes::of(&net_curves[k])
-            })
+            }))
         };
         let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
         let (size, max_coordinate) = net.extent();
@@ -134,15 +133,15 @@ impl<const N: usize> Gordon<N> {
         // Lengths below this are neither searched for nor cut off.
         let slack = (0.25 * tolerance).min(1e-9 * size) + rounding_error;
         let count = rows.len() * columns.len();
-        let places = try_collect(count, |n| {
+        let places = alloc::try_collect((0..count).map(|n| {
             let (k, l) = (n / columns.len(), n % columns.len());
             job.step(0.2 + 0.6 * n as f64 / count as f64, FINDING)?;
             let met = nearest([&rows[k], &columns[l]], [&row_boxes[k], &column_boxes[l]], slack)?;
             if met.distance > tolerance.max(rounding_error) {
                 return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
             }
-            Ok([snapped(&rows[k], met.places[0], slack), snapped(&columns[l], met.places[1], slack)])
-        })?;
+            Ok::<_, Error>([snapped(&rows[k], met.places[0], slack), snapped(&columns[l], met.places[1], slack)])
+        }))?;
         Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
@@ -170,7 +169,7 @@ impl<const N: usize> Gordon<N> {
             let count = [width, height][axis];
             let place = |k: usize, l: usize| if axis == 0 { (k, l) } else { (l, k) };
             let number = |(row, column): (usize, usize)| row * width + column;
-            try_collect(net_curves.len(), |k| {
+            alloc::try_collect((0..net_curves.len()).map(|k| {
                 job.step((axis * height + k) as f64 / (height + width) as f64, FINDING)?;
                 let at = alloc::collect((0..count).map(|l| places[number(place(k, l))][axis]))?;
                 let ends = |l: usize| nodes[number(place(k, l % count.max(1)))];
@@ -179,7 +178,7 @@ impl<const N: usize> Gordon<N> {
                     Error::CurvesOutOfOrder { row: row as u32, column: column as u32 }
                 };
                 pieces(&mut net_curves[k], at, closed[1 - axis], ends, out_of_order)
-            })
+            }))
         };
         let (along_rows, along_columns) = (cut(&mut rows, 0)?, cut(&mut columns, 1)?);
         Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
@@ -285,7 +284,7 @@ fn pieces<const N: usize>(
     }
     net_curve.closed = closed;
     if at.is_empty() {
-        return try_collect(1, |_| net_curve.whole());
+        return alloc::try_collect([net_curve.whole()]);
     }
     if !point {
         let falls = |at: &[CurvePlace]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
@@ -365,14 +364,14 @@ impl Strips {
 
     /// The segments of each curve over each cell.
     fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
-        try_collect(curves.len(), |k| {
+        alloc::try_collect((0..curves.len()).map(|k| {
             job.step(k as f64 / curves.len() as f64, MAKING)?;
             let mut refined = alloc::with_capacity(self.count())?;
             for (strip, piece) in curves[k].iter().enumerate() {
                 piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
             }
             Ok(refined)
-        })
+        }))
     }
 }
 

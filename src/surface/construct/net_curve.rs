@@ -5,7 +5,6 @@ use crate::error::{Error, Result};
 use crate::geom::bernstein::{elevate, evaluate, restrict};
 use crate::outline::CurveView;
 use crate::surface::MAX_DEGREE;
-use crate::surface::checks::require;
 use glam::DVec3;
 
 /// The least share of a whole that a segment is given of its parameter.
@@ -50,16 +49,9 @@ pub(super) fn degree<'a>(mut curves: impl Iterator<Item = CurveView<'a>>) -> Res
             return Err(Error::EmptyCurve);
         }
         let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
-        require(degree <= MAX_DEGREE, "degree", degree as f64)?;
+        Error::require(degree <= MAX_DEGREE, "degree", degree as f64)?;
         Ok(degree.max(highest))
     })
-}
-
-/// Collects the first `count` of what may fail.
-pub(super) fn try_collect<T>(count: usize, make: impl FnMut(usize) -> Result<T>) -> Result<Vec<T>> {
-    let mut all = alloc::with_capacity(count)?;
-    (0..count).map(make).try_for_each(|item| item.map(|item| all.push(item)))?;
-    Ok(all)
 }
 
 impl<const N: usize> NetCurve<N> {
@@ -134,7 +126,7 @@ impl<const N: usize> NetCurve<N> {
     /// the first. A curve that is one point has parts that are the same.
     pub(super) fn cut(&self, places: &[CurvePlace]) -> Result<Vec<Piece<N>>> {
         let count = if self.closed { places.len() } else { places.len() - 1 };
-        try_collect(count, |k| self.between(places[k], places[(k + 1) % places.len()]))
+        alloc::try_collect((0..count).map(|k| self.between(places[k], places[(k + 1) % places.len()])))
     }
 
     /// The whole curve, one piece.

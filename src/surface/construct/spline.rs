@@ -7,7 +7,7 @@
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::surface::checks::{finite_points, require};
+use crate::surface::checks::finite_points;
 use crate::surface::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 
@@ -60,7 +60,7 @@ impl Sheet<'static> {
     pub fn from_spline(spline: &Spline<'_>, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
-            require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
+            Error::require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
             if count <= axis.degree || (axis.closed && count < 3) {
                 return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
             }

@@ -16,13 +16,11 @@ use super::projected_normals::{Corners, ProjectedNormals, frame};
 use super::search::{FoundArcs, Search};
 use super::source::{CellBase, Continuity, Source, between};
 use crate::alloc;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
-use crate::surface::checks::{direction, require, rising};
+use crate::surface::checks::{direction, rising};
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
 use crate::surface::{NormalKind, Paths, Place, Sheet, Surface};
@@ -215,7 +213,7 @@ impl Surface<'_> {
         let axis = direction(axis, "direction")?;
         rising(angles, "angles")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        angles.iter().try_for_each(|&angle| require((0.0..=max + 1e-15).contains(&angle), "angles", angle))?;
+        angles.iter().try_for_each(|&angle| Error::require((0.0..=max + 1e-15).contains(&angle), "angles", angle))?;
         let mut search = IsophoteSearch {
             surface: self,
             frame: frame(axis),

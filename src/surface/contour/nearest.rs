@@ -16,14 +16,12 @@ use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;
 use crate::alloc;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
-use crate::surface::checks::{direction, require};
+use crate::surface::checks::direction;
 use crate::surface::index::Cones;
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
@@ -332,7 +330,7 @@ impl Surface<'_> {
     ) -> Result<Option<NearestAngle>> {
         let axis = direction(axis, "direction")?;
         let max = if unsigned { 0.5 * PI } else { PI };
-        require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
+        Error::require((0.0..=max + 1e-15).contains(&angle), "angle", angle)?;
         let (goal, frame) = (TargetAngle { angle, unsigned }, frame(axis));
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();

@@ -14,7 +14,6 @@ use crate::geom::bernstein::elevate;
 use crate::job::Job;
 use crate::outline::{CurveView, Place as CurvePlace};
 use crate::par;
-use crate::surface::checks::require;
 use crate::surface::{Place, Surface, each_sheet};
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -64,9 +63,9 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         let mut degrees = curve.segments().map(|segment| segment.len() - 1);
-        degrees.try_for_each(|degree| require(degree <= MAX_SEGMENT_DEGREE, "degree", degree as f64))?;
+        degrees.try_for_each(|degree| Error::require(degree <= MAX_SEGMENT_DEGREE, "degree", degree as f64))?;
         let mut numbers = curve.points().iter().flat_map(DVec3::to_array);
-        numbers.try_for_each(|x| require(x.abs() <= MAX_COORDINATE, "curve", x))?;
+        numbers.try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "curve", x))?;
         let finds = self.finds(curve, selection, job)?;
         let mut hits = self.hits(curve, finds)?;
         if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {

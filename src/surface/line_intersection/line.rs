@@ -1,8 +1,8 @@
 //! Lines, rays and segments, and the points that they have in common with surfaces.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::surface::Place;
-use crate::surface::checks::{finite, require};
+use crate::surface::checks::finite;
 use glam::DVec3;
 
 /// Coordinates of lines and curves beyond this are refused: their squares would overflow.
@@ -39,13 +39,13 @@ impl Line {
 
     /// That it is finite and has a direction.
     pub(super) fn check(&self) -> Result<()> {
-        self.origin.to_array().into_iter().try_for_each(|x| require(x.abs() <= MAX_COORDINATE, "origin", x))?;
+        self.origin.to_array().into_iter().try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "origin", x))?;
         finite(self.direction, "direction")?;
         // Parameters of points are quotients by the length: they would be infinite.
         let square = self.direction.length_squared();
         let is_usable = square >= f64::MIN_POSITIVE && square.is_finite();
-        require(is_usable, "direction", self.direction.abs().max_element())?;
-        require(self.from <= self.to, "from", self.from)
+        Error::require(is_usable, "direction", self.direction.abs().max_element())?;
+        Error::require(self.from <= self.to, "from", self.from)
     }
 
     /// The unit vector along it and the length of the direction, whatever its size.

@@ -25,7 +25,6 @@ pub use curve::CurveHit;
 pub(in crate::surface) use line::MAX_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
 
-use super::checks::require;
 use super::{Sheet, Surface};
 use crate::error::{Error, Result};
 use crate::geom::aabb::range;
@@ -89,7 +88,7 @@ impl Line {
     /// curves.
     pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check()?;
-        require(within >= 0.0 && within.is_finite(), "within", within)?;
+        Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
         // No farther than the curve, and what is near it.
         let (along, length) = self.along();
         let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));

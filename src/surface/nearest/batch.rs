@@ -9,14 +9,11 @@ use super::closest::Closest;
 use super::query::check_query;
 use super::search::NearestSearch;
 use crate::alloc;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::geom::Aabb;
 use crate::job::Job;
 use crate::par;
 use crate::surface::Surface;
-use crate::surface::checks::require;
 use glam::DVec3;
 
 /// Queries that are sorted at once.
@@ -48,7 +45,7 @@ impl Surface<'_> {
         form: impl Fn(Option<Closest>) -> T + Sync,
         job: &Job<'_>,
     ) -> Result<()> {
-        require(limit >= 0.0, "limit", limit)?;
+        Error::require(limit >= 0.0, "limit", limit)?;
         queries.iter().zip(0..).try_for_each(|(&query, index)| check_query(query, index))?;
         let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(SORTED_QUERIES))?;
         let mut done = 0;

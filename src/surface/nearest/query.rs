@@ -1,7 +1,6 @@
 //! The conditions that a query point and a distance must meet.
 
 use crate::error::{Element, Error, Result};
-use crate::surface::checks::require;
 use crate::surface::line_intersection::MAX_COORDINATE;
 use glam::DVec3;
 
@@ -18,5 +17,5 @@ pub(super) fn check_query(query: DVec3, index: u64) -> Result<()> {
 /// NaN.
 pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
     check_query(query, 0)?;
-    require(distance >= 0.0, option, distance)
+    Error::require(distance >= 0.0, option, distance)
 }

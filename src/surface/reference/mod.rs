@@ -35,15 +35,13 @@
 //!   else two surfaces are left.
 //! * *E6* d cannot be found from a net of curves: see [`Diameters`].
 //! * *E7* Signs at nodes miss loops within a cell, two crossings on a side, and touching; they pair
-//!   four crossings wrongly. See [`cells_within`].
+//!   four crossings wrongly. Parts of cells must be examined.
 //! * *E8* The Euclidean diameter suffices for distances; the intrinsic one is needed for K d only.
 
-mod answer;
 mod cell_mask;
 mod curvature;
 mod diameter;
 mod lattice;
-mod literal;
 mod normal_variation;
 mod object;
 mod region;
@@ -51,12 +49,10 @@ mod search;
 mod section_normal;
 mod sizes;
 
-pub use answer::{Nearest, cells_within, closest};
 pub use cell_mask::CellMask;
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
 pub use lattice::Lattice;
-pub use literal::{LiteralMask, literal};
 pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
 pub use object::{Object, Target, incidence};
 pub use region::{chain, euler_characteristic, integer_diameter};

@@ -16,7 +16,6 @@ use crate::error::{Error, Result};
 use crate::geom::bernstein::binomial_row;
 use crate::job::Job;
 use crate::surface::cells::{Cells, by_cell};
-use crate::surface::checks::require;
 use crate::surface::normal::angle;
 use crate::surface::{MAX_DEGREE, Patch, Sheet, each_sheet};
 use glam::DVec3;
@@ -58,7 +57,7 @@ pub fn normal_variation_by_curvature(
     curvature: f64,
     job: &Job<'_>,
 ) -> Result<Sizes> {
-    require(curvature >= 0.0, "curvature", curvature)?;
+    Error::require(curvature >= 0.0, "curvature", curvature)?;
     let lattice = Lattice::of(sheet);
     let variation = |cell: [usize; 2]| {
         let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
@@ -97,7 +96,7 @@ impl AngleTarget {
     /// # Errors
     /// [`Error::OptionOutOfRange`] for no direction, or an angle out of range.
     pub fn normalized(self) -> Result<Self> {
-        require((0.0..=PI).contains(&self.angle), "angle", self.angle)?;
+        Error::require((0.0..=PI).contains(&self.angle), "angle", self.angle)?;
         let direction = Some(self.direction).filter(|direction| direction.is_finite()).and_then(DVec3::try_normalize);
         let value = self.direction.length();
         Ok(AngleTarget { direction: direction.ok_or(Error::OptionOutOfRange { option: "direction", value })?, ..self })

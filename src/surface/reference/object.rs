@@ -29,7 +29,7 @@ pub enum Object {
 /// them are within their intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
-    pub(super) origin: DVec3,
+    origin: DVec3,
     axes: [DVec3; 3],
     /// Least and greatest coordinates.
     intervals: [[f64; 2]; 3],
@@ -67,20 +67,15 @@ impl Object {
 }
 
 impl Target {
-    /// The axes that matter.
-    pub(super) fn axes(&self) -> &[DVec3] {
-        &self.axes[..self.count]
-    }
-
     /// The square of the distance of what has coordinates between `ranges`, a lower bound.
-    pub(super) fn gap_squared(&self, ranges: &[[f64; 2]; 3]) -> f64 {
+    fn gap_squared(&self, ranges: &[[f64; 2]; 3]) -> f64 {
         let gap = |k: usize| (ranges[k][0] - self.intervals[k][1]).max(self.intervals[k][0] - ranges[k][1]).max(0.0);
         (0..self.count).map(|k| gap(k) * gap(k)).sum()
     }
 
     /// By what coordinates of a point may be rounded; those of a point along the axes of space are
     /// not, but for the last bit.
-    pub(super) fn rounding(&self, from: DVec3) -> f64 {
+    fn rounding(&self, from: DVec3) -> f64 {
         if self.axes[0] == DVec3::X && self.count == 3 {
             0.0
         } else {

@@ -7,11 +7,8 @@
 use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
 use super::sizes::{Sizes, Sum};
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::surface::checks::require;
 
 /// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +72,7 @@ pub fn search(
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
     if let Goal::Within(within) = options.goal {
-        require(within >= 0.0, "within", within)?;
+        Error::require(within >= 0.0, "within", within)?;
     }
     let lattice = sizes.lattice();
     let mut window = Window { lattice, spans: lattice.cells.map(Span::all), rings: lattice.closed };

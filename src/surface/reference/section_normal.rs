@@ -7,12 +7,9 @@
 //! points is.
 
 use super::lattice::Lattice;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::cells::Cells;
-use crate::surface::checks::require;
 use crate::surface::{Sheet, each_sheet};
 use glam::DVec3;
 
@@ -36,7 +33,7 @@ const MAX_HALVINGS: u32 = 60;
 /// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] for parameters outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
     Lattice::of(sheet).check(cell)?;
-    [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| require((0.0..=1.0).contains(&t), name, t))?;
+    [("u", u), ("v", v)].into_iter().try_for_each(|(name, t)| Error::require((0.0..=1.0).contains(&t), name, t))?;
     let [i, j] = cell;
     let point = sheet.jet(i, j, u, v).point;
     let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];

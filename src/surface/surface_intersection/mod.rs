@@ -25,7 +25,6 @@ mod solve;
 pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
-use super::checks::require;
 use super::{Paths, Place, Sheet, Surface, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -87,7 +86,7 @@ impl Surface<'_> {
     pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
-        require(tolerance.is_finite(), "tolerance", tolerance)?;
+        Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;
         let intersection = Intersection {
             surfaces: [self, other],

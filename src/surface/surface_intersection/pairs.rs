@@ -10,7 +10,6 @@ use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells, cells_of_block};
-use crate::surface::checks::require;
 use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::{Sheet, Surface, each_sheet};
 use glam::DVec3;
@@ -253,7 +252,7 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite;
     /// [`Error::TooLarge`] above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
-        require(within >= 0.0 && within.is_finite(), "within", within)?;
+        Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
         let mut found = Vec::new();
         for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {

@@ -5,29 +5,27 @@
 //! zeroed. But a node on the rim of the block is a corner of cells outside it as well (erratum E1),
 //! the block may touch what is looked for (E2), the nearest node is excluded by itself if it is
 //! farther than d (E3), and lines dropped in the middle leave two surfaces taken for one (E5). Use
-//! [`super::search`], or the index of [`crate::surface::Surface`].
+//! `reference::search`, or the index of `Surface`.
 
-use super::lattice::Lattice;
-use crate::alloc;
-use crate::error::Result;
+use gusset::surface::reference::Lattice;
 
 /// The nodes that the literal rule leaves, of an open surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LiteralMask {
+pub(crate) struct LiteralMask {
     columns: usize,
     nodes: Vec<bool>,
     /// How many nodes were looked at.
-    pub evaluations: u64,
+    pub(crate) evaluations: u64,
 }
 
 impl LiteralMask {
     /// True if a node is left.
-    pub fn has_node(&self, [i, j]: [usize; 2]) -> bool {
+    pub(crate) fn has_node(&self, [i, j]: [usize; 2]) -> bool {
         self.nodes[i * self.columns + j]
     }
 
     /// True if a corner of a cell is left: otherwise nothing will be looked for in the cell.
-    pub fn has_cell(&self, [i, j]: [usize; 2]) -> bool {
+    pub(crate) fn has_cell(&self, [i, j]: [usize; 2]) -> bool {
         [[i, j], [i, j + 1], [i + 1, j], [i + 1, j + 1]].into_iter().any(|node| self.has_node(node))
     }
 }
@@ -35,20 +33,17 @@ impl LiteralMask {
 /// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if
 /// 2 J exceeds a dimension, the lines within the ball are left out altogether, as the rest is a
 /// surface too, only smaller". Lines of a closed direction are taken as those of an open one.
-///
-/// # Errors
-/// [`crate::Error::OutOfMemory`].
-pub fn literal(
+pub(crate) fn literal(
     lattice: Lattice,
     d: f64,
     mut measure: impl FnMut([usize; 2]) -> f64,
     drop_lines: bool,
-) -> Result<LiteralMask> {
+) -> LiteralMask {
     let [m, n] = lattice.cells;
-    let mut left = LiteralMask { columns: n + 1, nodes: alloc::filled(true, (m + 1) * (n + 1))?, evaluations: 0 };
+    let mut left = LiteralMask { columns: n + 1, nodes: vec![true; (m + 1) * (n + 1)], evaluations: 0 };
     // The lines that have not been dropped, of which the rule takes neighbours in the list for
     // neighbours on the surface.
-    let (mut rows, columns) = (alloc::collect(0..m + 1)?, alloc::collect(0..n + 1)?);
+    let (mut rows, columns): (Vec<usize>, Vec<usize>) = ((0..=m).collect(), (0..=n).collect());
     let mut place = 0;
     while place < rows.len() * columns.len() {
         let (p, q) = (place / columns.len(), place % columns.len());
@@ -78,5 +73,5 @@ pub fn literal(
             place = 0;
         }
     }
-    Ok(left)
+    left
 }
