@@ -114,26 +114,10 @@ impl Jet {
         self.u.cross(self.v)
     }
 
-    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not.
-    /// Tangents that are nothing but rounding, as at a pole, pass for such:
-    /// [`super::Surface::normal`] knows better.
-    pub fn unit_normal(&self) -> Option<DVec3> {
-        self.regular_normal(0.0)
-    }
-
-    /// The same, but `None` also where a tangent is no longer than `noise`.
+    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not, or
+    /// a tangent is no longer than `noise`.
     #[inline]
     pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
         regular_normal(self.u, self.v, noise)
-    }
-
-    /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not
-    /// regular.
-    pub fn curvatures(&self) -> Option<(f64, f64)> {
-        let normal = self.normal().try_normalize()?;
-        let [e, f, g] = [self.u.dot(self.u), self.u.dot(self.v), self.v.dot(self.v)];
-        let [l, m, n] = [self.uu.dot(normal), self.uv.dot(normal), self.vv.dot(normal)];
-        let area = e * g - f * f;
-        (area > 0.0).then(|| ((e * n - 2.0 * f * m + g * l) / (2.0 * area), (l * n - m * m) / area))
     }
 }

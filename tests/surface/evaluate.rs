@@ -139,7 +139,7 @@ fn curvatures_of_a_torus() {
             if (curvatures.principal[0] - ring).abs() < (curvatures.principal[1] - ring).abs() { 0 } else { 1 };
         assert!(curvatures.directions[of_ring].cross(round).length() < 1e-3);
         assert!(curvatures.directions[0].dot(curvatures.directions[1]).abs() < 1e-12);
-        let (mean, gaussian) = local.jet.curvatures().unwrap();
+        let (mean, gaussian) = crate::shapes::curvatures(&local.jet).unwrap();
         assert!((mean - curvatures.mean).abs() < 1e-9 && (gaussian - curvatures.gaussian).abs() < 1e-9);
         assert_eq!(local.normal.direction, surface.normal(*place));
     }

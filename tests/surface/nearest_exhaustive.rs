@@ -1,7 +1,7 @@
 //! Nearest points of six surfaces against full brute force, dense samples, and their own lower
 //! bounds: long, in release.
 
-use crate::shapes::{Random, SHAPES, Shape, grid};
+use crate::shapes::{Random, SHAPES, Shape, curvatures, grid};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::{Closest, Jet, Patches, Place, Sheet, Surface};
@@ -98,7 +98,7 @@ fn query(surface: &Surface<'_>, cells: &[(u32, [u32; 2])], random: &mut Random, 
 
 /// A centre of principal curvature.
 fn focus(jet: &Jet, random: &mut Random) -> Option<DVec3> {
-    let (mean, gauss) = jet.curvatures()?;
+    let (mean, gauss) = curvatures(jet)?;
     let root = (mean * mean - gauss).max(0.0).sqrt();
     let curvature = if random.next() < 0.5 { mean + root } else { mean - root };
     Some(jet.point + jet.normal().try_normalize()? / curvature).filter(|point| point.is_finite())

@@ -3,7 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "shared by several tests, none of which needs all of it")]
 
 use glam::DVec3;
-use gusset::surface::{Grid, Nodes, Scheme};
+use gusset::surface::{Grid, Jet, Nodes, Scheme};
 use std::f64::consts::TAU;
 
 /// Numbers from 0 to 1.
@@ -18,6 +18,16 @@ impl Random {
     pub fn point(&mut self, size: f64) -> DVec3 {
         size * (2.0 * DVec3::new(self.next(), self.next(), self.next()) - 1.0)
     }
+}
+
+/// Mean and Gaussian curvature, for the normal S_u x S_v, by the fundamental forms; `None` where the
+/// surface is not regular.
+pub fn curvatures(jet: &Jet) -> Option<(f64, f64)> {
+    let normal = jet.normal().try_normalize()?;
+    let [e, f, g] = [jet.u.dot(jet.u), jet.u.dot(jet.v), jet.v.dot(jet.v)];
+    let [l, m, n] = [jet.uu.dot(normal), jet.uv.dot(normal), jet.vv.dot(normal)];
+    let area = e * g - f * f;
+    (area > 0.0).then(|| ((e * n - 2.0 * f * m + g * l) / (2.0 * area), (l * n - m * m) / area))
 }
 
 pub struct Shape {

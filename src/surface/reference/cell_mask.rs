@@ -26,14 +26,6 @@ impl CellMask {
         Ok(CellMask { lattice, words })
     }
 
-    /// With all bits 0.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn empty(lattice: Lattice) -> Result<Self> {
-        Ok(CellMask { lattice, words: alloc::filled(0, lattice.len().div_ceil(64))? })
-    }
-
     /// From words; bits beyond the last cell do not count.
     ///
     /// # Errors

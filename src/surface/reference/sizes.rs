@@ -109,11 +109,6 @@ impl Sizes {
         own.map(|cell| self.get(cell)).fold(0.0, f64::max)
     }
 
-    /// The bound of a chain, the sum over its cells (2, 3).
-    pub fn of_chain(&self, chain: &[[usize; 2]]) -> f64 {
-        chain.iter().map(|&cell| self.get(cell)).sum::<f64>() * ROUNDING_FACTOR
-    }
-
     /// The bound of a cell region whose integer diameter is known: I d, d the greatest bound of its
     /// cells (5).
     ///
