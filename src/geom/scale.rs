@@ -12,11 +12,11 @@ pub(crate) fn common_unit<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f6
     if largest == 0.0 {
         return 1.0;
     }
-    power_of_two(largest)
+    floor_to_power_of_two(largest)
 }
 
 /// The largest power of two that does not exceed a number above 0, kept within 2^-900 .. 2^900.
-pub(crate) fn power_of_two(x: f64) -> f64 {
+pub(crate) fn floor_to_power_of_two(x: f64) -> f64 {
     let exponent = ((x.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
     f64::from_bits(exponent << 52)
 }

@@ -29,7 +29,7 @@ pub struct Curvatures {
 
 /// Derivatives, normal and curvatures at a point of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Local {
+pub struct LocalGeometry {
     /// The point and the derivatives, by the parameters of the cell.
     pub jet: Jet,
     /// The normal.
@@ -116,12 +116,12 @@ impl Surface<'_> {
     }
 
     /// Derivatives, normal and curvatures at a place, which the surface must have.
-    pub fn local(&self, place: Place) -> Local {
+    pub fn local_geometry(&self, place: Place) -> LocalGeometry {
         let ([i, j], sheet) = (place.cell.map(|k| k as usize), self.sheet(place.sheet as usize));
         let jet = self.jet(place);
         let normal = sheet.normal_limit(i, j, place.u, place.v);
         let curvatures = if normal.kind == NormalKind::Regular { jet.principal() } else { None };
-        Local { jet, normal, curvatures }
+        LocalGeometry { jet, normal, curvatures }
     }
 
     /// The same for many places. O(1) each, but O(cells of the side) at a collapsed side.
@@ -129,15 +129,16 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::NoSuch`] with the first place that there is not, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
-    pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<Local>> {
+    pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<LocalGeometry>> {
         if let Some(index) = places.iter().position(|place| !self.has(place)) {
             return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
         let mut all = alloc::with_capacity(places.len())?;
         for round in places.chunks(PLACES_PER_TASK * TASKS_PER_STEP) {
             job.step(all.len() as f64 / places.len() as f64, "evaluating")?;
-            let work =
-                |range: std::ops::Range<usize>| alloc::collect(round[range].iter().map(|&place| self.local(place)));
+            let work = |range: std::ops::Range<usize>| {
+                alloc::collect(round[range].iter().map(|&place| self.local_geometry(place)))
+            };
             for part in par::map(job.threads(), par::ranges(round.len(), PLACES_PER_TASK), work) {
                 all.append(&mut part?);
             }

@@ -43,7 +43,7 @@ mod tangents;
 
 pub use axis::Scheme;
 pub use curve::curve_through;
-pub use evaluate::{Curvatures, Local};
+pub use evaluate::{Curvatures, LocalGeometry};
 pub use grid::Grid;
 pub use index::NormalCone;
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};

@@ -78,7 +78,7 @@ fn check_angles(surface: &Surface<'_>, axis: DVec3, angle: f64) -> [usize; 2] {
     let paths = surface.isophotes(axis, &[angle], false, PointSpacing::Auto, &Job::default()).unwrap();
     let mut counts = [0; 2];
     for &place in &paths.places {
-        let local = surface.local(place);
+        let local = surface.local_geometry(place);
         if local.normal.kind != NormalKind::Regular {
             continue;
         }

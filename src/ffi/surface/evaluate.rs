@@ -4,7 +4,7 @@ use crate::error::Element;
 use crate::ffi::curve::times;
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
-use crate::surface::{Local, NormalKind, Place};
+use crate::surface::{LocalGeometry, NormalKind, Place};
 
 /// There is no normal: the tangents are 0, or parallel all along the lines to the point.
 pub const GUSSET_NORMAL_NONE: u32 = 0;
@@ -54,9 +54,9 @@ fixed! { gusset_surface_point: 264 }
 
 c_enum! { normal_kind: NormalKind { GUSSET_NORMAL_NONE => None, GUSSET_NORMAL_REGULAR => Regular, GUSSET_NORMAL_LIMIT => Limit } }
 
-impl From<Local> for gusset_surface_point {
-    fn from(local: Local) -> Self {
-        let Local { jet, normal, curvatures } = local;
+impl From<LocalGeometry> for gusset_surface_point {
+    fn from(local: LocalGeometry) -> Self {
+        let LocalGeometry { jet, normal, curvatures } = local;
         let mut point = gusset_surface_point {
             point: jet.point.into(),
             u: jet.u.into(),

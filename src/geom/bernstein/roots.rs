@@ -122,7 +122,7 @@ pub(crate) fn roots(c: &[f64], noise: f64) -> Roots {
     {
         return found;
     }
-    let mut search = Search { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0 };
+    let mut search = RootIsolation { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0 };
     bisect(&mut Coefficients::of(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
     for &(low, high) in &search.clusters[..search.len] {
         found.push(search.centre(low, high));
@@ -172,7 +172,7 @@ fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
     true
 }
 
-struct Search<'a> {
+struct RootIsolation<'a> {
     c: &'a [f64],
     noise: f64,
     /// From where to where the polynomial is as good as 0: a point for most roots.
@@ -180,7 +180,7 @@ struct Search<'a> {
     len: usize,
 }
 
-impl Search<'_> {
+impl RootIsolation<'_> {
     /// Finds the roots between two ends, where the polynomial has the coefficients `c`, from left
     /// to right; true if the halves must be searched instead.
     fn isolate(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {

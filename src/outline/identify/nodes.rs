@@ -7,7 +7,7 @@ use super::report::PointStatus;
 use super::subcurve::{PointResult, Subcurve};
 use crate::alloc;
 use crate::error::Result;
-use crate::geom::scale::power_of_two;
+use crate::geom::scale::floor_to_power_of_two;
 use crate::outline::curve::check_finite;
 use glam::DVec3;
 use std::ops::Range;
@@ -88,7 +88,7 @@ impl Nodes {
             return Ok(());
         }
         // Exact: a power of two, far from the ends of the range.
-        let unit = power_of_two(half);
+        let unit = floor_to_power_of_two(half);
         let (origin, scale) = (points[0], 1.0 / unit);
         let size = half * scale * 2.0;
         // A box far larger than the unit has only repeats left out.

@@ -7,7 +7,7 @@ use super::outlines::{Constraint, Outlines, PointConstraint, Points};
 use super::report::PointStatus;
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::geom::scale::power_of_two;
+use crate::geom::scale::floor_to_power_of_two;
 use crate::job::Job;
 use crate::outline::curve::check_finite;
 use glam::DVec3;
@@ -157,7 +157,7 @@ fn scale(outlines: &Outlines<'_>) -> Result<f64> {
     if (1e-60..1e100).contains(&largest) || largest == 0.0 {
         return Ok(1.0);
     }
-    Ok(1.0 / power_of_two(largest))
+    Ok(1.0 / floor_to_power_of_two(largest))
 }
 
 /// The tangent required at a point.

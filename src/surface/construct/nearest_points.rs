@@ -80,14 +80,15 @@ pub(super) fn nearest<const N: usize>(
     slack: f64,
 ) -> Result<NearestPoints> {
     let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
-    let mut search = Search { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
+    let mut search =
+        NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
     search.wait(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
     search.run()?;
     Ok(search.best)
 }
 
 /// The search of two curves.
-struct Search<'a, const N: usize> {
+struct NearestPointsSearch<'a, const N: usize> {
     net_curves: [&'a NetCurve<N>; 2],
     boxes: [&'a Boxes; 2],
     slack: f64,
@@ -98,7 +99,7 @@ struct Search<'a, const N: usize> {
     splits: usize,
 }
 
-impl<const N: usize> BranchAndBound for Search<'_, N> {
+impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
     type Task = Task<N>;
     type Key = usize;
     type Stop = Error;
@@ -145,7 +146,7 @@ impl<const N: usize> BranchAndBound for Search<'_, N> {
     }
 }
 
-impl<const N: usize> Search<'_, N> {
+impl<const N: usize> NearestPointsSearch<'_, N> {
     fn wait(&mut self, gap: f64, task: Task<N>) -> Result<()> {
         self.added += 1;
         self.frontier.push(gap, self.added, task)

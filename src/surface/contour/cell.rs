@@ -74,7 +74,7 @@ pub(super) struct Link {
 }
 
 /// A cell, or part of one.
-pub(super) struct Part<const M: usize> {
+pub(super) struct MarkedPart<const M: usize> {
     field: Field<M>,
     marks: Vec<Mark>,
     /// Signs at the corners 2 u + v.
@@ -113,15 +113,15 @@ pub(super) fn arcs<const M: usize>(
         return None;
     }
     let marks = std::mem::take(marks);
-    let whole = Part { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
-    let mut search = Search { rounding_error, keys, add, unresolved: None };
+    let whole = MarkedPart { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
+    let mut search = LinkSearch { rounding_error, keys, add, unresolved: None };
     let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
     let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
     search.unresolved.map(|(_, place)| place)
 }
 
 /// The search of one cell.
-struct Search<'a, F> {
+struct LinkSearch<'a, F> {
     rounding_error: f64,
     keys: &'a mut Keys,
     add: F,
@@ -129,14 +129,14 @@ struct Search<'a, F> {
     unresolved: Option<(f64, DVec2)>,
 }
 
-impl<F: FnMut(Link), const M: usize> Subdivision<Part<M>, 4> for Search<'_, F> {
+impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearch<'_, F> {
     /// The parameter over which the zero set is a graph.
     type Solution = usize;
     type Split = ();
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, part: &Part<M>) -> Result<BoxTest<usize, ()>, Infallible> {
+    fn classify(&mut self, part: &MarkedPart<M>) -> Result<BoxTest<usize, ()>, Infallible> {
         Ok(if part.marks.is_empty() && one_sign(&part.field) {
             BoxTest::Empty
         } else if let Some(over) = graph(&part.field, self.rounding_error) {
@@ -148,13 +148,13 @@ impl<F: FnMut(Link), const M: usize> Subdivision<Part<M>, 4> for Search<'_, F> {
         })
     }
 
-    fn accept(&mut self, mut part: Part<M>, over: usize) -> Result<(), Infallible> {
+    fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
         let low = part.from[1 - over];
         in_order(&mut part.marks, Graph { over, range: [low, low + part.size] }, &mut self.add);
         Ok(())
     }
 
-    fn give_up(&mut self, part: Part<M>, _exhausted: bool) -> Result<(), Infallible> {
+    fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
         let middle = part.field.at(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
@@ -163,7 +163,7 @@ impl<F: FnMut(Link), const M: usize> Subdivision<Part<M>, 4> for Search<'_, F> {
         Ok(())
     }
 
-    fn split(&mut self, part: Part<M>, (): ()) -> [Part<M>; 4] {
+    fn split(&mut self, part: MarkedPart<M>, (): ()) -> [MarkedPart<M>; 4] {
         part.quarters(self.keys)
     }
 }
@@ -227,10 +227,10 @@ fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     }
 }
 
-impl<const M: usize> Part<M> {
+impl<const M: usize> MarkedPart<M> {
     /// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and
     /// high v.
-    fn quarters(self, keys: &mut Keys) -> [Part<M>; 4] {
+    fn quarters(self, keys: &mut Keys) -> [MarkedPart<M>; 4] {
         let half = 0.5 * self.size;
         let middle = self.from + half;
         // The signs amid the sides: those of the start, changed by the marks before.
@@ -269,7 +269,7 @@ impl<const M: usize> Part<M> {
                 marks[high].push(Mark { side: (side + 2) % SIDES, ..mark });
             });
         }
-        std::array::from_fn(|quarter| Part {
+        std::array::from_fn(|quarter| MarkedPart {
             field: fields[quarter],
             marks: std::mem::take(&mut marks[quarter]),
             corners: corners[quarter],

@@ -13,7 +13,7 @@ use super::normals::squares;
 use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::search::{FoundArcs, Search};
+use super::search::{ContourSearch, FoundArcs};
 use super::source::{CellBase, Continuity, Source, between};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -250,7 +250,7 @@ impl Surface<'_> {
                 let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
                 if (angle - goal).abs() > ANGLE_TOLERANCE
                     && !known
-                    && self.local(place).normal.kind == NormalKind::Regular
+                    && self.local_geometry(place).normal.kind == NormalKind::Regular
                 {
                     alloc::push(&mut paths.unresolved, place)?;
                     last = Some(place);
@@ -326,7 +326,7 @@ impl IsophoteSearch<'_> {
         };
         let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
-            let search = Search::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
+            let search = ContourSearch::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
             let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = number);
             curves.add(k, found, &lattice, jumps, job.threads())?;
@@ -334,7 +334,7 @@ impl IsophoteSearch<'_> {
         if !classes.others.is_empty() {
             let source = Isophotes::<C, N, H> { normals: &normals, classes };
             let crossed = blocks(&classes.radians)?;
-            let search = Search::<_, _, N, M> { cells, source: &source, lattice, chord };
+            let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
             let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
             curves.add(k, found, &lattice, jumps, job.threads())?;

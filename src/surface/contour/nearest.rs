@@ -127,7 +127,7 @@ fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
 }
 
 /// Part of a cell.
-struct Part<const H: usize> {
+struct NormalPart<const H: usize> {
     normal: [Field<H>; 3],
     from: DVec2,
     size: f64,
@@ -136,19 +136,19 @@ struct Part<const H: usize> {
     deviation: f64,
 }
 
-impl<const H: usize> Part<H> {
+impl<const H: usize> NormalPart<H> {
     fn new(normal: [Field<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
         let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), rounding_error);
-        Part { normal, from, size, rounding_error, deviation }
+        NormalPart { normal, from, size, rounding_error, deviation }
     }
 
-    fn quarters(&self, goal: &TargetAngle) -> [Part<H>; 4] {
+    fn quarters(&self, goal: &TargetAngle) -> [NormalPart<H>; 4] {
         let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
         let half = 0.5 * self.size;
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
             let k = 2 * corner.x as usize + corner.y as usize;
             let from = self.from + half * corner;
-            Part::new([first[k], second[k], along[k]], from, half, self.rounding_error, goal)
+            NormalPart::new([first[k], second[k], along[k]], from, half, self.rounding_error, goal)
         })
     }
 }
@@ -250,7 +250,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
     fn search<const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64 {
         let of = self.normals.hodographs(cell.map(|k| k as usize));
         let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
-        let whole = Part::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
+        let whole = NormalPart::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
         let mut search = CellSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
         let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
         let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
@@ -268,12 +268,12 @@ struct CellSearch<'a, const M: usize> {
     bound: f64,
 }
 
-impl<const H: usize, const M: usize> Subdivision<Part<H>, 4> for CellSearch<'_, M> {
+impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearch<'_, M> {
     type Solution = Infallible;
     type Split = ();
     type Stop = Infallible;
 
-    fn classify(&mut self, part: &Part<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
+    fn classify(&mut self, part: &NormalPart<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
         if part.deviation < self.best.deviation {
             let at = part.from + 0.5 * part.size;
             let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
@@ -293,18 +293,18 @@ impl<const H: usize, const M: usize> Subdivision<Part<H>, 4> for CellSearch<'_, 
         Ok(BoxTest::Undecided(()))
     }
 
-    fn accept(&mut self, _: Part<H>, solution: Infallible) -> Result<(), Infallible> {
+    fn accept(&mut self, _: NormalPart<H>, solution: Infallible) -> Result<(), Infallible> {
         Err(solution)
     }
 
-    fn give_up(&mut self, part: Part<H>, _exhausted: bool) -> Result<(), Infallible> {
+    fn give_up(&mut self, part: NormalPart<H>, _exhausted: bool) -> Result<(), Infallible> {
         let ranges = part.normal.map(|field| field.range());
         self.bound = self.bound.min(self.goal.bound(angles(&ranges, 0.0)));
         Ok(())
     }
 
     /// The most promising last, to be taken first.
-    fn split(&mut self, part: Part<H>, (): ()) -> [Part<H>; 4] {
+    fn split(&mut self, part: NormalPart<H>, (): ()) -> [NormalPart<H>; 4] {
         let mut quarters = part.quarters(self.goal);
         quarters.sort_by(|a, b| b.deviation.total_cmp(&a.deviation));
         quarters

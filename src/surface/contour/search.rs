@@ -62,7 +62,7 @@ impl FoundArcs {
 }
 
 /// The search of one sheet.
-pub(super) struct Search<'a, C, S, const N: usize, const M: usize> {
+pub(super) struct ContourSearch<'a, C, S, const N: usize, const M: usize> {
     pub(super) cells: &'a C,
     pub(super) source: &'a S,
     pub(super) lattice: Lattice,
@@ -120,7 +120,7 @@ struct CellLevel<'a, const M: usize> {
     corners: [bool; 4],
 }
 
-impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> Search<'_, C, S, N, M> {
+impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
     /// The arcs in the given blocks, `(row, column)` of `block(k)` for k < `count`.
     pub(super) fn run(
         &self,

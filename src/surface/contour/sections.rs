@@ -8,7 +8,7 @@ use super::lattice::Lattice;
 use super::paths::ContourSet;
 use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
-use super::search::Search;
+use super::search::ContourSearch;
 use super::source::{Nodal, Plane};
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
@@ -55,15 +55,15 @@ impl Surface<'_> {
                     // the normal does at most.
                     let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + rounding_error;
                     let source = Nodal { axes, value, levels: planes.offsets, rounding_error, excess, deviation };
-                    Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
+                    ContourSearch { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::Cubic(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, rounding_error };
-                    Search { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
+                    ContourSearch { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::High(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, rounding_error };
-                    Search { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
+                    ContourSearch { cells, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
             };
             contours.add(k, found, &lattice, jumps, job.threads())?;
@@ -109,7 +109,7 @@ impl Surface<'_> {
             let [_, across] = lattice.blocks();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.blocks()[0] * across;
-            let found = each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, &part))?;
+            let found = each_sheet!(sheet, cells => ContourSearch { cells, source: &source, lattice, chord }.run(count, block, &part))?;
             contours.add(k, found, &lattice, false, job.threads())?;
         }
         add_leus_points(contours.paths(self, &job.part(0.9, 1.0))?, spacing)

@@ -4,7 +4,7 @@
 //! divided, and pairs that are apart are dropped. What a part of the curve and a cell have in
 //! common, `solve` finds with proof.
 
-use super::curve_search::{CurveFind, Part, Search};
+use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
@@ -137,11 +137,11 @@ impl Surface<'_> {
     }
 
     fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
-        let part = Part::whole(raised::<M>(controls));
+        let part = CurvePart::whole(raised::<M>(controls));
         for sheet in 0..self.len() {
             let (kind, index) = self.indexed(sheet);
             each_sheet!(kind, cells => {
-                let search = Search { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
+                let search = CurveSearch { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
                 search.run(&part, &mut finder.finds)
             })?;
         }

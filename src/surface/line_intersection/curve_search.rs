@@ -41,16 +41,16 @@ struct CurveSolver<const M: usize, const N: usize> {
 
 /// A part of a segment.
 #[derive(Clone)]
-pub(super) struct Part<const M: usize> {
+pub(super) struct CurvePart<const M: usize> {
     points: [DVec3; M],
     from: f64,
     size: f64,
 }
 
-impl<const M: usize> Part<M> {
+impl<const M: usize> CurvePart<M> {
     /// A whole segment.
     pub(super) fn whole(points: [DVec3; M]) -> Self {
-        Part { points, from: 0.0, size: 1.0 }
+        CurvePart { points, from: 0.0, size: 1.0 }
     }
 
     fn bounds(&self) -> Aabb {
@@ -60,7 +60,7 @@ impl<const M: usize> Part<M> {
 
 /// A part of a segment and a block of cells, which has a box of this diagonal.
 struct Entry<const M: usize> {
-    part: Part<M>,
+    part: CurvePart<M>,
     diagonal: f64,
     level: usize,
     row: usize,
@@ -72,7 +72,7 @@ struct Entry<const M: usize> {
 const MIN_PART_SIZE: f64 = 1e-30;
 
 /// The search of a sheet for a segment.
-pub(super) struct Search<'a, C, const M: usize, const N: usize> {
+pub(super) struct CurveSearch<'a, C, const M: usize, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     pub(super) sheet: u32,
@@ -81,11 +81,11 @@ pub(super) struct Search<'a, C, const M: usize, const N: usize> {
     pub(super) tolerance: f64,
 }
 
-impl<C: Cells<N>, const M: usize, const N: usize> Search<'_, C, M, N> {
+impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
     /// Adds what the sheet and the segment have in common.
-    pub(super) fn run(&self, whole: &Part<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
+    pub(super) fn run(&self, whole: &CurvePart<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
         let origin = self.index.origin();
-        let part = Part { points: whole.points.map(|point| point - origin), ..*whole };
+        let part = CurvePart { points: whole.points.map(|point| point - origin), ..*whole };
         let (levels, bounds) = (self.index.levels(), self.index.bounds());
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.diagonal();
@@ -100,7 +100,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> Search<'_, C, M, N> {
             if bounds.diagonal() > 2.0 * diagonal && part.size > MIN_PART_SIZE {
                 for (half, points) in halves(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
-                    let part = Part { points, size, from: part.from + half as f64 * size };
+                    let part = CurvePart { points, size, from: part.from + half as f64 * size };
                     let near = if level == levels.len() {
                         part.bounds().overlaps(&whole)
                     } else {
@@ -126,7 +126,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> Search<'_, C, M, N> {
     }
 
     /// False if the part is apart from the boxes of block (row, column) of a level.
-    fn touches(&self, part: &Part<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
+    fn touches(&self, part: &CurvePart<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
         let level = &self.index.levels()[level];
         let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
         !block.is_empty()
@@ -137,7 +137,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> Search<'_, C, M, N> {
     /// Adds what the cells of a block have.
     fn block(
         &self,
-        part: &Part<M>,
+        part: &CurvePart<M>,
         block: [usize; 2],
         solver: &mut CurveSolver<M, N>,
         finds: &mut Vec<CurveFind>,
@@ -157,7 +157,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> Search<'_, C, M, N> {
     /// Adds what one cell has.
     fn cell(
         &self,
-        part: &Part<M>,
+        part: &CurvePart<M>,
         [i, j]: [usize; 2],
         solver: &mut CurveSolver<M, N>,
         finds: &mut Vec<CurveFind>,

@@ -31,7 +31,7 @@ use crate::geom::aabb::range;
 use crate::job::Job;
 use crate::outline::ops::NearMisses;
 use crate::outline::{CurveView, Place as CurvePlace};
-use search::{Search, Workspace};
+use search::{LineSearch, Workspace};
 
 impl Surface<'_> {
     /// Where a line meets the surface, by rising t.
@@ -55,7 +55,7 @@ impl Surface<'_> {
         workspace.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            let search = Search { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
+            let search = LineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
             let Workspace { hits, cubic, high } = workspace;
             match sheet {
                 Sheet::Grid(cells) => search.run(cells, cubic, hits)?,

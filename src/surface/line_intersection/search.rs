@@ -100,7 +100,7 @@ struct Entry {
 const MAX_STACK: usize = 3 * 30 + 4;
 
 /// The search of one sheet.
-pub(super) struct Search<'a> {
+pub(super) struct LineSearch<'a> {
     pub(super) index: &'a Pyramid,
     pub(super) sheet: u32,
     pub(super) line: &'a Line,
@@ -108,7 +108,7 @@ pub(super) struct Search<'a> {
     pub(super) tolerance: f64,
 }
 
-impl Search<'_> {
+impl LineSearch<'_> {
     /// Adds the hits of the sheet, whose cells are given. Of all, every cell's; else those up to
     /// the first, and what may be one with it.
     pub(super) fn run<const N: usize>(
@@ -117,7 +117,7 @@ impl Search<'_> {
         solver: &mut Solver<N>,
         hits: &mut Vec<Hit>,
     ) -> Result<()> {
-        let Search { index, sheet, line, selection, tolerance } = *self;
+        let LineSearch { index, sheet, line, selection, tolerance } = *self;
         let ray = Ray::new(line, index);
         let slack = ray.rounding_error;
         let slab = Slab::new(ray.local, ray.along, slack);

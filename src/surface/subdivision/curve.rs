@@ -76,7 +76,7 @@ pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
 }
 
 /// The search of one curve and one patch.
-struct Search<'a, const M: usize, const N: usize> {
+struct CrossingSearch<'a, const M: usize, const N: usize> {
     whole: Pair<M, N>,
     rounding_error: f64,
     tolerance: f64,
@@ -108,7 +108,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     let (CurveWorkspace { stack, boxes }, known) = (workspace, found.simple.len());
     boxes.clear();
     let first = whole.clone();
-    let mut search = Search { whole, rounding_error, tolerance, simple: &mut found.simple, known, boxes };
+    let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, known, boxes };
     let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
     let Ok(()) = subdivide(&mut search, first, stack, limits);
     let known = found.unresolved.len();
@@ -117,7 +117,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     Ok(())
 }
 
-impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for Search<'_, M, N> {
+impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for CrossingSearch<'_, M, N> {
     type Solution = Crossing;
     type Split = ();
     type Stop = Infallible;

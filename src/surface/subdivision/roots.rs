@@ -35,19 +35,19 @@ pub(crate) struct Roots<const N: usize> {
     pub(crate) simple: Vec<DVec2>,
     /// Where roots could not be told apart.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
-    stack: Stack<Part<N>>,
+    stack: Stack<FieldPart<N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
 #[derive(Debug, Clone)]
-struct Part<const N: usize> {
+struct FieldPart<const N: usize> {
     fields: [Field<N>; 2],
     from: DVec2,
     size: f64,
 }
 
 /// The search of one patch.
-struct Search<'a> {
+struct RootSearch<'a> {
     rounding_error: f64,
     tolerance: f64,
     /// The simple roots: those from `known` on are this patch's.
@@ -94,8 +94,8 @@ fn search<const N: usize>(
     boxes.clear();
     stack.clear();
     let known = simple.len();
-    let mut search = Search { rounding_error, tolerance, simple, known, boxes, simple_only };
-    let whole = Part { fields, from: DVec2::ZERO, size: 1.0 };
+    let mut search = RootSearch { rounding_error, tolerance, simple, known, boxes, simple_only };
+    let whole = FieldPart { fields, from: DVec2::ZERO, size: 1.0 };
     let max_boxes = if simple_only { MAX_PARTS_IF_SIMPLE } else { MAX_PARTS };
     subdivide(&mut search, whole, stack, Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
 }
@@ -103,14 +103,14 @@ fn search<const N: usize>(
 /// Stands for the end of a search for simple roots only.
 struct NotSimple;
 
-impl<const N: usize> Subdivision<Part<N>, 4> for Search<'_> {
+impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
     /// The root, by the part's parameters, and how far outside the part it may be for rounding.
     type Solution = [DVec2; 2];
     type Split = ();
     type Stop = NotSimple;
 
     #[inline]
-    fn classify(&mut self, part: &Part<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimple> {
+    fn classify(&mut self, part: &FieldPart<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimple> {
         if part.fields.iter().any(|field| has_none(field, self.rounding_error)) {
             return Ok(BoxTest::Empty);
         }
@@ -124,7 +124,7 @@ impl<const N: usize> Subdivision<Part<N>, 4> for Search<'_> {
         Ok(if unresolved { BoxTest::Unresolved } else { test })
     }
 
-    fn accept(&mut self, part: Part<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimple> {
+    fn accept(&mut self, part: FieldPart<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimple> {
         let place = part.from + part.size * place;
         // Found again on the border of parts, if it is within what rounding allows.
         let near = 2.0 * part.size * margin.max_element() + 1e-11;
@@ -134,7 +134,7 @@ impl<const N: usize> Subdivision<Part<N>, 4> for Search<'_> {
         Ok(())
     }
 
-    fn give_up(&mut self, part: Part<N>, _exhausted: bool) -> Result<(), NotSimple> {
+    fn give_up(&mut self, part: FieldPart<N>, _exhausted: bool) -> Result<(), NotSimple> {
         if self.simple_only {
             return Err(NotSimple);
         }
@@ -144,11 +144,11 @@ impl<const N: usize> Subdivision<Part<N>, 4> for Search<'_> {
         Ok(())
     }
 
-    fn split(&mut self, part: Part<N>, (): ()) -> [Part<N>; 4] {
+    fn split(&mut self, part: FieldPart<N>, (): ()) -> [FieldPart<N>; 4] {
         let size = 0.5 * part.size;
         let [f, g] = part.fields.map(|field| field.quarters());
         let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
-        std::array::from_fn(|k| Part { fields: [f[k], g[k]], from: part.from + size * corners[k], size })
+        std::array::from_fn(|k| FieldPart { fields: [f[k], g[k]], from: part.from + size * corners[k], size })
     }
 }
 
