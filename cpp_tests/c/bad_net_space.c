@@ -159,7 +159,7 @@ static void wrong_fields(void) {
     EXPECT(GUSSET_OK, gusset_net_deform(context, net, NULL, 0, 0));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, NULL, 1, 0));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, NULL, &good, 1, 0));
-    EXPECT(GUSSET_ERROR_OUT_OF_MEMORY, gusset_net_deform(context, net, &good, SIZE_MAX, 0));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_deform(context, net, &good, SIZE_MAX, 0));
     bad = good, bad.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_deform(context, net, &bad, 1, 0));
     bad = good, bad.kind = 13;

@@ -333,7 +333,7 @@ impl<T: Versioned> Output<T> {
 
 /// The size that the caller's struct says it has: the distance to the next one, where several lie
 /// in an array.
-pub(crate) fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
+fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.
     let size = unsafe { pointer.cast::<usize>().read() };

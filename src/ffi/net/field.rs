@@ -124,9 +124,8 @@ impl Given {
 
 /// The fields of the caller's at a time.
 pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
-    let stride = if count == 0 { 0 } else { input::struct_size(fields, "fields")? };
-    alloc::try_collect((0..count).map(|k| {
-        let given = input::read(fields.wrapping_byte_add(k * stride), false, "fields")?;
+    alloc::try_collect(input::structs(fields, count, "fields")?.enumerate().map(|(k, given)| {
+        let given = input::read(given, false, "fields")?;
         let of_item = |failure: Failure| failure.of_item(k);
         let (field, strength) = (given.checked().map_err(of_item)?, given.strength_at(time).map_err(of_item)?);
         Ok(Given { field, strength })
@@ -230,7 +229,7 @@ pub unsafe extern "C" fn gusset_net_deform(
 /// @param[in,out] net the net.
 /// @param map called on this thread, from the first node to the last, each time for consecutive
 ///     nodes: as many as a row or a few thousand.
-/// @param[out] user passed on.
+/// @param user passed on.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes).
 /// @since 0.1
