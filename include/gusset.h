@@ -6275,7 +6275,7 @@ GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *conte
  *
  * @param[in,out] context the context.
  * @param progress NULL for none.
- * @param[out] user handed to it, and not looked at.
+ * @param user handed to it, and not looked at.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
  * @complexity O(1).
  * @since 0.1
@@ -6290,7 +6290,7 @@ gusset_status gusset_context_set_progress(struct gusset_context *context,
  *
  * @param[in,out] context the context.
  * @param log NULL for none.
- * @param[out] user handed to it, and not looked at.
+ * @param user handed to it, and not looked at.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
  * @complexity O(1).
  * @since 0.1
@@ -7018,9 +7018,9 @@ gusset_status gusset_curve_area_vector(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_moments(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   struct gusset_curve_moment_report *moments);
+gusset_status gusset_curve_get_moments(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       struct gusset_curve_moment_report *moments);
 
 /**
  * Finds the curves through the points of outlines: control points are sought such that each curve
@@ -8331,7 +8331,7 @@ gusset_status gusset_net_deform(const struct gusset_context *context,
  * @param[in,out] net the net.
  * @param map called on this thread, from the first node to the last, each time for consecutive
  *     nodes: as many as a row or a few thousand.
- * @param[out] user passed on.
+ * @param user passed on.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes).
  * @since 0.1
@@ -8656,7 +8656,7 @@ gusset_status gusset_net_get_seams(const struct gusset_net *net,
  * its own. All can be undone: see gusset_net_split_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[out] nets net_count handles, at least one, of one scalar type; the same one may come
+ * @param nets net_count handles, at least one, of one scalar type; the same one may come
  *     several times.
  * @param net_count see nets.
  * @param options NULL for the defaults.
@@ -9699,7 +9699,7 @@ GUSSET_API const char *gusset_status_text(int32_t status);
  * boxes are in single precision.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param[out] sheets count handles, none NULL, the array at any alignment; they may be destroyed
+ * @param sheets count handles, none NULL, the array at any alignment; they may be destroyed
  *     afterwards.
  * @param count see sheets.
  * @param options NULL for the defaults.

@@ -87,7 +87,7 @@ static void questions(void) {
     CHECK(out[0] == 0.0 && out[3] == 1.0 && out[4] == 1.0);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_bounds(context, given, NULL));
     EXPECT(GUSSET_OK, gusset_curve_area_vector(context, given, out));
-    EXPECT(GUSSET_OK, gusset_curve_moments(context, given, &moments));
+    EXPECT(GUSSET_OK, gusset_curve_get_moments(context, given, &moments));
     CHECK(fabs(moments.area + 1.0 / 3.0) < 1e-15 && out[2] == moments.area);
     gusset_curve_destroy(given);
 }

@@ -134,7 +134,7 @@ static void what_curves_are(const gusset_curve *arch) {
     MUST(gusset_curve_bounds(NULL, arch, bounds));
     HOLDS(about(bounds[0], 0.0) && about(bounds[3], 2.0) && about(bounds[4], 1.0));
     MUST(gusset_curve_area_vector(NULL, arch, area));
-    MUST(gusset_curve_moments(NULL, arch, &moments));
+    MUST(gusset_curve_get_moments(NULL, arch, &moments));
     /* Run through clockwise, so that the area is negative: two parts of 5/6. */
     HOLDS(about(area[2], moments.area) && about(moments.area, -5.0 / 3.0) && about(moments.centroid[0], 1.0));
 }

@@ -196,7 +196,7 @@ public:
         return area;
     }
     gusset_curve_moment_report moments(const Context &context = Context()) const {
-        return context.result(gusset_curve_moments, get());
+        return context.result(gusset_curve_get_moments, get());
     }
 
     Places intersect_plane(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {

@@ -206,7 +206,7 @@ pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context
 ///
 /// @param[in,out] context the context.
 /// @param progress NULL for none.
-/// @param[out] user handed to it, and not looked at.
+/// @param user handed to it, and not looked at.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
 /// @complexity O(1).
 /// @since 0.1
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn gusset_context_set_progress(
 ///
 /// @param[in,out] context the context.
 /// @param log NULL for none.
-/// @param[out] user handed to it, and not looked at.
+/// @param user handed to it, and not looked at.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, CONTEXT_BUSY.
 /// @complexity O(1).
 /// @since 0.1

@@ -289,7 +289,7 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_moments(
+pub unsafe extern "C" fn gusset_curve_get_moments(
     context: *const gusset_context,
     curve: *const gusset_curve,
     moments: *mut gusset_curve_moment_report,

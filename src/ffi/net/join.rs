@@ -130,7 +130,7 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
 /// its own. All can be undone: see gusset_net_split_create.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[out] nets net_count handles, at least one, of one scalar type; the same one may come
+/// @param nets net_count handles, at least one, of one scalar type; the same one may come
 ///     several times.
 /// @param net_count see nets.
 /// @param options NULL for the defaults.

@@ -150,7 +150,7 @@ fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet
 /// boxes are in single precision.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param[out] sheets count handles, none NULL, the array at any alignment; they may be destroyed
+/// @param sheets count handles, none NULL, the array at any alignment; they may be destroyed
 ///     afterwards.
 /// @param count see sheets.
 /// @param options NULL for the defaults.
