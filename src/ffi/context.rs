@@ -125,6 +125,21 @@ pub(crate) fn answer<T>(
     })
 }
 
+/// [`answer`], to an output that may be NULL.
+pub(crate) fn answer_optional<T>(
+    context: *const gusset_context,
+    (out, name): (*mut T, &'static str),
+    cleared: T,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let slot = input::optional_output(out, cleared, name);
+    guard(context, |job| {
+        let slot = slot?;
+        input::set(slot, body(job)?);
+        Ok(())
+    })
+}
+
 /// As [`answer`], with a struct that has a size.
 pub(crate) fn answer_struct<T: Versioned>(
     context: *const gusset_context,

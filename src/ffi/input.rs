@@ -6,7 +6,6 @@ use super::status::gusset_status::{
     GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,
     GUSSET_ERROR_SIZE_OVERFLOW,
 };
-use crate::error::Error;
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -126,12 +125,6 @@ pub(crate) fn destroy<T>(handle: *mut T) {
         }
         Ok::<_, Failure>(())
     });
-}
-
-/// Holds a count of the caller's against a limit, before anything is read.
-pub(crate) fn check_count(count: usize, limit: u64, what: &'static str) -> Result<(), Failure> {
-    let count = count as u64;
-    if count > limit { Err(Error::TooLarge { what, count, limit }.into()) } else { Ok(()) }
 }
 
 /// `count` elements of the caller's, read as bytes: any alignment will do.

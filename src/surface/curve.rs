@@ -22,13 +22,10 @@ use glam::DVec3;
 /// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four;
 /// [`Error::CurveNotClosed`]; [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
 pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Curve> {
-    let limit = u64::from(u32::MAX / 3);
     if nodes.len() < Axis::least_lines(closed) {
         return Err(Error::NetTooSmall { rows: 1, columns: nodes.len() as u64 });
     }
-    if nodes.len() as u64 > limit {
-        return Err(Error::TooLarge { what: "nodes", count: nodes.len() as u64, limit });
-    }
+    Error::check_count("nodes", nodes.len() as u64, u64::from(u32::MAX / 3))?;
     finite_nodes(nodes)?;
     if closed && nodes.first() != nodes.last() {
         return Err(Error::CurveNotClosed);

@@ -64,9 +64,7 @@ impl<'a> Nodes<'a> {
         if rows < 2 || columns < 2 {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }
-        if count > MAX_NODES {
-            return Err(Error::TooLarge { what: "nodes", count, limit: MAX_NODES });
-        }
+        Error::check_count("nodes", count, MAX_NODES)?;
         let column_stride = if column_stride == 0 { 3 } else { column_stride };
         let width = (columns - 1).checked_mul(column_stride).and_then(|n| n.checked_add(3));
         let row_stride = if row_stride == 0 { columns.checked_mul(column_stride) } else { Some(row_stride) };

@@ -41,9 +41,7 @@ impl<const N: usize> Patches<N> {
         if count == 0 {
             return Err(Error::EmptyMesh { what: "patches" });
         }
-        if total > super::MAX_NODES {
-            return Err(Error::TooLarge { what: "control points", count: total, limit: super::MAX_NODES });
-        }
+        Error::check_count("control points", total, super::MAX_NODES)?;
         let points = finite_points(points, total, "control points")?;
         let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::raised(net, degrees)))?;
         Ok(Self::of(patches, rows, columns))

@@ -73,9 +73,8 @@ impl Paths {
 
     /// Ends a path with the last point.
     pub(super) fn end(&mut self, closed: bool, level: u32) -> Result<()> {
-        let (count, limit) = (self.points.len() as u64, u32::MAX.into());
-        let end = u32::try_from(count).map_err(|_| Error::TooLarge { what: "points of curves", count, limit })?;
-        alloc::push(&mut self.ends, end)?;
+        Error::check_count("points of curves", self.points.len() as u64, u32::MAX.into())?;
+        alloc::push(&mut self.ends, self.points.len() as u32)?;
         alloc::push(&mut self.closed, closed)?;
         alloc::push(&mut self.levels, level)
     }

@@ -162,8 +162,8 @@ impl Given<'_> {
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
         let points = input::bytes(given.points, size, 1, "points")?;
         let points = Points::strided(points, given.point_stride, given.point_count, dimension)?;
-        input::check_count(given.outline_count, MAX_POINTS as u64, "outlines")?;
-        input::check_count(given.constraint_count, MAX_POINTS as u64, "constraints")?;
+        Error::check_count("outlines", given.outline_count as u64, MAX_POINTS as u64)?;
+        Error::check_count("constraints", given.constraint_count as u64, MAX_POINTS as u64)?;
         let offsets = if given.offsets.is_null() && given.outline_count == 0 {
             None
         } else {

@@ -201,7 +201,7 @@ fixed! { gusset_joint: 104, gusset_left_loop: 24, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
 fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Result<Vec<[Selector; 2]>, Failure> {
-    input::check_count(count, MAX_ELEMENTS, name)?;
+    Error::check_count(name, count as u64, MAX_ELEMENTS)?;
     let pair = |[p, q, v, w]: [u32; 4]| [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }];
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
 }
@@ -278,8 +278,7 @@ impl gusset_assembly {
             reason: left.reason.number(),
             reserved: 0,
         };
-        let mut turned = alloc::with_capacity(done.turned.iter().filter(|&&turned| turned).count())?;
-        turned.extend((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f));
+        let turned = alloc::gather((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f))?;
         // The lists that these point to lie on the heap and stay where they are.
         Ok(gusset_assembly {
             pieces: alloc::collect(done.maps.iter().map(map))?,

@@ -73,7 +73,7 @@ fn pair(arc: &Arc) -> [u32; 2] {
 
 /// Packed points of the caller's.
 pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
-    input::check_count(count, MAX_ELEMENTS, name)?;
+    Error::check_count(name, count as u64, MAX_ELEMENTS)?;
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
 }
 

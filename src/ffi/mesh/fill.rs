@@ -172,7 +172,7 @@ impl gusset_hole {
 
 /// The caller's loops, copied; `None` for all.
 fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
-    input::check_count(count, MAX_ELEMENTS, "loops")?;
+    Error::check_count("loops", count as u64, MAX_ELEMENTS)?;
     if loops.is_null() {
         return if count == 0 { Ok(None) } else { Err(Failure::null("loops")) };
     }

@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::ffi::net::field::{Given, fields, gusset_field};
-use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::net::{gusset_net, read, reglue};
 use crate::ffi::prelude::*;
 use crate::net::analyse::{Analysis, absorb, analyse, analyse_field};
 
@@ -188,11 +188,5 @@ pub unsafe extern "C" fn gusset_net_absorb(
     links: *const u32,
     count: usize,
 ) -> gusset_status {
-    guard(context, |_| {
-        let links = input::items(links, count, "links")?;
-        let net = edit(net)?;
-        let glued = absorb(net.topology(), links)?;
-        net.set_topology(glued);
-        Ok(())
-    })
+    reglue(context, net, |net, _| Ok(absorb(net.topology(), input::items(links, count, "links")?)?))
 }

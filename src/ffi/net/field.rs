@@ -290,10 +290,5 @@ pub unsafe extern "C" fn gusset_net_snap(
     net: *mut gusset_net,
     moved: *mut u64,
 ) -> gusset_status {
-    let moved = input::optional_output(moved, 0, "moved");
-    guard(context, |_| {
-        let moved = moved?;
-        input::set(moved, snap(edit(net)?)?);
-        Ok(())
-    })
+    answer_optional(context, (moved, "moved"), 0, |_| Ok(snap(edit(net)?)?))
 }

@@ -2,7 +2,7 @@
 
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::gluing::{gusset_seam, seam};
-use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::net::{edit, gusset_net, read, reglue};
 use crate::ffi::prelude::*;
 use crate::net::Classes;
 use crate::net::topology::{Diagonal, Gluing, GluingType, Groups};
@@ -147,11 +147,9 @@ pub unsafe extern "C" fn gusset_net_glue(
     gluings: *const gusset_gluing,
     count: usize,
 ) -> gusset_status {
-    guard(context, |job| {
+    reglue(context, net, |net, job| {
         let gluings = self::gluings(gluings, count)?;
-        let topology = read(net)?.topology().glued_cancellable(&gluings, job, "gluing")?;
-        edit(net)?.set_topology(topology);
-        Ok(())
+        Ok(net.topology().glued_cancellable(&gluings, job, "gluing")?)
     })
 }
 
@@ -185,11 +183,8 @@ pub unsafe extern "C" fn gusset_net_unglue(
     separation: f64,
     moved: *mut usize,
 ) -> gusset_status {
-    let out = input::optional_output(moved, 0, "moved");
-    guard(context, |_| {
-        let out = out?;
-        input::set(out, edit(net)?.unglue(&self::gluings(gluings, count)?, separation)?);
-        Ok(())
+    answer_optional(context, (moved, "moved"), 0, |_| {
+        Ok(edit(net)?.unglue(&self::gluings(gluings, count)?, separation)?)
     })
 }
 
@@ -205,11 +200,7 @@ pub unsafe extern "C" fn gusset_net_unglue(
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_saturate(context: *const gusset_context, net: *mut gusset_net) -> gusset_status {
-    guard(context, |_| {
-        let topology = read(net)?.topology().saturated()?;
-        edit(net)?.set_topology(topology);
-        Ok(())
-    })
+    reglue(context, net, |net, _| Ok(net.topology().saturated()?))
 }
 
 /// Writes for each node the smallest node that is the same point.

@@ -1,6 +1,6 @@
 //! C interface: the gluing of a net: sides, matrix, seams, closures.
 
-use crate::ffi::net::net_handle::{edit, gusset_net, read};
+use crate::ffi::net::net_handle::{gusset_net, read, reglue};
 use crate::ffi::prelude::*;
 use crate::job::Job;
 use crate::net::topology::{Links, Run};
@@ -180,11 +180,7 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
     net: *mut gusset_net,
     gluing: *const gusset_net_gluing,
 ) -> gusset_status {
-    guard(context, |job| {
-        let topology = topology(read(net)?.shape(), gluing, job)?;
-        edit(net)?.set_topology(topology);
-        Ok(())
-    })
+    reglue(context, net, |net, job| topology(net.shape(), gluing, job))
 }
 
 /// How a net is glued, in its one form.

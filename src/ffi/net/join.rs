@@ -118,7 +118,7 @@ impl gusset_join_options {
 
 /// The nets of an array of handles.
 fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
-    input::check_count(count, MAX_NODES, "nets")?;
+    Error::check_count("nets", count as u64, MAX_NODES)?;
     let handles = input::references(handles, count, "net")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }

@@ -27,7 +27,7 @@ use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 use libc::c_void;
 
 pub use net_handle::gusset_net;
-pub(crate) use net_handle::{edit, read};
+pub(crate) use net_handle::{edit, read, reglue};
 
 /// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
 /// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride

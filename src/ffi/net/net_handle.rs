@@ -1,7 +1,8 @@
 //! The handle of a net.
 
 use crate::ffi::prelude::*;
-use crate::net::Net;
+use crate::job::Job;
+use crate::net::{Net, Topology};
 use std::sync::Arc;
 
 /// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take
@@ -47,4 +48,17 @@ pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failu
 /// The net of a handle, to be changed.
 pub(crate) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Failure> {
     input::exclusive(net, "net")?.edit()
+}
+
+/// Glues a net anew.
+pub(crate) fn reglue(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    topology: impl FnOnce(&Net<'_>, &Job<'_>) -> Result<Topology, Failure>,
+) -> gusset_status {
+    guard(context, |job| {
+        let topology = topology(read(net)?, job)?;
+        edit(net)?.set_topology(topology);
+        Ok(())
+    })
 }

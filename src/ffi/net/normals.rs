@@ -69,15 +69,12 @@ pub unsafe extern "C" fn gusset_net_normals(
     capacity: usize,
     missing_count: *mut u64,
 ) -> gusset_status {
-    let missing_count = input::optional_output(missing_count, 0, "missing_count");
-    guard(context, |job| {
-        let missing_count = missing_count?;
+    answer_optional(context, (missing_count, "missing_count"), 0, |job| {
         let net = read(net)?;
         let mut out = match net.coordinates().scalar() {
             Scalar::F32 => Coordinates::F32(planes(net, [x, y, z], capacity)?),
             Scalar::F64 => Coordinates::F64(planes(net, [x, y, z], capacity)?),
         };
-        input::set(missing_count, normals_into(net, &mut out, job)?);
-        Ok(())
+        Ok(normals_into(net, &mut out, job)?)
     })
 }

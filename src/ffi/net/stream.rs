@@ -259,11 +259,9 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     size: usize,
     rows_done: *mut usize,
 ) -> gusset_status {
-    let out = input::optional_output(rows_done, 0, "rows_done");
-    guard(context, |_| {
-        let (out, decoder) = (out?, input::exclusive(decoder, "decoder")?);
-        input::set(out, decoder.0.push(input::bytes(data, size, 1, "data")?)?);
-        Ok(())
+    answer_optional(context, (rows_done, "rows_done"), 0, |_| {
+        let decoder = input::exclusive(decoder, "decoder")?;
+        Ok(decoder.0.push(input::bytes(data, size, 1, "data")?)?)
     })
 }
 

@@ -1,6 +1,6 @@
 //! C interface: whether the coordinates of a net agree with its gluing.
 
-use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::net::{gusset_net, read, reglue};
 use crate::ffi::prelude::*;
 use crate::net::{Finding, FindingKind, detect_gluing};
 
@@ -148,11 +148,8 @@ pub unsafe extern "C" fn gusset_net_detect_gluing(
     net: *mut gusset_net,
     tolerance: f64,
 ) -> gusset_status {
-    guard(context, |job| {
-        let net = edit(net)?;
+    reglue(context, net, |net, job| {
         let topology = detect_gluing(net.coordinates(), tolerance, job)?;
-        let reversed = net.topology().is_reversed();
-        net.set_topology(topology.with_reversed(reversed));
-        Ok(())
+        Ok(topology.with_reversed(net.topology().is_reversed()))
     })
 }

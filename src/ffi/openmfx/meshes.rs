@@ -61,9 +61,7 @@ impl<'a> Read<'a> {
         if here != there {
             let map = there.inverse() * here;
             let places = (0..self.positions.len() as u32).map(|v| map.transform_point3(self.positions.get(v)));
-            let mut moved = alloc::with_capacity(self.positions.len())?;
-            moved.extend(places.map(|place| place.as_vec3().to_array()));
-            self.moved = Some(moved);
+            self.moved = Some(alloc::gather(places.map(|place| place.as_vec3().to_array()))?);
         }
         Ok(())
     }
@@ -196,7 +194,7 @@ fn write(
     for (name, count) in
         [(MESH_POINT_COUNT, points), (MESH_CORNER_COUNT, corners.len()), (MESH_FACE_COUNT, sizes.len())]
     {
-        input::check_count(count, c_int::MAX as u64, "elements")?;
+        Error::check_count("elements", count as u64, c_int::MAX as u64)?;
         to.properties.set_int(name, 0, count as c_int)?;
     }
     let loose = sizes.contains(&2);

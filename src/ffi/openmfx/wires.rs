@@ -71,8 +71,7 @@ pub(super) fn chained(edges: &[[u32; 2]], vertex_count: usize, place: impl Fn(u3
                 }
                 let closed = chain.len() > 3 && chain.first() == chain.last();
                 chain.truncate(chain.len() - usize::from(closed));
-                alloc::reserve(&mut curves.points, chain.len())?;
-                curves.points.extend(chain.iter().map(|&vertex| place(vertex).to_array()));
+                alloc::extend(&mut curves.points, chain.iter().map(|&vertex| place(vertex).to_array()))?;
                 alloc::push(&mut curves.offsets, curves.points.len() as u32)?;
                 alloc::push(&mut curves.closed, closed)?;
             }

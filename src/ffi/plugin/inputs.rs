@@ -8,7 +8,7 @@ use crate::alloc;
 use crate::error::{Element, Error};
 use crate::ffi::glue::laid_out_like;
 use crate::ffi::host::Callbacks;
-use crate::ffi::input::{self, check_count, choice};
+use crate::ffi::input::{self, choice};
 use crate::ffi::mesh::{self, GUSSET_F32, GUSSET_F64, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use crate::filters::Filter;
@@ -70,8 +70,8 @@ fn read<'a>(filter: &Filter, given: *const gusset_input, place: usize, job: &Job
 fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
     let view = input::read(view, false, "view")?;
     let scalar = choice(view.scalar)?;
-    check_count(view.point_count, MAX_ELEMENTS, "points")?;
-    check_count(view.curve_count, MAX_ELEMENTS, "curves")?;
+    Error::check_count("points", view.point_count as u64, MAX_ELEMENTS)?;
+    Error::check_count("curves", view.curve_count as u64, MAX_ELEMENTS)?;
     let size = Positions::bytes_needed(view.point_stride, view.point_count, scalar)?;
     let points = input::bytes(view.points, size, 1, "points")?;
     let points = Positions::strided(points, view.point_stride, view.point_count, scalar)?;
@@ -81,9 +81,7 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
         closed: alloc::filled(false, view.curve_count)?,
     };
     for p in 0..view.point_count {
-        if p % (1 << 16) == 0 {
-            job.step(p as f64 / view.point_count as f64, "reading curves")?;
-        }
+        job.step_every(1 << 16, p, view.point_count, "reading curves")?;
         let point = points.get(p as u32).to_array();
         if let Some(&value) = point.iter().find(|coordinate| !coordinate.is_finite()) {
             return Err(Error::NotFinite { element: Element::Point, index: p as u64, value }.into());

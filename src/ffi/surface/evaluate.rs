@@ -153,9 +153,7 @@ pub unsafe extern "C" fn gusset_surface_locate(
         let bytes = input::bytes(parameters.cast(), times(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;
         for (k, pair) in bytes.chunks_exact(16).enumerate() {
-            if k % LOCATED == 0 {
-                job.step(k as f64 / count as f64, "locating")?;
-            }
+            job.step_every(LOCATED, k, count, "locating")?;
             let place = surface.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
             found.push(gusset_surface_place::from(
                 place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,

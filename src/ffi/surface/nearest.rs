@@ -162,7 +162,7 @@ impl gusset_nearest_options {
 
 /// The caller's points, `stride` bytes apart, 0 for none between; at any alignment.
 pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<Vec<DVec3>, Failure> {
-    input::check_count(count, u32::MAX.into(), "queries")?;
+    Error::check_count("queries", count as u64, u32::MAX.into())?;
     let bytes = input::bytes(data.cast(), Strided::span(count, stride, 24, "queries")?, 1, "queries")?;
     let queries = Strided::new(bytes, count, stride, 24, "queries")?;
     Ok(alloc::collect((0..count).map(|k| DVec3::from_array(queries.get(k))))?)

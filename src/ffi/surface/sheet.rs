@@ -78,7 +78,7 @@ pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failu
     let layout = Layout::of(nodes, kind.position_size() / 3)?;
     // Refused before anything is read.
     let count = nodes.rows.saturating_mul(nodes.columns);
-    input::check_count(count, MAX_NODES, "nodes")?;
+    Error::check_count("nodes", count as u64, MAX_NODES)?;
     let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
     let mut numbers = alloc::with_capacity(3 * count)?;
     for i in 0..nodes.rows {

@@ -213,7 +213,7 @@ impl<const N: usize> Gordon<N> {
                 std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
-                report_progress(&job.part(0.4, 1.0), &patches)?;
+                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
                     combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
@@ -245,7 +245,7 @@ impl<const N: usize> Gordon<N> {
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
             for j in 0..v.count() {
-                report_progress(&job.part(0.4, 1.0), &patches)?;
+                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
                 patches.push(patch(j));
             }
         }
@@ -392,8 +392,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     }
     let mut all = Vec::new();
     for (curve, ends) in own.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
-        alloc::reserve(&mut all, ends.len())?;
-        all.extend(ends[..ends.len() - 1].iter().map(|&end| (end, curve)));
+        alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
     }
     all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut ends: Vec<Vec<f64>> = own.iter().map(|_| Vec::new()).collect();
@@ -422,19 +421,8 @@ fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
 /// Room for patches, if there are not too many.
 fn patches_with_capacity<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
     let count = (rows as u64).saturating_mul(columns as u64);
-    let limit = MAX_NODES / (N * N) as u64;
-    if count > limit {
-        return Err(Error::TooLarge { what: "cells", count, limit });
-    }
+    Error::check_count("cells", count, MAX_NODES / (N * N) as u64)?;
     alloc::with_capacity(rows * columns)
-}
-
-/// Reports how many patches there are, of those there is room for, from time to time.
-fn report_progress<const N: usize>(job: &Job<'_>, patches: &Vec<Patch<N>>) -> Result<()> {
-    match patches.len() % PATCHES_PER_STEP {
-        0 => job.step(patches.len() as f64 / patches.capacity() as f64, MAKING),
-        _ => Ok(()),
-    }
 }
 
 /// u and v exchanged.
@@ -442,7 +430,7 @@ fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Pat
     let [rows, columns] = patches.cells();
     let mut turned = patches_with_capacity(columns, rows)?;
     for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
-        report_progress(job, &turned)?;
+        job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), MAKING)?;
         turned.push(patches.get(i, j).transposed());
     }
     Ok(Patches::of(turned, columns, rows))

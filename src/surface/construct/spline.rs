@@ -66,9 +66,7 @@ impl Sheet<'static> {
             }
         }
         let count = (rows as u64).saturating_mul(columns as u64);
-        if count > MAX_NODES {
-            return Err(Error::TooLarge { what: "control points", count, limit: MAX_NODES });
-        }
+        Error::check_count("control points", count, MAX_NODES)?;
         finite_points(spline.points, count, "control points")?;
         let [u, v] = [spline.axes[0].spans(rows, 0)?, spline.axes[1].spans(columns, 1)?];
         if spline.axes.iter().all(|axis| axis.degree <= 3) {

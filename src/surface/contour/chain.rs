@@ -38,10 +38,8 @@ impl ContourPaths {
         }
         let shift = self.places.len();
         alloc::append(&mut self.places, &other.places)?;
-        alloc::reserve(&mut self.paths, other.paths.len())?;
         let moved = |path: ContourPath| ContourPath { range: path.range.map(|at| at + shift), ..path };
-        self.paths.extend(other.paths.into_iter().map(moved));
-        Ok(())
+        alloc::extend(&mut self.paths, other.paths.into_iter().map(moved))
     }
 }
 
@@ -167,8 +165,7 @@ fn follow(
             let place = |&at: &DVec2| Place { sheet, cell: arc.cell, u: at.x, v: at.y };
             let [from, to] = arc.inner.map(|k| k as usize);
             alloc::push(&mut made.places, place(&arc.ends[0]))?;
-            alloc::reserve(&mut made.places, to - from)?;
-            made.places.extend(inner[from..to].iter().map(place));
+            alloc::extend(&mut made.places, inner[from..to].iter().map(place))?;
             if arc.jumps || next[at] == NONE {
                 alloc::push(&mut made.places, place(&arc.ends[1]))?;
             }
@@ -245,8 +242,7 @@ fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
                 None => waiting.push_back(end),
             }
         }
-        alloc::reserve(&mut left, waiting.len())?;
-        left.extend(waiting.drain(..));
+        alloc::extend(&mut left, waiting.drain(..))?;
     }
     Ok(left)
 }

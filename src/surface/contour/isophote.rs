@@ -349,8 +349,7 @@ impl IsophoteSearch<'_> {
             let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
             for part in poles::<C, N, H>(&normals, k as u32, &lattice, &blocks, sign, &next())? {
                 let [simple, unresolved] = part?;
-                alloc::reserve(points, simple.len())?;
-                points.extend(simple.into_iter().map(|place| (number, place)));
+                alloc::extend(points, simple.into_iter().map(|place| (number, place)))?;
                 alloc::append(&mut curves.unresolved, &unresolved)?;
             }
         }
@@ -375,8 +374,7 @@ fn poles<C: Cells<N>, const N: usize, const H: usize>(
             for cell in cells {
                 let place = |at: DVec2| Place { sheet, cell: cell.map(|k| k as u32), u: at.x, v: at.y };
                 for (places, roots) in found.iter_mut().zip(normals.roots::<H>(&corners, cell, sign)?) {
-                    alloc::reserve(places, roots.len())?;
-                    places.extend(roots.into_iter().map(place));
+                    alloc::extend(places, roots.into_iter().map(place))?;
                 }
             }
         }

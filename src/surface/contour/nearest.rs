@@ -218,12 +218,11 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
                 Ok((best, candidates))
             });
             for part in parts {
-                let (found, mut some): (Best, Vec<Candidate>) = part?;
+                let (found, some): (Best, Vec<Candidate>) = part?;
                 if found.deviation < best.deviation {
                     *best = found;
                 }
-                alloc::reserve(candidates, some.len())?;
-                candidates.append(&mut some);
+                alloc::extend(candidates, some)?;
             }
             candidates.retain(|candidate| candidate.bound < best.deviation);
         }
@@ -344,11 +343,9 @@ impl Surface<'_> {
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
         candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
-        let mut bound = f64::INFINITY;
+        let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {
-            if k % 16 == 0 {
-                job.step(0.9 + 0.1 * k as f64 / candidates.len() as f64, "angles")?;
-            }
+            last.step_every(16, k, candidates.len(), "angles")?;
             if candidate.bound >= (best.deviation - TOLERANCE).max(0.0) {
                 bound = bound.min(candidate.bound);
                 break;

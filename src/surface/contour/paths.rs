@@ -31,9 +31,8 @@ impl ContourSet {
         jumps: bool,
         threads: usize,
     ) -> Result<()> {
-        alloc::reserve(&mut self.unresolved, found.unresolved.len())?;
         let place = |&(cell, at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell, u: at.x, v: at.y };
-        self.unresolved.extend(found.unresolved.iter().map(place));
+        alloc::extend(&mut self.unresolved, found.unresolved.iter().map(place))?;
         chain(sheet as u32, &mut found, lattice, jumps, threads, &mut self.sheets)
     }
 
@@ -111,8 +110,7 @@ impl SheetContours {
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
         let head = |k: usize| self.points[self.contours[k].range[0]];
         let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
-        let mut heads: Vec<usize> = alloc::with_capacity(open().count())?;
-        heads.extend(open());
+        let mut heads = alloc::gather(open())?;
         heads.sort_unstable_by(|&a, &b| {
             let by = |k: usize| self.contours[k].level;
             by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x)).then(a.cmp(&b))

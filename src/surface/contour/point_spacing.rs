@@ -51,9 +51,7 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
         _ => return Ok(given),
     };
     let total = (given.points.len() as u64).saturating_mul(count as u64 + 1);
-    if total > u32::MAX.into() {
-        return Err(Error::TooLarge { what: "points of curves", count: total, limit: u32::MAX.into() });
-    }
+    Error::check_count("points of curves", total, u32::MAX.into())?;
     let mut made = Paths { ends: vec![0], ..Paths::default() };
     for k in 0..given.len() {
         let (points, closed) = (given.points_of(k), given.closed[k]);

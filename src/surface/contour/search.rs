@@ -55,9 +55,8 @@ impl FoundArcs {
         let shift = self.inner.len() as u32;
         alloc::append(&mut self.inner, &other.inner)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
-        alloc::reserve(&mut self.arcs, other.arcs.len())?;
-        self.arcs.extend(other.arcs.iter().map(|arc| Arc { inner: arc.inner.map(|k| k + shift), ..*arc }));
-        Ok(())
+        let moved = |arc: &Arc| Arc { inner: arc.inner.map(|k| k + shift), ..*arc };
+        alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))
     }
 }
 

@@ -125,9 +125,7 @@ impl Surface<'_> {
         if given < count {
             return Err(Error::ArrayTooShort { what: "values", needed: 8 * count, given: 8 * given });
         }
-        if given > count {
-            return Err(Error::TooLarge { what: "values", count: given, limit: count });
-        }
+        Error::check_count("values", given, count)?;
         match values.iter().position(|value| !value.is_finite()) {
             Some(node) => Err(Error::NotFinite { element: Element::Node, index: node as u64, value: values[node] }),
             None => Ok(()),

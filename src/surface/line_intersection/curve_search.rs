@@ -167,8 +167,6 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
         let CurveSolver { workspace, found, rounding_error } = solver;
-        found.simple.clear();
-        found.unresolved.clear();
         crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
         let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
         let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));

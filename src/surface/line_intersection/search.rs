@@ -217,7 +217,6 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
 
     fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
-        self.solver.roots.simple.clear();
         if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.touching(i, j, hits);
         }
@@ -235,8 +234,6 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let Some(segment) = self.segment(&patch) else { return Ok(()) };
         let [start, end] = segment;
         let found = &mut self.solver.crossings;
-        found.simple.clear();
-        found.unresolved.clear();
         crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
         for crossing in &self.solver.crossings.simple {
             self.add(&patch, [i, j], crossing.place, None, hits)?;

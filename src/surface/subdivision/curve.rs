@@ -80,13 +80,11 @@ struct CrossingSearch<'a, const M: usize, const N: usize> {
     whole: Pair<M, N>,
     rounding_error: f64,
     tolerance: f64,
-    /// The crossings: those from `known` on are this search's.
     simple: &'a mut Vec<Crossing>,
-    known: usize,
     boxes: &'a mut Vec<UnresolvedBox>,
 }
 
-/// Adds all points that a curve of degree M - 1 and a patch have in common. Control points may be
+/// Finds all points that a curve of degree M - 1 and a patch have in common. Control points may be
 /// off by `rounding_error`; things within `tolerance` of each other need no resolving. At most
 /// [`MAX_PAIRS`] pairs are examined and split, and as many again left as they are.
 pub(crate) fn crossings<const M: usize, const N: usize>(
@@ -105,15 +103,16 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
     let tolerance = tolerance.max(4.0 * rounding_error);
     let whole = Pair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
-    let (CurveWorkspace { stack, boxes }, known) = (workspace, found.simple.len());
+    let CurveWorkspace { stack, boxes } = workspace;
     boxes.clear();
+    found.simple.clear();
+    found.unresolved.clear();
     let first = whole.clone();
-    let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, known, boxes };
+    let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
     let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
     let Ok(()) = subdivide(&mut search, first, stack, limits);
-    let known = found.unresolved.len();
     cluster(search.boxes, &mut found.unresolved)?;
-    found.unresolved[known..].iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
+    found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
     Ok(())
 }
 
@@ -132,7 +131,7 @@ impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for CrossingSear
             let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
             apart <= 2.0 * (other.slack + crossing.slack)
         };
-        if !self.simple[self.known..].iter().any(is_same) {
+        if !self.simple.iter().any(is_same) {
             self.simple.push(crossing);
         }
         Ok(())

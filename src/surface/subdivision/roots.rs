@@ -50,15 +50,13 @@ struct FieldPart<const N: usize> {
 struct RootSearch<'a> {
     rounding_error: f64,
     tolerance: f64,
-    /// The simple roots: those from `known` on are this patch's.
     simple: &'a mut Vec<DVec2>,
-    known: usize,
     boxes: &'a mut Vec<UnresolvedBox>,
     /// Whether to end with the first box that is unresolved.
     simple_only: bool,
 }
 
-/// Adds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values
+/// Finds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values
 /// are all within `tolerance` need no resolving.
 pub(crate) fn roots<const N: usize>(
     fields: [Field<N>; 2],
@@ -70,7 +68,7 @@ pub(crate) fn roots<const N: usize>(
     cluster(&found.boxes, &mut found.unresolved)
 }
 
-/// Adds the common roots of two fields if all can be resolved with little work; else returns false,
+/// Finds the common roots of two fields if all can be resolved with little work; else returns false,
 /// and what was found is of no use.
 pub(crate) fn simple_roots<const N: usize>(
     fields: [Field<N>; 2],
@@ -81,7 +79,7 @@ pub(crate) fn simple_roots<const N: usize>(
     search(fields, rounding_error, tolerance, true, found)
 }
 
-/// Adds simple roots; false if it ended early.
+/// Finds simple roots; false if it ended early.
 #[inline]
 fn search<const N: usize>(
     fields: [Field<N>; 2],
@@ -90,11 +88,12 @@ fn search<const N: usize>(
     simple_only: bool,
     found: &mut Roots<N>,
 ) -> bool {
-    let Roots { simple, stack, boxes, .. } = found;
+    let Roots { simple, unresolved, stack, boxes } = found;
+    simple.clear();
+    unresolved.clear();
     boxes.clear();
     stack.clear();
-    let known = simple.len();
-    let mut search = RootSearch { rounding_error, tolerance, simple, known, boxes, simple_only };
+    let mut search = RootSearch { rounding_error, tolerance, simple, boxes, simple_only };
     let whole = FieldPart { fields, from: DVec2::ZERO, size: 1.0 };
     let max_boxes = if simple_only { MAX_PARTS_IF_SIMPLE } else { MAX_PARTS };
     subdivide(&mut search, whole, stack, Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
@@ -128,7 +127,7 @@ impl<const N: usize> Subdivision<FieldPart<N>, 4> for RootSearch<'_> {
         let place = part.from + part.size * place;
         // Found again on the border of parts, if it is within what rounding allows.
         let near = 2.0 * part.size * margin.max_element() + 1e-11;
-        if !self.simple[self.known..].iter().any(|other| (*other - place).abs().max_element() <= near) {
+        if !self.simple.iter().any(|other| (*other - place).abs().max_element() <= near) {
             self.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
         }
         Ok(())

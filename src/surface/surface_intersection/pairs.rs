@@ -340,10 +340,7 @@ impl Descent<'_> {
                 alloc::push(found, CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] })?;
             }
         }
-        if found.len() as u64 > MAX_PAIRS {
-            return Err(Error::TooLarge { what: "pairs of cells", count: found.len() as u64, limit: MAX_PAIRS });
-        }
-        Ok(())
+        Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)
     }
 }
 

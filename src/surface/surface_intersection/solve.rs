@@ -74,8 +74,8 @@ impl FoundArcs {
     pub(super) fn append(&mut self, other: &FoundArcs) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
-        alloc::reserve(&mut self.arcs, other.arcs.len())?;
-        self.arcs.extend(other.arcs.iter().map(|arc| Arc { from: arc.from + before, to: arc.to + before, ..*arc }));
+        let moved = |arc: &Arc| Arc { from: arc.from + before, to: arc.to + before, ..*arc };
+        alloc::extend(&mut self.arcs, other.arcs.iter().map(moved))?;
         alloc::append(&mut self.balls, &other.balls)?;
         alloc::append(&mut self.exhausted, &other.exhausted)
     }
