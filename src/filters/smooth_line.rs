@@ -49,7 +49,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         points.add([hit.point].into_iter(), false)?;
         let touches = if hit.tangent { ", touches" } else { "" };
         let (point, normal) = (short_point(hit.point), short_point(hit.normal));
-        push_line!(text, "at {}: {point}, normal {normal}{touches}", short(hit.t));
+        push_line!(text, "at {}: {point}, normal {normal}{touches}", short(hit.at));
     }
     Ok(vec![Output::Curves(points), Output::Text(text.into())])
 }

@@ -35,7 +35,7 @@ fn lines_through_the_top_of_a_bulge_are_hits() {
         let hits = hill.line(&line, HitSelection::All).unwrap();
         assert_eq!(hits.len(), 2, "{along}");
         for (hit, expected) in hits.iter().zip([2.9, 3.1]) {
-            assert!((hit.t - expected).abs() < 1e-9, "{along}: {}", hit.t);
+            assert!((hit.at - expected).abs() < 1e-9, "{along}: {}", hit.at);
         }
     }
 }

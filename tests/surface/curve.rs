@@ -38,7 +38,7 @@ fn straight_curves_are_segments() {
                 for (hit, line) in hits.iter().zip(&lines) {
                     assert_eq!((hit.tangent, hit.multiplicity), (line.tangent, line.multiplicity));
                     assert!(
-                        (hit.at.t - line.t).abs() < 1e-8 && hit.point.distance(line.point) < 1e-8,
+                        (hit.at.t - line.at).abs() < 1e-8 && hit.point.distance(line.point) < 1e-8,
                         "{hit:?} {line:?}"
                     );
                     assert_eq!(hit.point, surface.jet(hit.place).point);

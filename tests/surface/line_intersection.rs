@@ -63,7 +63,7 @@ fn hits_by_force_and_parity() {
             };
             let hits = surface.line(&line, HitSelection::All).unwrap();
             let truth = by_force(&grid, &line);
-            let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.t).collect();
+            let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.at).collect();
             assert_eq!(found.len(), truth.len(), "{} {k}: {line:?}: {hits:?} {truth:?}", shape.name);
             for ((t, expected), hit) in found.iter().zip(&truth).zip(&hits) {
                 assert!((t - expected).abs() < 1e-9, "{} {k}: {found:?} {truth:?}", shape.name);
@@ -73,7 +73,7 @@ fn hits_by_force_and_parity() {
                 assert!(hits.len().is_multiple_of(2), "{} {k}: {hits:?}", shape.name);
             }
             let first = surface.line(&line, HitSelection::First).unwrap();
-            assert_eq!(first.first().map(|hit| hit.t), hits.first().map(|hit| hit.t));
+            assert_eq!(first.first().map(|hit| hit.at), hits.first().map(|hit| hit.at));
             assert_eq!(surface.line(&line, HitSelection::Any).unwrap().is_empty(), hits.is_empty());
             total += hits.len();
         }
@@ -91,7 +91,7 @@ fn through_nodes_and_along_seams() {
     let expected = [1.6, 2.4, 3.6, 4.4];
     assert_eq!(hits.len(), 4, "{hits:?}");
     for (hit, t) in hits.iter().zip(expected) {
-        assert!((hit.t - t).abs() < 2e-4, "{hits:?}");
+        assert!((hit.at - t).abs() < 2e-4, "{hits:?}");
     }
     // A line that touches the top of the ring.
     let top = surface.jet(gusset::surface::Place { sheet: 0, cell: [5, 0], u: 0.0, v: 0.0 }).point;
@@ -143,7 +143,7 @@ fn compare(shape: &Shape, count: usize) {
         let line = if k % 2 == 0 { Line::new(a, b - a) } else { Line::segment(a, b) };
         let hits = surface.line(&line, HitSelection::All).unwrap();
         let truth = by_force(&grid, &line);
-        let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.t).collect();
+        let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.at).collect();
         // Near touches may be a pair for the one and a spot for the other.
         let spots = hits.iter().filter(|hit| hit.tangent);
         let free = |t: &f64| !spots.clone().any(|spot| spot.span[0] - 1e-3 <= *t && *t <= spot.span[1] + 1e-3);
@@ -272,7 +272,7 @@ fn sheets_that_share_sides_are_one_surface() {
         let line = Line::new(node, random.point(1.0));
         let (a, b) = (two.line(&line, HitSelection::All).unwrap(), whole.line(&line, HitSelection::All).unwrap());
         assert_eq!(a.len(), b.len(), "{k}: {a:?} {b:?}");
-        assert!(a.iter().zip(&b).all(|(a, b)| (a.t - b.t).abs() < 1e-9 && a.multiplicity == b.multiplicity));
+        assert!(a.iter().zip(&b).all(|(a, b)| (a.at - b.at).abs() < 1e-9 && a.multiplicity == b.multiplicity));
     }
 }
 
@@ -350,7 +350,7 @@ fn any_size_and_anywhere() {
             let same = other.line(&Line::new(moved(a), scale * (b - a)), HitSelection::All).unwrap();
             assert_eq!(hits.len(), same.len(), "{scale} {shift} {k}: {hits:?} {same:?}");
             let play = if shift == 0.0 { 1e-10 } else { 1e-6 };
-            assert!(hits.iter().zip(&same).all(|(x, y)| (x.t - y.t).abs() < play), "{scale} {shift} {k}");
+            assert!(hits.iter().zip(&same).all(|(x, y)| (x.at - y.at).abs() < play), "{scale} {shift} {k}");
         }
     }
 }
@@ -396,7 +396,7 @@ fn fourth_order_on_a_torus() {
             }
             let truth = torus_roots(&line);
             assert_eq!(hits.len(), truth.len(), "{n} {line:?}");
-            worst = hits.iter().zip(&truth).fold(worst, |worst, (hit, t)| worst.max((hit.t - t).abs()));
+            worst = hits.iter().zip(&truth).fold(worst, |worst, (hit, t)| worst.max((hit.at - t).abs()));
         }
         worst
     });
@@ -418,6 +418,6 @@ fn directions_whose_squares_vanish_or_overflow() {
     }
     for length in [1e-150, 1e150] {
         let hit = surface.line(&along(length), HitSelection::First).unwrap();
-        assert!(hit[0].t.is_finite() && hit[0].t > 0.0, "{hit:?}");
+        assert!(hit[0].at.is_finite() && hit[0].at > 0.0, "{hit:?}");
     }
 }

@@ -161,7 +161,7 @@ fn what_is_simple_is_on_the_line() {
             let direction = size * (random.next() * jet.u + random.next() * jet.v).normalize();
             let line = Line::new(jet.point - direction, direction);
             for hit in surface.line(&line, HitSelection::All).unwrap() {
-                assert!(hit.span[0] <= hit.t && hit.t <= hit.span[1], "{line:?} {hit:?}");
+                assert!(hit.span[0] <= hit.at && hit.at <= hit.span[1], "{line:?} {hit:?}");
                 let miss = (hit.point - line.origin).cross(direction.normalize()).length();
                 assert!(hit.tangent || miss <= 1.01 * surface.tolerance(), "{line:?} {hit:?}: {miss}");
             }

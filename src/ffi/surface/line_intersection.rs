@@ -95,7 +95,7 @@ fixed! { gusset_line: 64, gusset_surface_hit: 112 }
 impl From<&Hit> for gusset_surface_hit {
     fn from(hit: &Hit) -> Self {
         gusset_surface_hit {
-            t: hit.t,
+            t: hit.at,
             span: hit.span,
             place: hit.place.into(),
             point: hit.point.to_array(),
@@ -218,8 +218,8 @@ pub unsafe extern "C" fn gusset_surface_curve_hits_create(
         let (surface, curve) = (read(surface)?, view(curve, "curve")?);
         let found = surface.curve(&curve, choice(selection)?, job)?;
         let number = |place: Place| f64::from(place.segment) + place.t;
-        let hit = |&CurveHit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
-            (&Hit { t: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
+        let hit = |&Hit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
+            (&Hit { at: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
         };
         let places = |hit: &CurveHit| [hit.at, hit.span[0], hit.span[1]].map(gusset_place::from);
         let (hits, on_curve) = (alloc::collect(found.iter().map(hit))?, alloc::collect(found.iter().map(places))?);

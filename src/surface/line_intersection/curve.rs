@@ -6,7 +6,7 @@
 
 use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
-use super::line::{HitSelection, Line, MAX_COORDINATE};
+use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -14,30 +14,12 @@ use crate::geom::bernstein::elevate;
 use crate::job::Job;
 use crate::outline::{CurveView, Place as CurvePlace};
 use crate::par;
-use crate::surface::{Place, Surface, each_sheet};
+use crate::surface::{Surface, each_sheet};
 use glam::DVec3;
 use std::cmp::Ordering;
 
 /// A point that a curve and a surface have in common.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurveHit {
-    /// Where on the curve.
-    pub at: CurvePlace,
-    /// From where to where the curve cannot be told from the surface, within the tolerance: twice
-    /// the same where it passes through.
-    pub span: [CurvePlace; 2],
-    /// Where on the surface.
-    pub place: Place,
-    /// The point of the surface.
-    pub point: DVec3,
-    /// The unit normal there, or its limit at a pole; 0 if there is none.
-    pub normal: DVec3,
-    /// True if the curve touches the surface there, or nearly, or runs in it.
-    pub tangent: bool,
-    /// How often the hit counts: 1 where the curve passes through, 2 where it touches, 0 where it
-    /// runs in the surface.
-    pub multiplicity: u32,
-}
+pub type CurveHit = Hit<CurvePlace>;
 
 /// The highest degree of a segment.
 const MAX_SEGMENT_DEGREE: usize = 7;
@@ -120,13 +102,13 @@ impl Surface<'_> {
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
             let find = CurveFind {
-                at: k as f64 + hit.t,
+                at: k as f64 + hit.at,
                 span: hit.span.map(|t| k as f64 + t),
                 ends,
                 length: ends[0].distance(ends[1]),
                 place: hit.place,
                 point: hit.point,
-                gap: a.lerp(b, hit.t).distance(hit.point),
+                gap: a.lerp(b, hit.at).distance(hit.point),
                 tangent: hit.tangent,
                 runs_inside: false,
                 touches: hit.tangent && hit.span[0] == hit.span[1],
@@ -182,7 +164,7 @@ impl Surface<'_> {
         }
         alloc::collect(kept.iter().map(|find| {
             let span = if find.tangent { find.span } else { [find.at; 2] };
-            CurveHit {
+            Hit {
                 at: place(curve, find.at),
                 span: span.map(|at| place(curve, at)),
                 place: find.place,

@@ -55,7 +55,7 @@ impl Surface<'_> {
             // Duplicates follow each other along the line.
             let same = hits[..kept]
                 .iter()
-                .rposition(|other| (hit.t - other.t) * slack.length > slack.farthest())
+                .rposition(|other| (hit.at - other.at) * slack.length > slack.farthest())
                 .map_or(0, |last| last + 1);
             match (same..kept).rev().find(|&other| self.is_same(&hits[other], &hit, &slack)) {
                 Some(other) => others.push((other, hit)),
@@ -131,7 +131,7 @@ impl Surface<'_> {
                 && ((end - start) * length <= MAX_POINT_LENGTH * self.merge_distance()
                     || self.passes(nearest.place, along))
             {
-                Hit { span: [nearest.t; 2], multiplicity: 1, tangent: false, ..nearest }
+                Hit { span: [nearest.at; 2], multiplicity: 1, tangent: false, ..nearest }
             } else {
                 Hit { span: [start, end], ..nearest }
             };
@@ -144,7 +144,7 @@ impl Surface<'_> {
 
 /// By t, then by cells.
 fn in_order(a: &Hit, b: &Hit) -> Ordering {
-    a.t.total_cmp(&b.t).then_with(|| cell(a).cmp(&cell(b)))
+    a.at.total_cmp(&b.at).then_with(|| cell(a).cmp(&cell(b)))
 }
 
 fn cell(hit: &Hit) -> (u32, [u32; 2]) {

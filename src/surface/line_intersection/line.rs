@@ -57,14 +57,14 @@ impl Line {
     }
 }
 
-/// A point that a line and a surface have in common.
+/// A point that a line, or a curve, and a surface have in common. `T`: a place on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
+pub struct Hit<T = f64> {
     /// Where on the line.
-    pub t: f64,
-    /// From where to where the line cannot be told from the surface, within the tolerance: [t, t]
-    /// where it passes through.
-    pub span: [f64; 2],
+    pub at: T,
+    /// From where to where the line cannot be told from the surface, within the tolerance: twice
+    /// the same where it passes through.
+    pub span: [T; 2],
     /// Where on the surface.
     pub place: Place,
     /// The point of the surface.

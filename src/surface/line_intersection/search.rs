@@ -133,7 +133,7 @@ impl LineSearch<'_> {
             HitSelection::First => {
                 // Farther than what is one with the hit may be.
                 let extent = 4.0 * tolerance + 1e4 * slack;
-                hits.iter().map(|hit| ray.distance(hit.t) + extent).fold(farthest, f64::min)
+                hits.iter().map(|hit| ray.distance(hit.at) + extent).fold(farthest, f64::min)
             }
             _ => farthest,
         };
@@ -279,7 +279,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
         let tangent = span.is_some();
         let hit = Hit {
-            t,
+            at: t,
             // The nearest place may lie beyond, by the tolerance.
             span: span
                 .map_or([t; 2], |[low, high]| [low.min(t), high.max(t)].map(|t| t.clamp(ray.line.from, ray.line.to))),
