@@ -6,12 +6,8 @@
 
 use super::Patch;
 use super::subdivision::Field;
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::aabb::Aabb;
-use crate::job::Job;
-use crate::par;
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::ops::Range;
 
 /// Cells in u and in v of a block, the unit of the index.

@@ -1,7 +1,6 @@
 //! Checks of what callers give.
 
-use crate::error::{Element, Error, Result};
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::borrow::Borrow;
 
 /// A direction's unit vector.

@@ -7,11 +7,9 @@ use super::axis::{Axis, TAPS};
 use super::cells::Cells;
 use super::checks::finite_nodes;
 use super::{Scheme, Sheet, each_sheet};
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::bernstein::evaluate;
 use crate::outline::{Curve, CurveView};
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of
 /// fourth order.

@@ -7,11 +7,7 @@ use super::axis::{Axis, TAPS};
 use super::cells::{Cells, by_cell, by_row};
 use super::normal::angle;
 use super::{Sheet, each_sheet};
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
-use crate::par;
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::ops::Range;
 
 /// Cells whose normals a thread compares at a time.

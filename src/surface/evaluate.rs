@@ -3,11 +3,7 @@
 //! Curvatures follow from the two fundamental forms in an orthonormal basis of the tangent plane.
 
 use super::{Jet, Normal, NormalKind, Place, Sheet, Surface};
-use crate::alloc;
-use crate::error::{Element, Error, Result};
-use crate::job::Job;
-use crate::par;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// Places that a thread takes at a time.
 const PLACES_PER_TASK: usize = 1 << 10;

@@ -12,11 +12,8 @@ use super::nodes::{Nodes, Window};
 use super::subdivision::Field;
 use super::tangents::tangents;
 use super::{Patch, Scheme};
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
 use crate::geom::aabb::Aabb;
-use glam::{DVec2, DVec3};
+use crate::surface::prelude::*;
 use std::ops::Range;
 
 /// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round

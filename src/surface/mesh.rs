@@ -7,11 +7,8 @@
 
 use super::cells::Cells;
 use super::{Patch, Place, Sheet, each_sheet};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// How a sheet becomes a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -33,6 +33,7 @@ mod normal;
 mod patch;
 mod patches;
 mod path;
+mod prelude;
 mod ranges;
 pub mod reference;
 mod sheet;

@@ -2,11 +2,8 @@
 
 use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
-use crate::job::Job;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// A place on a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,7 @@
 
 use super::axis::TAPS;
 use super::checks::finite_nodes;
-use crate::error::{Error, Result};
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;
 

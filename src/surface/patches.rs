@@ -3,11 +3,9 @@
 use super::Patch;
 use super::cells::{BLOCK, Cells, cells_of_block};
 use super::checks::finite_points;
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::geom::bernstein::elevate;
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 

@@ -1,9 +1,7 @@
 //! Curves on a surface: the form of sections, contours and intersections.
 
 use super::Place;
-use crate::alloc;
-use crate::error::{Error, Result};
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::ops::Range;
 
 /// Polylines whose points lie on the surface, one after the other.

@@ -4,11 +4,10 @@
 //! Cubics by pieces, C1, whose slopes at a line are those of the polynomial through the five lines
 //! nearest to it, as in the grid's six-tap scheme, but for lines that are not evenly apart.
 
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::aabb::range;
 use crate::geom::bernstein::{blossom, elevate};
 use crate::surface::axis::TAPS;
+use crate::surface::prelude::*;
 
 /// Intervals that differ more than this among five lines: slopes are taken from three.
 const MAX_LENGTH_RATIO: f64 = 8.0;

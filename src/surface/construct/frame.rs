@@ -2,14 +2,11 @@
 
 use super::net::Gordon;
 use super::net_curve::{CurvePlace, NetCurve, degree};
-use crate::alloc;
 use crate::choice::choices;
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::outline::frame::{Frame, NodeGrid};
 use crate::outline::{Fit, Place};
+use crate::surface::prelude::*;
 use crate::surface::{Grid, Nodes, Scheme, Sheet};
-use glam::DVec3;
 
 /// The parts of a frame that the surface is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

@@ -1,14 +1,9 @@
 //! Nodes with given tangents.
 
-use crate::alloc;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
-use crate::job::Job;
 use crate::surface::axis::Axis;
 use crate::surface::checks::finite_points;
+use crate::surface::prelude::*;
 use crate::surface::{Nodes, Patch, Patches, Scheme, Sheet};
-use glam::DVec3;
 
 /// The mixed derivatives S_uv at nodes, which tangents leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

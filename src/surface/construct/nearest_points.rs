@@ -6,12 +6,10 @@
 //! halvings of pairs at most.
 
 use super::net_curve::{CurvePlace, NetCurve, restricted};
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::Aabb;
 use crate::geom::bernstein::evaluate_with_slope;
 use crate::surface::frontier::{BranchAndBound, Frontier};
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// Pairs of parts that are split for two curves: curves that run together would take them without
 /// end.

@@ -11,14 +11,11 @@
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
 use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::Aabb;
-use crate::job::Job;
 use crate::outline::CurveView;
 use crate::surface::axis::TAPS;
+use crate::surface::prelude::*;
 use crate::surface::{MAX_NODES, Patch, Patches, Sheet};
-use glam::DVec3;
 
 /// Breaks of different pieces that are nearer than this, of 1, are one.
 const SAME_BREAK: f64 = 1e-6;

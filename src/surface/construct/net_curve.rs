@@ -1,11 +1,9 @@
 //! A curve of a net: Bézier segments of one degree, cut where other curves meet it.
 
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::bernstein::{elevate, evaluate, restrict};
 use crate::outline::CurveView;
 use crate::surface::MAX_DEGREE;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// The least share of a whole that a segment is given of its parameter.
 const MIN_SEGMENT_SHARE: f64 = 1e-9;

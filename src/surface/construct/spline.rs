@@ -4,12 +4,9 @@
 //! blossom: the symmetric multiaffine function that gives the spline when all its arguments are
 //! equal. Point k of the span [a, b] takes p - k arguments a and k arguments b.
 
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::surface::checks::finite_points;
+use crate::surface::prelude::*;
 use crate::surface::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
-use glam::DVec3;
 
 /// One direction of a spline.
 #[derive(Debug, Clone, Copy, PartialEq)]

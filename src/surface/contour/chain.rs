@@ -5,12 +5,9 @@
 
 use super::lattice::Lattice;
 use super::search::{Arc, FoundArcs};
-use crate::alloc;
-use crate::error::Result;
-use crate::par;
 use crate::sort::Buckets;
 use crate::surface::Place;
-use glam::DVec2;
+use crate::surface::prelude::*;
 use std::collections::VecDeque;
 
 /// A curve of a sheet.

@@ -5,10 +5,8 @@
 //! angle is dropped. Cost: O(blocks visited).
 
 use super::source::between;
-use crate::alloc;
-use crate::error::Result;
 use crate::surface::index::Cones;
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::f64::consts::PI;
 
 /// By how much an angle may be off where a curve is still found within rounding, in radians: the

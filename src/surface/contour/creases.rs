@@ -4,12 +4,9 @@
 use super::cone_culling;
 use super::lattice::Lattice;
 use super::projected_normals::ProjectedNormals;
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::Cones;
-use glam::DVec2;
+use crate::surface::prelude::*;
 use std::f64::consts::PI;
 
 /// Cells and the middles of their sides at whose ends the angle is less than one of `angles` in one

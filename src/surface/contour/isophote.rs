@@ -15,16 +15,12 @@ use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
 use super::search::{ContourSearch, FoundArcs};
 use super::source::{CellBase, Continuity, Source, between};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
-use crate::par;
 use crate::surface::cells::Cells;
 use crate::surface::checks::{direction, rising};
+use crate::surface::prelude::*;
 use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
 use crate::surface::{NormalKind, Paths, Place, Sheet, Surface};
-use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::Range;
 

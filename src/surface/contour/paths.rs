@@ -5,12 +5,8 @@
 use super::chain::{ContourPath, ContourPaths, chain};
 use super::lattice::Lattice;
 use super::search::FoundArcs;
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
-use crate::par;
+use crate::surface::prelude::*;
 use crate::surface::{Paths, Place, Surface};
-use glam::{DVec2, DVec3};
 
 /// Places that are one thread's work.
 const CHUNK: usize = 1024;

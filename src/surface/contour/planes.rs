@@ -2,10 +2,8 @@
 //! of the planes' function over boxes.
 
 use super::source::between;
-use crate::alloc;
-use crate::error::Result;
 use crate::surface::index::Pyramid;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// Parallel planes.
 #[derive(Debug, Clone, Copy)]

@@ -3,9 +3,8 @@
 //!
 //! Cost: O(1) a point.
 
-use crate::error::{Error, Result};
+use crate::surface::prelude::*;
 use crate::surface::{Paths, Surface};
-use glam::DVec3;
 
 /// The points between those where a curve crosses the lines of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

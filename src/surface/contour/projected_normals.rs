@@ -5,14 +5,12 @@
 use super::lattice::Lattice;
 use super::normals::Hodographs;
 use super::source::Continuity;
-use crate::alloc;
-use crate::error::Result;
 use crate::surface::Surface;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::Pyramid;
+use crate::surface::prelude::*;
 use crate::surface::ranges::cross;
 use crate::surface::subdivision::{Roots, roots};
-use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// Normals of a sheet, seen along a direction.

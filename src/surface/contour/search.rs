@@ -10,14 +10,10 @@ use super::lattice::Lattice;
 use super::refine::{is_straight, middle, refine, stays_near};
 use super::side::{crossings, positive};
 use super::source::{CellBase, Continuity, CornerTest, Source};
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
-use crate::par;
 use crate::surface::Patch;
 use crate::surface::cells::Cells;
+use crate::surface::prelude::*;
 use crate::surface::subdivision::Field;
-use glam::{DVec2, DVec3};
 
 /// Blocks that are one thread's work.
 const CHUNK: usize = 16;

@@ -10,11 +10,10 @@ use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::search::ContourSearch;
 use super::source::{Nodal, Plane};
-use crate::error::{Element, Error, Result};
-use crate::job::Job;
 use crate::surface::axis::{Axis, Scheme};
 use crate::surface::cells::BLOCK;
 use crate::surface::checks::{direction, finite, rising};
+use crate::surface::prelude::*;
 use crate::surface::{Paths, Sheet, Surface, each_sheet};
 
 impl Surface<'_> {

@@ -11,12 +11,8 @@ use super::super::cells::{BLOCK, Cells};
 use super::super::normal::angle;
 use super::super::ranges::{angles, cross};
 use super::schedule::block_rows_per_task;
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::aabb::Aabb;
-use crate::job::Job;
-use crate::par;
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::f64::consts::PI;
 
 /// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is

@@ -4,12 +4,8 @@ use super::super::cells::{BLOCK, Cells};
 use super::boxes::{ChildBoxes, OrientedBox};
 use super::cones::Cones;
 use super::schedule::block_rows_per_task;
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::aabb::Aabb;
-use crate::job::Job;
-use crate::par;
-use glam::DVec3;
+use crate::surface::prelude::*;
 use std::sync::OnceLock;
 
 /// Levels that have oriented boxes, from the lowest on.

@@ -2,11 +2,8 @@
 
 use super::line::{Hit, HitSelection, Line};
 use super::search::Workspace;
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
-use crate::par;
 use crate::surface::Surface;
+use crate::surface::prelude::*;
 
 /// Lines that one thread takes at once.
 const BATCH: usize = 512;

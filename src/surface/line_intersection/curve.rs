@@ -8,14 +8,10 @@ use super::curve_search::{CurveFind, CurvePart, CurveSearch};
 use super::hits::MAX_POINT_LENGTH;
 use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::bernstein::elevate;
-use crate::job::Job;
 use crate::outline::{CurveView, Place as CurvePlace};
-use crate::par;
+use crate::surface::prelude::*;
 use crate::surface::{Surface, each_sheet};
-use glam::DVec3;
 use std::cmp::Ordering;
 
 /// A point that a curve and a surface have in common.

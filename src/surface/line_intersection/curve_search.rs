@@ -1,15 +1,13 @@
 //! The search of the index for a curved segment.
 
 use super::search::MAX_RELATIVE_ROUNDING;
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::aabb::Aabb;
 use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::Place;
 use crate::surface::cells::{Cells, cells_of_block};
 use crate::surface::index::Pyramid;
+use crate::surface::prelude::*;
 use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings};
-use glam::{DVec2, DVec3};
 
 /// A hit as one cell has it.
 #[derive(Debug, Clone, Copy)]

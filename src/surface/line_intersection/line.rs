@@ -1,9 +1,8 @@
 //! Lines, rays and segments, and the points that they have in common with surfaces.
 
-use crate::error::{Error, Result};
 use crate::surface::Place;
 use crate::surface::checks::finite;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// Coordinates of lines and curves beyond this are refused: their squares would overflow.
 pub(in crate::surface) const MAX_COORDINATE: f64 = 1e150;

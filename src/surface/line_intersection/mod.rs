@@ -20,15 +20,14 @@ mod line;
 mod search;
 mod winding;
 
+use crate::surface::prelude::*;
 pub use batch::Lines;
 pub use curve::CurveHit;
 pub(in crate::surface) use line::MAX_COORDINATE;
 pub use line::{Hit, HitSelection, Line};
 
 use super::{Sheet, Surface};
-use crate::error::{Error, Result};
 use crate::geom::aabb::range;
-use crate::job::Job;
 use crate::outline::ops::NearMisses;
 use crate::outline::{CurveView, Place as CurvePlace};
 use search::{LineSearch, Workspace};

@@ -1,15 +1,13 @@
 //! The search of the index for a line.
 
 use super::line::{Hit, HitSelection, Line};
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::aabb::range;
 use crate::geom::subdivision::UnresolvedCluster;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{Pyramid, Slab};
+use crate::surface::prelude::*;
 use crate::surface::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
 use crate::surface::{Patch, Place};
-use glam::{DVec2, DVec3};
 
 /// Memory for searches of patches of degree N - 1, used again and again.
 #[derive(Default)]

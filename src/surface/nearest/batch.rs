@@ -8,13 +8,9 @@
 use super::closest::Closest;
 use super::query::check_query;
 use super::search::NearestSearch;
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::Aabb;
-use crate::job::Job;
-use crate::par;
 use crate::surface::Surface;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// Queries that are sorted at once.
 const SORTED_QUERIES: usize = 1 << 16;

@@ -12,14 +12,11 @@ use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
 use super::search::cells_around;
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::disjoint_sets::DisjointSets;
-use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::frontier::{BranchAndBound, Frontier};
+use crate::surface::prelude::*;
 use crate::surface::{Place, Surface, each_sheet};
-use glam::{DVec2, DVec3};
 
 /// Places where the distance from a point is locally least.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -1,8 +1,7 @@
 //! The conditions that a query point and a distance must meet.
 
-use crate::error::{Element, Error, Result};
 use crate::surface::line_intersection::MAX_COORDINATE;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// [`Error::NotFinite`] with the number of a query point that has a coordinate that is NaN, or so
 /// great that its square would overflow.

@@ -7,15 +7,10 @@
 use super::block::blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
-use crate::alloc;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
-use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::index::Pyramid;
+use crate::surface::prelude::*;
 use crate::surface::{Patch, Surface, each_sheet};
-use glam::{DVec2, DVec3};
 
 /// Cells of a surface.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

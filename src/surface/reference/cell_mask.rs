@@ -2,8 +2,7 @@
 //! the object.
 
 use super::lattice::{Lattice, Span};
-use crate::alloc;
-use crate::error::{Error, Result};
+use crate::surface::prelude::*;
 
 /// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of
 /// word k / 64.

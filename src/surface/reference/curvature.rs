@@ -6,11 +6,9 @@
 //! the mean (S_u, S_v), less what the two are away from their means. Parameters are scaled so that
 //! the means are units.
 
-use crate::error::Result;
-use crate::job::Job;
 use crate::surface::cells::{Cells, by_cell};
+use crate::surface::prelude::*;
 use crate::surface::{Patch, Sheet, each_sheet};
-use glam::DVec3;
 
 /// Halvings of a cell before its surface is taken for not regular.
 const MAX_HALVINGS: u32 = 5;

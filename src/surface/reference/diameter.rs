@@ -13,12 +13,9 @@
 
 use super::lattice::Lattice;
 use super::sizes::{ROUNDING_FACTOR, Sizes};
-use crate::alloc;
-use crate::error::Result;
-use crate::job::Job;
 use crate::surface::cells::{Cells, by_cell};
+use crate::surface::prelude::*;
 use crate::surface::{Patch, Sheet, each_sheet};
-use glam::DVec3;
 
 /// Bounds of the diameters of all cells of a sheet.
 #[derive(Debug, Clone, PartialEq)]

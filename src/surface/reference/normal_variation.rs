@@ -12,13 +12,11 @@ use super::diameter::Diameters;
 use super::lattice::Lattice;
 use super::search::{SearchOptions, SearchOutcome, search};
 use super::sizes::Sizes;
-use crate::error::{Error, Result};
 use crate::geom::bernstein::binomial_row;
-use crate::job::Job;
 use crate::surface::cells::{Cells, by_cell};
 use crate::surface::normal::angle;
+use crate::surface::prelude::*;
 use crate::surface::{MAX_DEGREE, Patch, Sheet, each_sheet};
-use glam::DVec3;
 use std::f64::consts::PI;
 
 /// An upper bound of the rounding of angles.

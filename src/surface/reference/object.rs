@@ -3,11 +3,9 @@
 
 use super::diameter::Diameters;
 use super::search::{SearchOptions, SearchOutcome, search};
-use crate::error::{Error, Result};
-use crate::job::Job;
 use crate::surface::Sheet;
 use crate::surface::line_intersection::Line;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// A point, a plane or a line.
 #[derive(Debug, Clone, Copy, PartialEq)]

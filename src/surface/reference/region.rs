@@ -2,9 +2,7 @@
 
 use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
-use crate::alloc;
-use crate::error::{Element, Error, Result};
-use crate::job::Job;
+use crate::surface::prelude::*;
 
 /// Steps of chains from a cell; those that no chain reaches have none.
 const UNREACHED: u32 = u32::MAX;

@@ -7,8 +7,7 @@
 use super::cell_mask::CellMask;
 use super::lattice::{Lattice, Span};
 use super::sizes::{Sizes, Sum};
-use crate::error::{Error, Result};
-use crate::job::Job;
+use crate::surface::prelude::*;
 
 /// The goal of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]

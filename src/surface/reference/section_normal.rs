@@ -7,11 +7,10 @@
 //! points is.
 
 use super::lattice::Lattice;
-use crate::error::{Error, Result};
 use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::cells::Cells;
+use crate::surface::prelude::*;
 use crate::surface::{Sheet, each_sheet};
-use glam::DVec3;
 
 /// Lines that a section is drawn through.
 const LINES: usize = 4;

@@ -12,11 +12,10 @@
 //! Cost: O(N^3) a part, [`MAX_PARTS`] parts at most.
 
 use super::field::{Field, Slope};
-use crate::error::Result;
 use crate::geom::subdivision::{
     BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
 };
-use glam::DVec2;
+use crate::surface::prelude::*;
 
 /// Halvings of each parameter before a part is given up.
 const MAX_SUBDIVISION_DEPTH: u32 = 22;

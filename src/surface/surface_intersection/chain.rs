@@ -3,10 +3,8 @@
 //! Cost: O(n log n) for n arcs; ends and unresolved balls against each other up to [`MAX_TESTS`].
 
 use super::solve::{Arc, UnresolvedBall};
-use crate::alloc;
-use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
-use glam::DVec3;
+use crate::surface::prelude::*;
 
 /// Neighbours of a point that are compared: more of them can only be the same point again and
 /// again.

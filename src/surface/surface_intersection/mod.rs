@@ -22,14 +22,11 @@ mod pairs;
 mod refine;
 mod solve;
 
+use crate::surface::prelude::*;
 pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
 use super::{Paths, Place, Sheet, Surface, each_sheet};
-use crate::alloc;
-use crate::error::{Error, Result};
-use crate::job::Job;
-use crate::par;
 use chain::{Chain, chains};
 use chart::ParameterBox;
 use glam::{DVec3, DVec4};

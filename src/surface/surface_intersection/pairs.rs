@@ -5,14 +5,11 @@
 //! surface over their cells, so that no pair that meets is dropped. Cost: O(pairs of blocks that
 //! come near to each other).
 
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
-use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells, cells_of_block};
 use crate::surface::index::{OrientedBox, Pyramid};
+use crate::surface::prelude::*;
 use crate::surface::{Sheet, Surface, each_sheet};
-use glam::DVec3;
 
 /// A pair of cells of two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -10,8 +10,7 @@
 
 use super::arc::End;
 use super::equation::Equation;
-use crate::alloc;
-use crate::error::Result;
+use crate::surface::prelude::*;
 use glam::{DVec3, DVec4};
 
 /// Cuts of cuts at most.

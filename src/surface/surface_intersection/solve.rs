@@ -10,9 +10,8 @@ use super::arc::{ArcSearch, End};
 use super::chart::ParameterBox;
 use super::equation::Equation;
 use super::refine::ArcRefinement;
-use crate::alloc;
-use crate::error::{Error, Result};
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use crate::surface::prelude::*;
 use glam::{DVec3, DVec4};
 use std::borrow::Cow;
 
