@@ -274,11 +274,7 @@ pub unsafe extern "C" fn gusset_outline_get_section(
     measure: *mut gusset_section_report,
 ) -> gusset_status {
     answer(ptr::null(), (measure, "measure"), gusset_section_report::default(), |_| {
-        let fit = &input::reference(outline, "outline")?.0;
-        if index >= fit.len() {
-            return Err(Failure::no_such("outline", index));
-        }
-        let Measure { girth, area, centre } = Measure::of(fit.curve(index))?;
+        let Measure { girth, area, centre } = Measure::of(input::reference(outline, "outline")?.curve(index)?)?;
         Ok(gusset_section_report { girth, area, centre: centre.to_array() })
     })
 }

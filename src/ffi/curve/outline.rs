@@ -4,7 +4,9 @@ use crate::ffi::curve::gusset_curve;
 use crate::ffi::curve::outline_options::{gusset_outline_options, method};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::outline::{Constraint, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections};
+use crate::outline::{
+    Constraint, CurveView, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections,
+};
 use glam::DVec3;
 use libc::c_void;
 
@@ -58,6 +60,13 @@ pub struct gusset_outlines {
 
 /// The curves of outlines. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_outline(pub(crate) Fit);
+
+impl gusset_outline {
+    /// Its curve of that number.
+    pub(crate) fn curve(&self, index: usize) -> Result<CurveView<'_>, Failure> {
+        if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such("outline", index)) }
+    }
+}
 
 /// All curves in one. Pointers are valid until the outline is destroyed.
 ///
@@ -316,11 +325,7 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |_| {
-        let fit = &input::reference(outline, "outline")?.0;
-        if index >= fit.len() {
-            return Err(Failure::no_such("outline", index));
-        }
-        Ok(gusset_curve(fit.curve(index).to_owned()?))
+        Ok(gusset_curve(input::reference(outline, "outline")?.curve(index)?.to_owned()?))
     })
 }
 

@@ -109,10 +109,15 @@ fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
 
 c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
 
-fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, Failure> {
-    let scheme = choice(options.scheme)?;
-    let closed = [flag(options.closed_u, "closed_u")?, flag(options.closed_v, "closed_v")?];
-    Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, scheme)?)))
+/// A sheet through nodes, taken in either way.
+fn through(
+    nodes: *const gusset_nodes,
+    take: fn(&gusset_nodes) -> Result<Nodes<'static>, Failure>,
+) -> Result<gusset_sheet, Failure> {
+    let given = input::read(nodes, false, "nodes")?;
+    let nodes = take(&given)?;
+    let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+    Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, choice(given.scheme)?)?)))
 }
 
 /// Makes a surface through a copy of nodes.
@@ -136,10 +141,7 @@ pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
     nodes: *const gusset_nodes,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |_| {
-        let nodes = input::read(nodes, false, "nodes")?;
-        grid(copied_nodes(&nodes)?, &nodes)
-    })
+    create(context, sheet, "sheet", |_| through(nodes, copied_nodes))
 }
 
 /// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged
@@ -160,10 +162,7 @@ pub unsafe extern "C" fn gusset_sheet_borrow_create(
     nodes: *const gusset_nodes,
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, sheet, "sheet", |_| {
-        let nodes = input::read(nodes, false, "nodes")?;
-        grid(borrowed_nodes(&nodes)?, &nodes)
-    })
+    create(context, sheet, "sheet", |_| through(nodes, borrowed_nodes))
 }
 
 /// Frees a sheet; NULL is allowed.

@@ -106,24 +106,8 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
     Ok(())
 }
 
-/// The paths of one level, by lowest cell.
-fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
-    let (mut made, mut order) = (ContourPaths::default(), Vec::new());
-    follow(sheet, arcs, inner, &mut made, &mut order)?;
-    let mut by: Vec<usize> = (0..order.len()).collect();
-    by.sort_unstable_by_key(|&k| order[k]);
-    made.paths = by.into_iter().map(|k| made.paths[k]).collect();
-    Ok(made)
-}
-
-/// The paths of one level; `order` receives the lowest cell of each, and the key of its mark.
-fn follow(
-    sheet: u32,
-    arcs: &[Arc],
-    inner: &[DVec2],
-    made: &mut ContourPaths,
-    order: &mut Vec<([u32; 2], u64)>,
-) -> Result<()> {
+/// The arc that follows each, or [`NONE`], and whether one comes before it.
+fn successors(arcs: &[Arc]) -> Result<(Vec<u32>, Vec<bool>)> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
@@ -133,8 +117,14 @@ fn follow(
             entered[after] = true;
         }
     }
+    Ok((next, entered))
+}
+
+/// The paths of one level, by the lowest cell of each and the key of its mark.
+fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
+    let (next, entered) = successors(arcs)?;
     let count = arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>();
-    alloc::reserve(&mut made.places, count)?;
+    let (mut paths, mut places) = (Vec::new(), alloc::with_capacity(count)?);
     let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
     let mut used = alloc::filled(false, arcs.len())?;
     // Open ones from their beginnings, then closed ones.
@@ -155,27 +145,27 @@ fn follow(
             last = next[last] as usize;
         }
         let closed = next[last] != NONE;
-        let first = made.places.len();
+        let first = places.len();
         let mut at = if closed { min } else { head };
         loop {
             let arc = &arcs[at];
             let place = |&at: &DVec2| Place { sheet, cell: arc.cell, u: at.x, v: at.y };
             let [from, to] = arc.inner.map(|k| k as usize);
-            alloc::push(&mut made.places, place(&arc.ends[0]))?;
-            alloc::extend(&mut made.places, inner[from..to].iter().map(place))?;
+            alloc::push(&mut places, place(&arc.ends[0]))?;
+            alloc::extend(&mut places, inner[from..to].iter().map(place))?;
             if arc.jumps || next[at] == NONE {
-                alloc::push(&mut made.places, place(&arc.ends[1]))?;
+                alloc::push(&mut places, place(&arc.ends[1]))?;
             }
             if next[at] == NONE || (closed && next[at] as usize == min) {
                 break;
             }
             at = next[at] as usize;
         }
-        let path = ContourPath { level: arcs[head].level, closed, range: [first, made.places.len()] };
-        alloc::push(&mut made.paths, path)?;
-        alloc::push(order, lowest(min))?;
+        let path = ContourPath { level: arcs[head].level, closed, range: [first, places.len()] };
+        alloc::push(&mut paths, (lowest(min), path))?;
     }
-    Ok(())
+    paths.sort_unstable_by_key(|&(lowest, _)| lowest);
+    Ok(ContourPaths { paths: alloc::collect(paths.into_iter().map(|(_, path)| path))?, places })
 }
 
 /// An end of an arc on a side between cells whose fields may jump.

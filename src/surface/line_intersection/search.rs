@@ -4,7 +4,7 @@ use super::line::{Hit, HitSelection, Line};
 use crate::geom::aabb::range;
 use crate::geom::subdivision::UnresolvedCluster;
 use crate::surface::cells::{BLOCK, Cells};
-use crate::surface::index::{Pyramid, Slab};
+use crate::surface::index::{OrientedBox, Pyramid, Slab};
 use crate::surface::prelude::*;
 use crate::surface::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
 use crate::surface::{Patch, Place};
@@ -125,17 +125,7 @@ impl LineSearch<'_> {
         let mut stack = [Entry::default(); MAX_STACK];
         let mut count = 1;
         stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
-        // Where what is beyond does not matter.
-        let mut farthest = to;
-        let first = |farthest: f64, hits: &[Hit]| match selection {
-            HitSelection::First => {
-                // Farther than what is one with the hit may be.
-                let extent = 4.0 * tolerance + 1e4 * slack;
-                hits.iter().map(|hit| ray.distance(hit.at) + extent).fold(farthest, f64::min)
-            }
-            _ => farthest,
-        };
-        farthest = first(farthest, hits);
+        let mut farthest = self.farthest(&ray, to, hits);
         while count > 0 {
             count -= 1;
             let Entry { enters, level, row, column } = stack[count];
@@ -150,7 +140,7 @@ impl LineSearch<'_> {
                     if selection == HitSelection::Any {
                         return Ok(());
                     }
-                    farthest = first(farthest, &hits[known..]);
+                    farthest = self.farthest(&ray, farthest, &hits[known..]);
                 }
                 continue;
             }
@@ -159,10 +149,8 @@ impl LineSearch<'_> {
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                let oriented = |row, column| level_below.oriented(row, column);
-                if near[child] > far[child]
-                    || oriented(row, column).is_some_and(|oriented| !oriented.meets_line(ray.local, ray.along))
-                {
+                let misses = |oriented: &OrientedBox| !oriented.meets_line(ray.local, ray.along);
+                if near[child] > far[child] || level_below.oriented(row, column).is_some_and(misses) {
                     continue;
                 }
                 // Sorted as they come: the nearest is taken first, being last.
@@ -176,6 +164,16 @@ impl LineSearch<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Where along the ray what is beyond does not matter, given some hits: farther than what is one
+    /// with the first of them may be.
+    fn farthest(&self, ray: &Ray, known: f64, hits: &[Hit]) -> f64 {
+        if self.selection != HitSelection::First {
+            return known;
+        }
+        let extent = 4.0 * self.tolerance + 1e4 * ray.rounding_error;
+        hits.iter().map(|hit| ray.distance(hit.at) + extent).fold(known, f64::min)
     }
 }
 
