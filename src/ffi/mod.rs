@@ -33,7 +33,10 @@ mod prelude {
     pub(crate) use super::input::{self, Choice, choice, fill, flag, lent};
     pub(crate) use super::status::{Failure, gusset_status};
     pub(crate) use crate::alloc;
-    pub(crate) use crate::error::Error;
+    pub(crate) use crate::error::{Element, Error};
+    pub(crate) use crate::job::Job;
+    pub(crate) use glam::DVec3;
+    pub(crate) use libc::c_void;
     pub(crate) use std::ptr;
 }
 

@@ -6,7 +6,6 @@
 
 use super::Patch;
 use super::subdivision::Field;
-use crate::geom::aabb::Aabb;
 use crate::surface::prelude::*;
 use std::ops::Range;
 

@@ -12,7 +12,6 @@ use super::nodes::{Nodes, Window};
 use super::subdivision::Field;
 use super::tangents::tangents;
 use super::{Patch, Scheme};
-use crate::geom::aabb::Aabb;
 use crate::surface::prelude::*;
 use std::ops::Range;
 

@@ -2,7 +2,6 @@
 
 use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
-use crate::geom::aabb::Aabb;
 use crate::surface::prelude::*;
 
 /// A place on a surface.

@@ -3,7 +3,6 @@
 use super::Patch;
 use super::cells::{BLOCK, Cells, cells_of_block};
 use super::checks::finite_points;
-use crate::geom::aabb::Aabb;
 use crate::geom::bernstein::elevate;
 use crate::surface::prelude::*;
 use std::ops::Range;

@@ -2,7 +2,6 @@
 
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
 use crate::ffi::prelude::*;
-use crate::job::Job;
 use crate::outline::ops::OffsetOptions;
 
 /// How an offset is fitted.

@@ -2,8 +2,6 @@
 
 use crate::ffi::curve::{gusset_curve, view};
 use crate::ffi::prelude::*;
-use crate::job::Job;
-use glam::DVec3;
 use libc::c_char;
 
 /// A curve in another form. Opaque and immutable; it keeps nothing of the curve.

@@ -6,7 +6,6 @@ use crate::ffi::mesh::{self, gusset_indices};
 use crate::ffi::prelude::*;
 use crate::outline::Options;
 use crate::outline::frame::{Correspondence, Frame, FrameOptions, Measure, NodeGrid, frame, slice};
-use glam::DVec3;
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;

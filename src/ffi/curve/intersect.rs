@@ -3,10 +3,8 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::job::Job;
 use crate::outline::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing};
 use crate::outline::{CurveView, Place};
-use glam::DVec3;
 
 /// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
 #[derive(Default)]

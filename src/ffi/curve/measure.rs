@@ -2,9 +2,7 @@
 
 use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
 use crate::ffi::prelude::*;
-use crate::job::Job;
 use crate::outline::{CurveView, Place};
-use glam::DVec3;
 
 /// The nearest point of a curve.
 #[repr(C)]
@@ -47,8 +45,8 @@ fn at_places(
 }
 
 /// Writes points as x, y, z to the caller's buffer.
-fn write_points(points: &[DVec3], out: *mut f64) -> Result<(), Failure> {
-    write(points, input::results(out, times(points.len(), 3, "results")?, "out")?);
+fn write_points(points: &[DVec3], out: *mut f64, name: &'static str) -> Result<(), Failure> {
+    write(points, input::results(out, times(points.len(), 3, "results")?, name)?);
     Ok(())
 }
 
@@ -76,7 +74,7 @@ pub unsafe extern "C" fn gusset_curve_derivatives(
     out: *mut f64,
 ) -> gusset_status {
     at_places(context, curve, (places, count), |curve, places| {
-        write_points(&curve.derivatives_at(places, order as usize)?, out)
+        write_points(&curve.derivatives_at(places, order as usize)?, out, "out")
     })
 }
 
@@ -98,7 +96,7 @@ pub unsafe extern "C" fn gusset_curve_tangents(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places| write_points(&curve.tangents_at(places)?, out))
+    at_places(context, curve, (places, count), |curve, places| write_points(&curve.tangents_at(places)?, out, "out"))
 }
 
 /// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns
@@ -249,10 +247,8 @@ pub unsafe extern "C" fn gusset_curve_bounds(
     bounds: *mut f64,
 ) -> gusset_status {
     guard(context, |_| {
-        let out = input::results(bounds, 6, "bounds")?;
         let found = view(curve, "curve")?.bounding_box()?;
-        write(&[found.low, found.high], out);
-        Ok(())
+        write_points(&[found.low, found.high], bounds, "bounds")
     })
 }
 
@@ -271,11 +267,7 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
     curve: *const gusset_curve,
     area: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        let out = input::results(area, 3, "area")?;
-        write(&[view(curve, "curve")?.area_vector()], out);
-        Ok(())
-    })
+    guard(context, |_| write_points(&[view(curve, "curve")?.area_vector()], area, "area"))
 }
 
 /// Area, centroid and second moments of what a plane curve encloses.

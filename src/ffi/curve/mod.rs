@@ -11,8 +11,6 @@ pub mod outline_options;
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
 use crate::outline::{Curve, CurveView, Place, Points};
-use glam::DVec3;
-use libc::c_void;
 
 /// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
 /// from many threads.

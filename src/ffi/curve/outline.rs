@@ -7,8 +7,6 @@ use crate::ffi::prelude::*;
 use crate::outline::{
     Constraint, CurveView, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections,
 };
-use glam::DVec3;
-use libc::c_void;
 
 /// The curve passes the point in the direction of the tangent, of any length but 0.
 pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;

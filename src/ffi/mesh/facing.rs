@@ -7,7 +7,6 @@ use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
-use glam::DVec3;
 
 /// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
 /// points.

@@ -14,9 +14,7 @@ pub mod winged;
 
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
-use crate::job::Job;
 use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions, Scalar};
-use libc::c_void;
 
 /// Coordinates are 32-bit floats.
 pub const GUSSET_F32: u32 = 1;

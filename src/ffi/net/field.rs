@@ -4,8 +4,7 @@ use crate::ffi::net::transform::{gusset_axis, matrix, vector};
 use crate::ffi::net::{edit, gusset_net};
 use crate::ffi::prelude::*;
 use crate::net::field::*;
-use glam::DVec3;
-use libc::{c_int, c_void};
+use libc::c_int;
 
 /// What a field does, and what its values are. An axis and those that follow it: y and z after x, z
 /// and x after y, x and y after z.

@@ -1,6 +1,5 @@
 //! C interface: joining nets, and splitting them again.
 
-use crate::error::Element;
 use crate::ffi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
 use crate::ffi::net::{edit, gusset_net, read};
 use crate::ffi::prelude::*;

@@ -4,11 +4,9 @@ use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
 use crate::geom::strided::Strided;
-use crate::job::Job;
 use crate::mesh::{NONE, Scalar};
 use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights};
 use crate::net::{Coordinates, Net, Planes, Real, Shape};
-use libc::c_void;
 use std::sync::Arc;
 
 /// What the faces of the mesh of a net are.

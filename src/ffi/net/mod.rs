@@ -24,7 +24,6 @@ use crate::ffi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OV
 use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
-use libc::c_void;
 
 pub use net_handle::gusset_net;
 pub(crate) use net_handle::{edit, read, reglue};

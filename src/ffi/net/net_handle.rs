@@ -1,7 +1,6 @@
 //! The handle of a net.
 
 use crate::ffi::prelude::*;
-use crate::job::Job;
 use crate::net::{Net, Topology};
 use std::sync::Arc;
 

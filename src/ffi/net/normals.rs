@@ -6,7 +6,6 @@ use crate::ffi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ER
 use crate::mesh::Scalar;
 use crate::net::normals::normals_into;
 use crate::net::{Coordinates, Net, Planes, Real, each};
-use libc::c_void;
 
 /// The caller's buffers as matrices of the net's size.
 fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {

@@ -4,7 +4,6 @@ use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
 use crate::net::MAX_NODES;
 use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
-use libc::c_void;
 
 /// How a stream stores coordinates.
 pub type gusset_stream_mode = u32;

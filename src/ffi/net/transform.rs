@@ -3,7 +3,6 @@
 use crate::ffi::net::{edit, gusset_net};
 use crate::ffi::prelude::*;
 use crate::net::transform::{Affine, Axis, Sense, transform};
-use glam::DVec3;
 
 /// An axis of coordinates: 0 is x, 1 is y, 2 is z.
 pub type gusset_axis = u32;

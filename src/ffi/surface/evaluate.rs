@@ -1,6 +1,5 @@
 //! C interface: points, normals and curvatures at places of a surface.
 
-use crate::error::Element;
 use crate::ffi::curve::times;
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};

@@ -5,7 +5,6 @@ use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::outline::Place;
 use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line};
-use glam::DVec3;
 
 /// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
 #[repr(C)]

@@ -18,7 +18,6 @@ use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
 use crate::ffi::surface::sheet::gusset_sheet;
 use crate::surface::{Paths, Place, Sheet, Surface};
-use glam::DVec3;
 
 /// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
 /// functions may use it from any thread, and many at the same time, each with a context of its own;

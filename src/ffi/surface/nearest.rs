@@ -5,7 +5,6 @@ use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::geom::strided::Strided;
 use crate::surface::{Closest, Minima, Region};
-use glam::DVec3;
 
 /// gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers
 /// are 0 and the distance is infinite.

@@ -1,12 +1,10 @@
 //! C interface: the paper's search: diameters of cells, cell regions, the logical scale, the normal
 //! by two sections. It is the documented reference; to ask questions, use the index of a surface.
 
-use crate::error::Element;
 use crate::ffi::prelude::*;
 use crate::ffi::surface::evaluate::surface_places;
 use crate::ffi::surface::gusset_surface_place;
 use crate::ffi::surface::sheet::gusset_sheet;
-use crate::job::Job;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
     AngleTarget, CellMask, Diameters, Goal, Lattice, Object, SearchOptions, SearchOutcome, Sum, angle_incidence, chain,
@@ -14,7 +12,6 @@ use crate::surface::reference::{
     normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
-use glam::DVec3;
 
 /// What distances are measured from, or angles.
 pub type gusset_reference_object = u32;

@@ -5,7 +5,6 @@ use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
 use crate::geom::strided::Strided;
 use crate::mesh::Scalar;
 use crate::surface::{Grid, MAX_NODES, Nodes, Scheme, Sheet};
-use libc::c_void;
 
 /// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
 /// functions may use it from any thread, and many at the same time, each with a context of its own;

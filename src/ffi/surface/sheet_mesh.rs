@@ -6,7 +6,6 @@ use crate::ffi::surface::gusset_surface_place;
 use crate::ffi::surface::sheet::gusset_sheet;
 use crate::mesh::Mesh;
 use crate::surface::SurfaceMeshOptions;
-use glam::DVec3;
 
 /// The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
 pub struct gusset_sheet_mesh {

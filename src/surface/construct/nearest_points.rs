@@ -6,7 +6,6 @@
 //! halvings of pairs at most.
 
 use super::net_curve::{CurvePlace, NetCurve, restricted};
-use crate::geom::Aabb;
 use crate::geom::bernstein::evaluate_with_slope;
 use crate::surface::frontier::{BranchAndBound, Frontier};
 use crate::surface::prelude::*;

@@ -11,7 +11,6 @@
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
 use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
-use crate::geom::Aabb;
 use crate::outline::CurveView;
 use crate::surface::axis::TAPS;
 use crate::surface::prelude::*;

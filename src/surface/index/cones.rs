@@ -11,7 +11,6 @@ use super::super::cells::{BLOCK, Cells};
 use super::super::normal::angle;
 use super::super::ranges::{angles, cross};
 use super::schedule::block_rows_per_task;
-use crate::geom::aabb::Aabb;
 use crate::surface::prelude::*;
 use std::f64::consts::PI;
 

@@ -4,7 +4,6 @@ use super::super::cells::{BLOCK, Cells};
 use super::boxes::{ChildBoxes, OrientedBox};
 use super::cones::Cones;
 use super::schedule::block_rows_per_task;
-use crate::geom::aabb::Aabb;
 use crate::surface::prelude::*;
 use std::sync::OnceLock;
 

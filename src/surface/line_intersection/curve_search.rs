@@ -1,7 +1,6 @@
 //! The search of the index for a curved segment.
 
 use super::search::MAX_RELATIVE_ROUNDING;
-use crate::geom::aabb::Aabb;
 use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::Place;
 use crate::surface::cells::{Cells, cells_of_block};

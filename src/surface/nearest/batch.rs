@@ -8,7 +8,6 @@
 use super::closest::Closest;
 use super::query::check_query;
 use super::search::NearestSearch;
-use crate::geom::Aabb;
 use crate::surface::Surface;
 use crate::surface::prelude::*;
 

@@ -67,8 +67,8 @@ pub(crate) fn roots<const N: usize>(
     cluster(&found.boxes, &mut found.unresolved)
 }
 
-/// Finds the common roots of two fields if all can be resolved with little work; else returns false,
-/// and what was found is of no use.
+/// Finds the common roots of two fields if all can be resolved with little work; else returns
+/// false, and what was found is of no use.
 pub(crate) fn simple_roots<const N: usize>(
     fields: [Field<N>; 2],
     rounding_error: f64,

@@ -5,7 +5,6 @@
 //! surface over their cells, so that no pair that meets is dropped. Cost: O(pairs of blocks that
 //! come near to each other).
 
-use crate::geom::aabb::Aabb;
 use crate::surface::cells::{BLOCK, Cells, cells_of_block};
 use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::prelude::*;
