@@ -2,7 +2,6 @@
 
 use crate::ffi::net::net_handle::{gusset_net, read, reglue};
 use crate::ffi::prelude::*;
-use crate::job::Job;
 use crate::net::topology::{Links, Run};
 use crate::net::{Matrix, Seam, Shape, Sides, Topology};
 

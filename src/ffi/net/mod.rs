@@ -21,7 +21,6 @@ pub mod validate;
 use crate::ffi::net::gluing::{gusset_net_gluing, topology};
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
-use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 
