@@ -177,12 +177,10 @@ fn with_stars(topology: &Topology, links: &[u32]) -> Result<Vec<Contracted>> {
         return Ok(Vec::new());
     }
     let classes = Classes::of(&absorb(topology, links.iter().copied())?)?;
-    let mut contracted = alloc::with_capacity(links.len())?;
-    contracted.extend(links.iter().filter_map(|&link| {
+    alloc::gather(links.iter().filter_map(|&link| {
         let (i, j) = topology.shape().place(link / 2);
         classify_node(&classes, i, j, true).map(|star| Contracted { link, star })
-    }));
-    Ok(contracted)
+    }))
 }
 
 /// Twice the area vector of cell (i, j).

@@ -25,9 +25,7 @@ pub(super) fn coincident_links<T: Real>(
     let shape = planes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     for i in 0..h {
-        if i % 64 == 0 {
-            job.step(i as f64 / h as f64, "coincidence")?;
-        }
+        job.step_every(64, i, h, "coincidence")?;
         let row = planes.row(i);
         let node = |k: usize| DVec3::new(row[0][k].into(), row[1][k].into(), row[2][k].into());
         if may_coincide(row.map(|axis| &axis[..w - 1]), row.map(|axis| &axis[1..]), tolerance) {

@@ -12,6 +12,7 @@ use super::{Classes, Coordinates, Shape, each};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::sort::sort_distinct;
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -90,9 +91,8 @@ impl Rim<'_> {
         let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class(classes, k), k)))?;
         nodes.sort_unstable();
         nodes.dedup_by_key(|node| node.0);
-        let mut sorted: Vec<(Cell, usize)> = alloc::with_capacity(nodes.len())?;
         let finite = nodes.iter().filter(|node| self.place(node.1).is_finite());
-        sorted.extend(finite.map(|&(_, k)| (self.cell(k), k)));
+        let mut sorted: Vec<(Cell, usize)> = alloc::gather(finite.map(|&(_, k)| (self.cell(k), k)))?;
         sorted.sort_unstable_by(|a, b| by_cell(&a.0, &b.0).then(a.1.cmp(&b.1)));
         // Nodes within the tolerance lie in the same cell or in one next to it; cells along z are
         // consecutive.
@@ -133,10 +133,8 @@ impl Rim<'_> {
         let mut seams = Vec::new();
         for reversed in [true, false] {
             let line = |k: usize, l: usize| if reversed { (k + l) % n } else { (l + n - k) % n };
-            let mut sorted = alloc::with_capacity(2 * pairs.len())?;
-            sorted.extend(pairs.iter().flat_map(|&[k, l]| [(line(k, l), k), (line(l, k), l)]));
-            sorted.sort_unstable();
-            sorted.dedup();
+            let mut sorted = alloc::gather(pairs.iter().flat_map(|&[k, l]| [(line(k, l), k), (line(l, k), l)]))?;
+            sort_distinct(&mut sorted);
             for line in sorted.chunk_by(|a, b| a.0 == b.0) {
                 let pairing = Pairing { line: line[0].0, reversed, n };
                 for (start, count) in cyclic_runs(line, n) {

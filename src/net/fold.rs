@@ -109,10 +109,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
         let mut sets = ParitySets::new(count)?;
         let mut folded = Vec::new();
-        let step = |cell: u32, from: f64| match cell as usize % BLOCK {
-            0 => job.step(from + 0.4 * f64::from(cell) / count as f64, STAGE),
-            _ => Ok(()),
-        };
+        let step = |cell: u32, from: f64| job.part(from, from + 0.4).step_every(BLOCK, cell as usize, count, STAGE);
         for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
             let [a, b] = pair.0;
             step(a, 0.0)?;
@@ -138,11 +135,10 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             let (component, sign) = side(cell);
             balance[component] += i32::from(sign);
         }
-        let mut signs = alloc::with_capacity(count)?;
-        signs.extend((0..count as u32).map(|cell| {
+        let mut signs = alloc::collect((0..count as u32).map(|cell| {
             let (component, sign) = side(cell);
             if balance[component] < 0 { -sign } else { sign }
-        }));
+        }))?;
         at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
         for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {
             step(cell, 0.6)?;

@@ -11,6 +11,7 @@ use super::{Bridge, Direction, Net, Planes, Real, Shape, Topology, each};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use std::ops::Add;
 
 /// The rows, or columns, that are replicated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -151,18 +152,17 @@ pub(crate) fn starts(
     option: &'static str,
 ) -> Result<Vec<u32>> {
     let old = axis.extent(topology.shape()).0;
-    let Some(copies) = count.checked_sub(old) else {
-        return Err(Error::OptionOutOfRange { option, value: count as f64 });
-    };
+    Error::require(count >= old, option, count as f64)?;
+    let copies = count - old;
     let mut times: Vec<u32> = alloc::filled(1, old)?;
     let poles = [0, old - 1].map(|i| topology.is_point(axis, i));
     match (replication, poles) {
         (Replication::First, _) => times[0] += copies as u32,
         (Replication::Last, _) => times[old - 1] += copies as u32,
-        (Replication::At(i), _) => match times.get_mut(i as usize) {
-            Some(times) => *times += copies as u32,
-            None => return Err(Error::OptionOutOfRange { option: "replicated index", value: f64::from(i) }),
-        },
+        (Replication::At(i), _) => {
+            Error::require((i as usize) < old, "replicated index", i.into())?;
+            times[i as usize] += copies as u32;
+        }
         (Replication::AtPoles, [true, _] | [_, true]) => {
             let last = match poles {
                 [true, true] => copies / 2,
@@ -177,30 +177,26 @@ pub(crate) fn starts(
             times.iter_mut().enumerate().for_each(|(i, times)| *times += share(i + 1) - share(i));
         }
     }
-    let mut starts = alloc::with_capacity(old + 1)?;
-    starts.push(0);
-    let mut sum = 0;
-    starts.extend(times.iter().map(|times| {
-        sum += times;
-        sum
-    }));
-    Ok(starts)
+    sums(times.into_iter())
+}
+
+/// 0, and the sums of the first numbers of a list.
+pub(crate) fn sums<T: Copy + Default + Add<Output = T>>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
+    let mut sums = alloc::filled(T::default(), items.len() + 1)?;
+    for (k, item) in items.enumerate() {
+        sums[k + 1] = sums[k] + item;
+    }
+    Ok(sums)
 }
 
 /// The old index of each new row.
 fn old_indices(starts: &[u32]) -> Result<Vec<u32>> {
-    let mut old_indices = alloc::with_capacity(starts.last().map_or(0, |&n| n as usize))?;
-    for (i, ends) in (0..).zip(starts.windows(2)) {
-        old_indices.extend((ends[0]..ends[1]).map(|_| i));
-    }
-    Ok(old_indices)
+    alloc::gather((0..).zip(starts.windows(2)).flat_map(|(i, ends)| (ends[0]..ends[1]).map(move |_| i)))
 }
 
 /// The new rows that are copies of the one before.
 pub(crate) fn copies(starts: &[u32]) -> Result<Vec<u32>> {
-    let mut copies = Vec::new();
-    starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]).try_for_each(|i| alloc::push(&mut copies, i))?;
-    Ok(copies)
+    alloc::gather(starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]))
 }
 
 /// The starts of rows among `count`, given which are copies.
@@ -212,14 +208,8 @@ pub(crate) fn starts_of_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>>
 
 /// The numbers of 0..count that are not in a list in order.
 fn complement(count: usize, removed: &[u32]) -> Result<Vec<u32>> {
-    let mut kept = alloc::with_capacity(count - removed.len().min(count))?;
     let mut removed = removed.iter().peekable();
-    for i in 0..count as u32 {
-        if removed.next_if_eq(&&i).is_none() {
-            alloc::push(&mut kept, i)?;
-        }
-    }
-    Ok(kept)
+    alloc::gather((0..count as u32).filter(|i| removed.next_if_eq(&i).is_none()))
 }
 
 impl Topology {

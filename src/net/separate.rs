@@ -34,13 +34,11 @@ impl Net<'_> {
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
         Error::require(separation.is_finite() && separation >= 0.0, "separation", separation)?;
         let topology = self.topology().unglued(gluings)?;
-        let moves = if separation > 0.0 {
+        let mut moves = Vec::new();
+        if separation > 0.0 {
             let (before, after) = (Classes::of(self.topology())?, Classes::of(&topology)?);
-            let components = SplitVertices::new(&before, &after)?;
-            components.moves(self, &before, separation / 2.0)?
-        } else {
-            Vec::new()
-        };
+            moves = SplitVertices::new(&before, &after)?.moves(self, &before, separation / 2.0)?;
+        }
         let shape = self.shape();
         for (component, position) in &moves {
             for &node in component {
@@ -63,14 +61,13 @@ struct SplitVertices {
 
 impl SplitVertices {
     fn new(before: &Classes, after: &Classes) -> Result<Self> {
+        let component = |node: u32| after.representative(node);
         let (mut nodes, mut split) = (Vec::new(), Vec::new());
         for class in before.groups()?.iter() {
-            if class.iter().all(|&node| after.representative(node) == after.representative(class[0])) {
-                continue;
+            if class.iter().any(|&node| component(node) != component(class[0])) {
+                alloc::extend(&mut nodes, class.iter().map(|&node| [class[0], component(node), node]))?;
+                alloc::append(&mut split, class)?;
             }
-            alloc::reserve(&mut nodes, class.len())?;
-            nodes.extend(class.iter().map(|&node| [class[0], after.representative(node), node]));
-            alloc::append(&mut split, class)?;
         }
         nodes.sort_unstable();
         split.sort_unstable();

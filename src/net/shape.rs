@@ -31,9 +31,7 @@ impl Shape {
             return Err(Error::NetTooSmall { rows: h, columns: w });
         }
         let count = h.saturating_mul(w);
-        if count > MAX_NODES {
-            return Err(Error::TooLarge { what: "nodes", count, limit: MAX_NODES });
-        }
+        Error::check_count("nodes", count, MAX_NODES)?;
         Ok(Shape { rows: h as u32, columns: w as u32 })
     }
 

@@ -8,6 +8,7 @@ use super::{Classes, Net, Shape, Topology, each};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::sort::sort_distinct;
 
 /// The kind of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -60,12 +61,13 @@ impl Net<'_> {
         let (topology, shape) = (self.topology(), self.shape());
         let classes = Classes::of(topology)?;
         let mut findings = Vec::new();
-        let mut add = |kind, element, nodes: [u32; 2]| {
-            let [a, b] = nodes.map(|node| self.position(node));
+        let ends = |nodes: [u32; 2]| nodes.map(|node| self.position(node));
+        let mut add = |kind, element, nodes| {
+            let [a, b] = ends(nodes);
             alloc::push(&mut findings, Finding { kind, nodes, element, distance: (b - a).length() })
         };
-        let apart = |nodes: [u32; 2]| {
-            let [a, b] = nodes.map(|node| self.position(node));
+        let apart = |nodes| {
+            let [a, b] = ends(nodes);
             !coincide(a, b, tolerance) && (a.is_finite() || b.is_finite())
         };
         for link in topology.contracted().filter(|&link| apart(shape.ends(link))) {
@@ -99,8 +101,7 @@ fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
         let is_loop = |&link: &u32| shape.is_inner(link) && !topology.contracts(link) && classes.contracts(link);
         star_links(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
     })?;
-    loops.sort_unstable();
-    loops.dedup();
+    sort_distinct(&mut loops);
     Ok(loops)
 }
 

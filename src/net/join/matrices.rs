@@ -4,6 +4,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::net::arrange::build_planes;
+use crate::net::reformat::sums;
 use crate::net::{Coordinates, Direction, Net, Planes, Real, Shape};
 use std::ops::Range;
 
@@ -57,14 +58,7 @@ fn side_by_side<T: Real>(
 
 /// Where each net starts in a direction; one entry more than there are nets.
 pub(crate) fn starts(shapes: impl ExactSizeIterator<Item = Shape>, direction: Direction) -> Result<Vec<usize>> {
-    let mut starts = alloc::with_capacity(shapes.len() + 1)?;
-    let mut end = 0;
-    starts.push(end);
-    starts.extend(shapes.map(|shape| {
-        end += direction.extent(shape).0;
-        end
-    }));
-    Ok(starts)
+    sums(shapes.map(|shape| direction.extent(shape).0))
 }
 
 /// Fills rows with those of the nets that lie one below the other there.

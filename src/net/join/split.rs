@@ -40,11 +40,9 @@ impl Net<'_> {
         let whole = |bridge: &Bridge| bridge.direction == direction && bridge.is_whole(self.shape());
         let last = self.bridges().iter().filter(|bridge| whole(bridge)).map(|bridge| bridge.nesting).min();
         let whole = |bridge: &Bridge| whole(bridge) && Some(bridge.nesting) == last;
-        let mut indices = Vec::new();
-        for (index, _) in self.bridges().iter().enumerate().filter(|(_, bridge)| whole(bridge)) {
-            alloc::push(&mut indices, index)?;
-        }
-        indices.sort_by_key(|&index| self.bridges()[index].at);
+        let all = self.bridges().iter().enumerate();
+        let mut indices = alloc::gather(all.filter(|(_, bridge)| whole(bridge)).map(|(index, _)| index))?;
+        indices.sort_unstable_by_key(|&index| (self.bridges()[index].at, index));
         indices.dedup_by_key(|index| self.bridges()[*index].at);
         let cuts: Vec<usize> = alloc::collect(indices.iter().map(|&index| self.bridges()[index].at as usize))?;
         let parts = cut(self, direction, &cuts, &indices, &job.part(0.0, 0.5))?;

@@ -11,13 +11,10 @@ use std::borrow::Cow;
 
 /// The gluings of all nets; those between nets only where they are welded.
 pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool) -> Result<Topology> {
-    let mut topologies: Vec<Cow<'_, Topology>> = alloc::with_capacity(nets.len())?;
-    for net in nets {
-        topologies.push(match direction {
-            Direction::Down => Cow::Borrowed(net.topology()),
-            Direction::Right => Cow::Owned(net.topology().transposed()?),
-        });
-    }
+    let topologies = alloc::try_collect(nets.iter().map(|net| match direction {
+        Direction::Down => Ok(Cow::Borrowed(net.topology())),
+        Direction::Right => net.topology().transposed().map(Cow::Owned),
+    }))?;
     let stacked = stack(&topologies, weld)?;
     let topology = if direction == Direction::Down { stacked } else { stacked.transposed()? };
     if weld {

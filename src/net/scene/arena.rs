@@ -8,6 +8,7 @@ use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::mesh::NONE;
 use crate::net::Net;
+use crate::sort::sort_distinct;
 use glam::DAffine3;
 use std::sync::Arc;
 
@@ -76,9 +77,7 @@ impl Scene {
 
     fn add(&mut self, content: Content) -> Result<u32> {
         let index = self.entries.len();
-        if index as u64 >= u64::from(NONE) {
-            return Err(Error::TooLarge { what: "entries", count: index as u64 + 1, limit: NONE.into() });
-        }
+        Error::check_count("entries", index as u64 + 1, NONE.into())?;
         self.marks.grow()?;
         let entry = Entry { content, local: DAffine3::IDENTITY, visible: true, parents: Vec::new() };
         alloc::push(&mut self.entries, Some(entry))?;
@@ -115,8 +114,7 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`], also if the group does not contain it.
     pub fn remove_child(&mut self, group: u32, child: u32) -> Result<()> {
-        let no_such = Error::NoSuch { element: Element::Entry, index: child.into() };
-        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such)?;
+        let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such(child))?;
         if let Content::Group(children) = &mut self.entry_mut(group)?.content {
             children.remove(at);
         }
@@ -133,19 +131,16 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`].
     pub fn remove(&mut self, index: u32) -> Result<()> {
-        let no_such = Error::NoSuch { element: Element::Entry, index: index.into() };
-        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such)?;
+        let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such(index))?;
         let mut groups = entry.parents;
-        groups.sort_unstable();
-        groups.dedup();
+        sort_distinct(&mut groups);
         for group in groups {
             if let Content::Group(children) = &mut self.entry_mut(group)?.content {
                 children.retain(|&child| child != index);
             }
         }
         let Content::Group(mut children) = entry.content else { return Ok(()) };
-        children.sort_unstable();
-        children.dedup();
+        sort_distinct(&mut children);
         for child in children {
             self.entry_mut(child)?.parents.retain(|&group| group != index);
         }
@@ -171,10 +166,8 @@ impl Scene {
     /// # Errors
     /// [`Error::NoSuch`], also for a group.
     pub fn set_net(&mut self, index: u32, net: Arc<Net<'static>>) -> Result<()> {
-        match &mut self.entry_mut(index)?.content {
-            Content::Net(place) => *place = net,
-            Content::Group(_) => return Err(Error::NoSuch { element: Element::Entry, index: index.into() }),
-        }
+        self.net(index)?;
+        self.entry_mut(index)?.content = Content::Net(net);
         Ok(())
     }
 
@@ -218,7 +211,7 @@ impl Scene {
     pub fn net(&self, index: u32) -> Result<&Arc<Net<'static>>> {
         match self.content(index)? {
             Content::Net(net) => Ok(net),
-            Content::Group(_) => Err(Error::NoSuch { element: Element::Entry, index: index.into() }),
+            Content::Group(_) => Err(no_such(index)),
         }
     }
 
@@ -229,7 +222,7 @@ impl Scene {
     pub fn children(&self, index: u32) -> Result<&[u32]> {
         match self.content(index)? {
             Content::Group(children) => Ok(children),
-            Content::Net(_) => Err(Error::NoSuch { element: Element::Entry, index: index.into() }),
+            Content::Net(_) => Err(no_such(index)),
         }
     }
 
@@ -244,12 +237,14 @@ impl Scene {
     }
 
     pub(super) fn entry(&self, index: u32) -> Result<&Entry> {
-        let no_such = Error::NoSuch { element: Element::Entry, index: index.into() };
-        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such)
+        self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such(index))
     }
 
     fn entry_mut(&mut self, index: u32) -> Result<&mut Entry> {
-        let no_such = Error::NoSuch { element: Element::Entry, index: index.into() };
-        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such)
+        self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such(index))
     }
+}
+
+fn no_such(index: u32) -> Error {
+    Error::NoSuch { element: Element::Entry, index: index.into() }
 }

@@ -40,10 +40,7 @@ impl Scene {
         if instances.is_empty() {
             return Err(Error::EmptyScene);
         }
-        let mut nets: Vec<&Net<'_>> = alloc::with_capacity(instances.len())?;
-        for instance in &instances {
-            nets.push(self.net(instance.entry)?);
-        }
+        let nets = alloc::try_collect(instances.iter().map(|instance| Ok(&**self.net(instance.entry)?)))?;
         let is_mirrored = |instance: &Instance| instance.world.is_finite() && mirrors(instance.world.matrix3);
         let mirrored = alloc::collect(instances.iter().map(is_mirrored))?;
         let options = JoinOptions { turn: true, ..*options };
@@ -113,11 +110,9 @@ fn move_nodes<T: Real>(x: &mut [T], y: &mut [T], z: &mut [T], map: DAffine3) {
     if map == DAffine3::IDENTITY {
         return;
     }
-    let [a, b, c] = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis];
-    let origin = map.translation;
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         let p = DVec3::new((*x).into(), (*y).into(), (*z).into());
-        let q = a * p.x + b * p.y + c * p.z + origin;
+        let q = map.transform_point3(p);
         (*x, *y, *z) = (T::of(q.x), T::of(q.y), T::of(q.z));
     }
 }

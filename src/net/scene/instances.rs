@@ -73,9 +73,7 @@ impl Scene {
     /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], [`Error::OutOfMemory`].
     pub fn instance_count(&self) -> Result<usize> {
         let count = self.counts()?.instances;
-        if count > MAX_INSTANCES {
-            return Err(Error::TooLarge { what: "instances", count, limit: MAX_INSTANCES });
-        }
+        Error::check_count("instances", count, MAX_INSTANCES)?;
         Ok(count as usize)
     }
 
@@ -91,9 +89,7 @@ impl Scene {
         for (root, _) in self.roots() {
             alloc::push(&mut open, (root, NONE))?;
             while let Some((index, parent)) = open.pop() {
-                if instances.len().is_multiple_of(1 << 16) {
-                    job.step(instances.len() as f64 / count as f64, "finding instances")?;
-                }
+                job.step_every(1 << 16, instances.len(), count, "finding instances")?;
                 let entry = self.entry(index)?;
                 let (world, visible) = match instances.get(parent as usize) {
                     Some(group) => (group.world * entry.local, group.visible && entry.visible),
