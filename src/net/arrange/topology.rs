@@ -69,11 +69,7 @@ impl Topology {
     /// closing links.
     pub(crate) fn rows_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Self>> {
         let seams = self.seams_cut(ranges)?;
-        let mut parts = alloc::with_capacity(ranges.len())?;
-        for (rows, seams) in ranges.iter().zip(seams) {
-            parts.push(self.rows_part(rows.clone(), &seams)?);
-        }
-        Ok(parts)
+        alloc::try_collect(ranges.iter().zip(seams).map(|(rows, seams)| self.rows_part(rows.clone(), &seams)))
     }
 
     /// The topology within a range of rows, given the seams within it.

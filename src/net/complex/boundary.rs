@@ -62,10 +62,7 @@ impl Boundary {
     /// (`reversed`) against it. `fan_ends`: the pairs of edges that belong together at vertices
     /// with more than two.
     pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
-        let limit = u64::from(u32::MAX / 2);
-        if edges.len() as u64 > limit {
-            return Err(Error::TooLarge { what: "edges of one face", count: edges.len() as u64, limit });
-        }
+        Error::check_count("edges of one face", edges.len() as u64, u64::from(u32::MAX / 2))?;
         let partners = partners(edges, fan_ends, count)?;
         let mut boundary = Boundary { offsets: alloc::filled(0, 1)?, ..Boundary::default() };
         let mut done: Vec<bool> = alloc::filled(false, edges.len())?;

@@ -20,11 +20,11 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
     for i in 0..shape.rows() - 1 {
         presence.row(shape, i, &mut row);
         for j in (0..shape.columns() - 1).filter(|&j| row[j + 1] == 1) {
-            let [a, b, c, d] = shape.corners(i, j);
-            for node in [b, c, d] {
-                sets.union(a, node);
+            let corners = shape.corners(i, j);
+            for node in corners {
+                sets.union(corners[0], node);
+                touched[node as usize] = true;
             }
-            [a, b, c, d].into_iter().for_each(|node| touched[node as usize] = true);
         }
     }
     // A glued node that no cell touches connects nothing.

@@ -7,7 +7,7 @@ use super::row_scan::{Corner, RowScan, Sense, Side};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
-use crate::sort::sort_by_bucket;
+use crate::sort::{sort_by_bucket, sort_distinct};
 
 /// Groups sides of faces to edges, and adds boundary edges to the scan's.
 pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
@@ -65,11 +65,11 @@ struct VertexLink {
 impl VertexLink {
     /// The number of components of the link; the two ends of each open one are appended to `ends`.
     fn fans(&mut self, corners: &[Corner], ends: &mut Vec<FanEnds>) -> Result<usize> {
-        refill(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]), 2 * corners.len())?;
-        self.points.sort_unstable();
-        self.points.dedup();
+        self.points.clear();
+        alloc::extend(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]))?;
+        sort_distinct(&mut self.points);
         let count = self.points.len();
-        refill(&mut self.degrees, std::iter::repeat_n(0, count), count)?;
+        alloc::reset(&mut self.degrees, count, 0)?;
         self.components.reset(count)?;
         for &[_, before, after] in corners {
             let [a, b] = [before, after].map(|point| self.points.partition_point(|&other| other < point));
@@ -94,12 +94,4 @@ impl VertexLink {
         }
         Ok(self.components.roots().count())
     }
-}
-
-/// Replaces the contents of a list by `count` items.
-fn refill<T>(list: &mut Vec<T>, items: impl Iterator<Item = T>, count: usize) -> Result<()> {
-    list.clear();
-    alloc::reserve(list, count)?;
-    list.extend(items);
-    Ok(())
 }

@@ -12,6 +12,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::net::Shape;
 use crate::net::topology::{Classes, Reduced};
+use crate::sort::sort_distinct;
 
 /// A side of a face, or of a cell reduced to less than a face, with at least one glued end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,17 +68,14 @@ impl<'a> RowScan<'a> {
         let mut above: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         let mut below: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         for i in 0..shape.rows() {
-            if i % 64 == 0 {
-                job.step(i as f64 / shape.rows() as f64, "complex")?;
-            }
+            job.step_every(64, i, shape.rows(), "complex")?;
             presence.row(shape, i, &mut below);
             scan.nodes(i, &above, &below, complex)?;
             scan.links(i, &above, &below, complex)?;
             scan.cells(i, &below, complex)?;
             std::mem::swap(&mut above, &mut below);
         }
-        scan.touched.sort_unstable();
-        scan.touched.dedup();
+        sort_distinct(&mut scan.touched);
         complex.vertices += scan.touched.len() as u64;
         Ok(scan)
     }
@@ -116,16 +114,10 @@ impl<'a> RowScan<'a> {
         let rim = &mut self.rim;
         // `with`: whether the face that traverses the link from a to b exists; `against`: the
         // opposite one.
-        let mut link = |a: u32, b: u32, with: u8, against: u8| match (with, against) {
-            (0, 0) => Ok(()),
-            (1, 1) => {
-                complex.edges += 1;
-                Ok(())
-            }
-            (with, _) => {
-                complex.edges += 1;
-                alloc::push(rim, if with == 1 { [a, b] } else { [b, a] })
-            }
+        let mut link = |a: u32, b: u32, with: u8, against: u8| {
+            complex.edges += u64::from(with | against);
+            let boundary = if with == 1 { [a, b] } else { [b, a] };
+            if with != against { alloc::push(rim, boundary) } else { Ok(()) }
         };
         for j in 0..w - 1 {
             if (marks[j] | marks[j + 1]) & GLUED == 0 {
@@ -145,14 +137,7 @@ impl<'a> RowScan<'a> {
     /// Counts the cells of row i by their reduced form, and collects sides and corners at glued
     /// nodes.
     fn cells(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
-        if i + 1 == self.shape.rows() {
-            return Ok(());
-        }
-        let w = self.shape.columns();
-        for j in 0..w - 1 {
-            if below[j + 1] == 0 {
-                continue;
-            }
+        for j in (0..self.shape.columns() - 1).filter(|&j| below[j + 1] == 1) {
             let corners = self.shape.corners(i, j);
             let mark = corners.into_iter().fold(0, |mark, node| mark | self.marks[node as usize]);
             if mark == 0 {
@@ -229,10 +214,9 @@ fn marks(classes: &Classes) -> Result<Vec<u8>> {
     classes.each_glued(|node, representative| {
         for node in [node, representative] {
             let (i, j) = shape.place(node);
-            let (up, down) = (i > 0, i + 1 < h);
             let node = node as usize;
             marks[node] = GLUED;
-            let around = [(j > 0, 1, 0), (j + 1 < w, 0, 1), (up, w, 0), (down, 0, w)];
+            let around = [(j > 0, 1, 0), (j + 1 < w, 0, 1), (i > 0, w, 0), (i + 1 < h, 0, w)];
             for (_, minus, plus) in around.into_iter().filter(|&(exists, ..)| exists) {
                 let neighbour = &mut marks[node + plus - minus];
                 if *neighbour == 0 {

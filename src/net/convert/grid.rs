@@ -242,9 +242,7 @@ impl Grid {
         let mut visited = alloc::filled(false, walker.mesh.faces().len())?;
         let rows = self.cells.len() / self.columns;
         for (k, &cell) in self.cells.iter().enumerate() {
-            if k % CELLS_PER_REPORT == 0 {
-                job.step(k as f64 / self.cells.len() as f64, STAGE)?;
-            }
+            job.step_every(CELLS_PER_REPORT, k, self.cells.len(), STAGE)?;
             if std::mem::replace(&mut visited[walker.face(cell) as usize], true) {
                 return Err(walker.no_grid(cell));
             }
@@ -312,8 +310,7 @@ impl Grid {
         let rows = quads + 1 + usize::from(poles[0]) + usize::from(poles[1]);
         let shape = Shape::new(rows, self.columns + 1)?;
         let vertex_of_node = self.vertices(walker, shape)?;
-        let mut face_of_cell = alloc::with_capacity(shape.cell_count())?;
-        face_of_cell.extend(self.faces(walker));
+        let face_of_cell = alloc::gather(self.faces(walker))?;
         job.step(0.3, STAGE)?;
         let topology = self.topology(shape, &vertex_of_node, walker.mesh.positions().len())?;
         job.step(0.6, STAGE)?;
@@ -375,11 +372,8 @@ impl Grid {
             if *first == NONE {
                 *first = node;
             } else if sets.union(*first, node) {
-                let place = |node: u32| {
-                    let (i, j) = shape.place(node);
-                    Run::at(i, j)
-                };
-                alloc::push(&mut seams, Seam { a: place(*first), b: place(node), count: 1 })?;
+                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| Run::at(i, j));
+                alloc::push(&mut seams, Seam { a, b, count: 1 })?;
                 touches = true;
             }
         }

@@ -6,14 +6,15 @@
 
 use super::texture::Texture;
 use super::used_links::UsedLinks;
-use super::wires;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
 use crate::net::hidden_cells::HiddenCells;
+use crate::net::shape::sorted_pair;
 use crate::net::topology::Reduced;
 use crate::net::{Classes, Net, Planes, Real, each};
+use crate::sort::sort_distinct;
 use glam::DVec3;
 use std::iter::repeat_n;
 
@@ -80,9 +81,7 @@ impl Net<'_> {
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
-        if corners > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "corners", count: corners, limit: MAX_ELEMENTS });
-        }
+        Error::check_count("corners", corners, MAX_ELEMENTS)?;
         each!(self.coordinates(), planes => build(self, planes, options, job))
     }
 }
@@ -114,12 +113,10 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     };
     faces.offsets.push(0);
     let hidden = HiddenCells::of(net)?;
-    let often = (NODES_PER_REPORT / shape.columns()).max(1);
+    let (scanning, often) = (job.part(0.3, 0.7), (NODES_PER_REPORT / shape.columns()).max(1));
     let mut skip = alloc::filled(false, shape.columns() - 1)?;
     for i in 0..shape.rows() - 1 {
-        if i % often == 0 {
-            job.step(0.3 + 0.4 * i as f64 / shape.rows() as f64, FACES)?;
-        }
+        scanning.step_every(often, i, shape.rows(), FACES)?;
         let ranges = hidden.row(i);
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(true));
         for (j, _) in skip.iter().enumerate().filter(|(_, skip)| !**skip) {
@@ -174,9 +171,7 @@ fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
     let often = (NODES_PER_REPORT / columns).max(1);
     let zero = T::of(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
-        if i % often == 0 {
-            job.step(i as f64 / rows as f64, FACES)?;
-        }
+        job.step_every(often, i, rows, FACES)?;
         for row in planes.row(i) {
             // x * 0 is 0 except for infinities and NaN.
             finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
@@ -206,10 +201,8 @@ impl<T: Real> FaceBuilder<'_, T> {
     /// Adds a cell, given its corners in order.
     fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let finite = corners.map(|node| self.places.finite[node as usize]);
-        match finite {
-            [true, true, true, true] => {}
-            _ if self.options.fill_corners => return self.add_corner(corners, finite, cell),
-            _ => return Ok(()),
+        if finite != [true; 4] {
+            return if self.options.fill_corners { self.add_corner(corners, finite, cell) } else { Ok(()) };
         }
         let [a, b, c, d] = corners.map(|node| self.classes[node as usize]);
         if a != b && b != c && c != d && d != a && a != c && b != d {
@@ -218,10 +211,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         match Reduced::new([a, b, c, d]) {
             Reduced::Triangle(_) => self.triangle_of(corners, cell),
             Reduced::Digon([p, q]) => alloc::push(&mut self.edges, [p, q]),
-            Reduced::Fold([p, q, r]) => {
-                alloc::push(&mut self.edges, [p, q])?;
-                alloc::push(&mut self.edges, [p, r])
-            }
+            Reduced::Fold([p, q, r]) => alloc::append(&mut self.edges, &[[p, q], [p, r]]),
             Reduced::Quad(_) | Reduced::Point(_) | Reduced::Crossing(_) => Ok(()),
         }
     }
@@ -282,11 +272,38 @@ impl<T: Real> FaceBuilder<'_, T> {
         alloc::push(&mut self.cells, cell)
     }
 
+    /// The edges without faces, as pairs of classes, each once, in order. O(e log e) for e edges, and
+    /// O(faces log e) if there are any.
+    fn wires(&mut self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+        let mut edges = std::mem::take(&mut self.edges);
+        edges.iter_mut().for_each(|edge| *edge = sorted_pair(*edge));
+        sort_distinct(&mut edges);
+        if edges.is_empty() {
+            return Ok(edges);
+        }
+        let mut has_face = alloc::filled(false, edges.len())?;
+        job.ranges(NUMBERS, self.cells.len(), |range| {
+            for ends in self.offsets[range.start..=range.end].windows(2) {
+                let face = &self.nodes[ends[0] as usize..ends[1] as usize];
+                let nexts = face.iter().skip(1).chain(face.first());
+                for (&node, &next) in face.iter().zip(nexts) {
+                    let edge = sorted_pair([node, next].map(|node| self.classes[node as usize]));
+                    if let Ok(at) = edges.binary_search(&edge) {
+                        has_face[at] = true;
+                    }
+                }
+            }
+            Ok(())
+        })?;
+        let mut has_face = has_face.into_iter();
+        edges.retain(|_| has_face.next() == Some(false));
+        Ok(edges)
+    }
+
     /// Numbers the vertices in the order of their nodes, and completes the mesh.
     fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
-        let edges = std::mem::take(&mut self.edges);
         let part = |from: f64, to: f64| job.part(from, to);
-        let wires = wires::without_faces(edges, &self.offsets, &self.nodes, self.classes, &part(0.0, 0.2), NUMBERS)?;
+        let wires = self.wires(&part(0.0, 0.2))?;
         let mut vertex = alloc::collect_cancellable(repeat_n(NONE, self.classes.len()), &part(0.2, 0.3), NUMBERS)?;
         let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
         part(0.3, 0.4).ranges(NUMBERS, self.nodes.len(), |range| {
@@ -308,10 +325,8 @@ impl<T: Real> FaceBuilder<'_, T> {
             }
             Ok(())
         })?;
-        let texture = match options.texture {
-            true => Some(Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7), NUMBERS)?),
-            false => None,
-        };
+        let texture = options.texture.then(|| Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7), NUMBERS));
+        let texture = texture.transpose()?;
         part(0.7, 0.8).ranges(NUMBERS, self.nodes.len(), |range| {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
             Ok(())

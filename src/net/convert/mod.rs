@@ -1,15 +1,14 @@
 //! Conversion: nets to polygon meshes and back, and nets from height fields.
 //!
-//! `mesh` makes meshes; `texture` makes their texture coordinates; `wires` extracts edges that
-//! belong to no face; `used_links` lists the edges that diagonals must avoid; `grid` finds the rows
-//! and columns of a mesh of quads; `heights` builds nets from height fields.
+//! `mesh` makes meshes; `texture` makes their texture coordinates; `used_links` lists the edges that
+//! diagonals must avoid; `grid` finds the rows and columns of a mesh of quads; `heights` builds nets
+//! from height fields.
 
 mod grid;
 mod heights;
 mod mesh;
 mod texture;
 mod used_links;
-mod wires;
 
 pub use grid::{GridNet, net_of_grid};
 pub use heights::{Heights, net_of_heights};

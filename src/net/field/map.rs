@@ -42,19 +42,18 @@ impl<F: Field> Field for Partial<F> {
 }
 
 /// Applies `map` to each point, for maps that call functions and so do not vectorise.
+#[inline(always)]
 pub(super) fn each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     apply_to(x, y, z, map);
 }
 
 /// Applies `map` to each point, for maps of plain arithmetic, which vectorise.
-pub(super) fn each_point_simd([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
-    simd::run(EachPoint { x, y, z, map });
+pub(super) fn each_point_simd(points: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+    simd::run(EachPoint { points, map });
 }
 
 struct EachPoint<'a, F> {
-    x: &'a mut [f64],
-    y: &'a mut [f64],
-    z: &'a mut [f64],
+    points: Points<'a>,
     map: F,
 }
 
@@ -63,7 +62,7 @@ impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for EachPoint<'_, F> {
 
     #[inline(always)]
     fn run(self) {
-        apply_to(self.x, self.y, self.z, self.map);
+        each_point(self.points, self.map);
     }
 }
 

@@ -111,16 +111,12 @@ pub fn deform_rows(
         job.step(first as f64 / count, "deform")
     };
     match net.coordinates_mut() {
-        Coordinates::F32(planes) => {
-            chunks::for_each_chunk_in_order(planes, |first, rows| {
-                step(first).and_then(|()| map(first, RowsMut::F32(rows)))
-            })?;
-        }
-        Coordinates::F64(planes) => {
-            chunks::for_each_chunk_in_order(planes, |first, rows| {
-                step(first).and_then(|()| map(first, RowsMut::F64(rows)))
-            })?;
-        }
+        Coordinates::F32(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {
+            step(first).and_then(|()| map(first, RowsMut::F32(rows)))
+        })?,
+        Coordinates::F64(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {
+            step(first).and_then(|()| map(first, RowsMut::F64(rows)))
+        })?,
     }
     snap(net).map(|_| ())
 }

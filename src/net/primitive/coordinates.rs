@@ -21,9 +21,7 @@ pub(super) fn rows(
     let mut buffer: Vec<f64> = alloc::zeroed(3 * shape.columns())?;
     let often = (NODES_PER_REPORT / shape.columns()).max(1);
     for i in 0..shape.rows() {
-        if i % often == 0 {
-            job.step(i as f64 / shape.rows() as f64, "primitive")?;
-        }
+        job.step_every(often, i, shape.rows(), "primitive")?;
         let (x, yz) = buffer.split_at_mut(shape.columns());
         let (y, z) = yz.split_at_mut(shape.columns());
         row(i, [x, y, z]);

@@ -104,10 +104,7 @@ fn kept(
     // A doubly linked list of the kept lines.
     let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
     let mut after = alloc::collect(1..count + 1)?;
-    let mut queue = BinaryHeap::new();
-    queue
-        .try_reserve(3 * count)
-        .map_err(|_| Error::OutOfMemory { bytes: (3 * count * size_of::<Candidate>()) as u64 })?;
+    let mut queue: BinaryHeap<Candidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
     let costs = par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::ranges(count - 2, 16), |lines| {
         lines.map(|k| cost(Gap { from: k, to: k + 2 })).collect::<Vec<_>>()
     })?;
@@ -137,8 +134,7 @@ fn kept(
             job.step(1.0 - left as f64 / count as f64, "decimate")?;
         }
     }
-    let mut lines = alloc::with_capacity(left)?;
-    lines.extend(std::iter::successors(Some(0), |&line| Some(after[line]).filter(|&next| next < count)));
+    let lines = alloc::gather(std::iter::successors(Some(0), |&line| Some(after[line]).filter(|&next| next < count)))?;
     Ok((lines, max))
 }
 

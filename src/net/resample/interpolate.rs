@@ -83,22 +83,17 @@ impl Tap {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =
             [-0.5 * t * s * s, 1.0 + square * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5), -0.5 * s * square];
-        // The last node of a closed row repeats its first.
-        let (mut before, mut after) = (k.wrapping_sub(1), k + 2);
-        if k == 0 {
-            before = if closed { count - 2 } else { 0 };
-            if !closed {
-                let w = std::mem::take(&mut weights[0]);
-                (weights[1], weights[2]) = (weights[1] + 2.0 * w, weights[2] - w);
-            }
+        if k == 0 && !closed {
+            let w = std::mem::take(&mut weights[0]);
+            (weights[1], weights[2]) = (weights[1] + 2.0 * w, weights[2] - w);
         }
-        if k + 2 == count {
-            after = if closed { 1 } else { count - 1 };
-            if !closed {
-                let w = std::mem::take(&mut weights[3]);
-                (weights[1], weights[2]) = (weights[1] - w, weights[2] + 2.0 * w);
-            }
+        if k + 2 == count && !closed {
+            let w = std::mem::take(&mut weights[3]);
+            (weights[1], weights[2]) = (weights[1] - w, weights[2] + 2.0 * w);
         }
+        // The last node of a closed row repeats its first; beyond open ends the weight is 0.
+        let before = if k == 0 { count - 2 } else { k - 1 };
+        let after = if k + 2 == count { 1 } else { k + 2 };
         Tap { nodes: [before, k, k + 1, after], weights }
     }
 
@@ -117,8 +112,7 @@ impl Tap {
     /// The weighted sum of rows.
     fn blend_rows<T: Real>(&self, from: &Planes<'_, T>, axis: usize, line: &mut [f64]) {
         if let Some(i) = self.single() {
-            line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());
-            return;
+            return line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());
         }
         line.fill(0.0);
         for (i, weight) in self.parts() {

@@ -223,9 +223,7 @@ impl StreamDecoder {
         }
         let info = StreamInfo::read(&self.pending)?;
         let count = info.shape.node_count() as u64;
-        if count > self.node_limit {
-            return Err(Error::TooLarge { what: "nodes", count, limit: self.node_limit });
-        }
+        Error::check_count("nodes", count, self.node_limit)?;
         let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
             return Ok(());
         };

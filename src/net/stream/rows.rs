@@ -70,10 +70,8 @@ impl RowCoder {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub(super) fn new(columns: usize, order: [(usize, Predictor); 3]) -> Result<Self> {
-        let mut channels = alloc::with_capacity(3)?;
-        for (axis, predictor) in order {
-            channels.push(Channel::new(axis, predictor, columns)?);
-        }
+        let channels =
+            alloc::try_collect(order.map(|(axis, predictor)| Channel::new(axis, predictor, columns)).into_iter())?;
         let gaps = || alloc::filled(false, columns + 2 * MARGIN_BEFORE);
         Ok(RowCoder {
             channels,

@@ -19,12 +19,8 @@ type Step = (i64, i64);
 /// The seams that glue the components of each class. `table`: the representatives of the classes;
 /// `pieces`: those of the components that contracted links alone make.
 pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
-    let mut pairs = Vec::new();
-    for ((node, &class), &piece) in (0..).zip(table).zip(pieces) {
-        if piece == node && class != node {
-            alloc::push(&mut pairs, [class, node])?;
-        }
-    }
+    let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
+    let mut pairs = alloc::gather(nodes.map(|((node, &class), _)| [class, node]))?;
     pairs.sort_unstable();
     let mut runs = RunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
     let mut found = alloc::with_capacity(runs.pairs.len())?;
@@ -37,11 +33,7 @@ pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<S
     let mut sets = DisjointSets::from_parents(alloc::copied(pieces)?);
     let mut seams = alloc::with_capacity(found.len())?;
     for seam in found {
-        let mut merges = false;
-        for [a, b] in seam.pairs(shape) {
-            merges |= sets.union(a, b);
-        }
-        if merges {
+        if seam.pairs(shape).fold(false, |merges, [a, b]| sets.union(a, b) | merges) {
             seams.push(seam);
         }
     }

@@ -11,6 +11,7 @@ use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::net::shape::{Shape, sorted_pair};
+use crate::sort::sort_distinct;
 
 /// Which corners of a cell a diagonal joins (type c(1,2)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -152,13 +153,9 @@ impl Topology {
                 alloc::push(&mut pairs, sorted_pair(shape.ends(link)))
             };
             gluing.resolve(shape, index, link, |seam| alloc::push(&mut found, seam))?;
-            for seam in found {
-                alloc::reserve(&mut pairs, seam.count as usize)?;
-                pairs.extend(seam.pairs(shape).map(sorted_pair));
-            }
+            alloc::extend(&mut pairs, found.iter().flat_map(|seam| seam.pairs(shape).map(sorted_pair)))?;
         }
-        pairs.sort_unstable();
-        pairs.dedup();
+        sort_distinct(&mut pairs);
         pairs.iter().flat_map(|&pair| shape.links_between(pair)).for_each(|link| matrix.set(link, false));
         let mut seams = Vec::new();
         for &seam in self.seams() {

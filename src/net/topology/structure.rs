@@ -4,6 +4,7 @@ use super::{Matrix, Seam, Sides};
 use crate::alloc;
 use crate::error::Result;
 use crate::net::Shape;
+use crate::sort::sort_distinct;
 
 /// How contracted links are kept.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -70,8 +71,7 @@ impl Topology {
     /// it. O(contracted links + pairs of seams).
     pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Self {
         seams.iter_mut().for_each(|seam| *seam = seam.canonical());
-        seams.sort_unstable();
-        seams.dedup();
+        sort_distinct(&mut seams);
         Topology { shape, links: links.normal(shape), seams, reversed }
     }
 

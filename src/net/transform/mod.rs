@@ -90,7 +90,7 @@ impl<T: Real> Kernel for Apply<'_, T> {
 fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     // Whole runs; the remainder elsewhere, as its loop would hold the matrix in registers that the
     // vectors need.
-    let ((x, x_rest), (y, y_rest), (z, z_rest)) = (x.as_chunks_mut(), y.as_chunks_mut(), z.as_chunks_mut());
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = [x, y, z].map(<[T]>::as_chunks_mut);
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         apply_to_run(rows, x, y, z);
     }
@@ -133,9 +133,9 @@ mod tests {
             let [mut x, mut y, mut z] = [3, 5, 7].map(numbers);
             let kernel = Apply { rows, x: &mut x, y: &mut y, z: &mut z };
             if wide {
-                simd::run(kernel);
+                simd::run(kernel)
             } else {
-                kernel.run();
+                kernel.run()
             }
             [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
         });
