@@ -11,7 +11,6 @@
 //! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of
 //! the corner array names and runs to the vertex of the next corner of the same face.
 
-mod components;
 pub(crate) mod concat;
 mod defect;
 mod owned;
@@ -19,12 +18,11 @@ mod pairing;
 mod topology;
 mod view;
 
-pub(crate) use components::vertex_components;
 pub use concat::{Piece, concatenate};
 pub use defect::Defect;
 pub use owned::{Mesh, PositionBuffer};
 pub use pairing::Topology;
-pub(crate) use topology::{Across, half_edges, unordered};
+pub(crate) use topology::{Across, half_edges, unordered, vertex_components};
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
 pub(crate) use view::{Visitor, check_size};
 

@@ -10,47 +10,28 @@ use crate::net::topology::{Run, Seam};
 /// Row and column, or a step from one to the next.
 type Place = (i64, i64);
 
-/// Consecutive pairs in equal steps, while they are collected.
-#[derive(Clone, Copy)]
-struct PartialSeam {
-    first: [Place; 2],
-    last: [Place; 2],
-    count: u32,
+/// The seam of `count` pairs from the first one on, in equal steps.
+fn seam_from(first: [Place; 2], steps: [Place; 2], count: u32) -> Seam {
+    let [a, b] = [0, 1].map(|k| Run {
+        row: first[k].0 as u32,
+        column: first[k].1 as u32,
+        row_step: steps[k].0 as i32,
+        column_step: steps[k].1 as i32,
+    });
+    Seam { a, b, count }
 }
 
-impl PartialSeam {
-    fn step(&self) -> [Place; 2] {
-        let n = i64::from(self.count.max(2) - 1);
-        [0, 1].map(|k| ((self.last[k].0 - self.first[k].0) / n, (self.last[k].1 - self.first[k].1) / n))
-    }
-
-    fn seam(&self) -> Seam {
-        let step = self.step();
-        let run = |k: usize| Run {
-            row: self.first[k].0 as u32,
-            column: self.first[k].1 as u32,
-            row_step: step[k].0 as i32,
-            column_step: step[k].1 as i32,
-        };
-        Seam { a: run(0), b: run(1), count: self.count }
-    }
-}
-
-fn step([p, q]: [Place; 2], [r, s]: [Place; 2]) -> [Place; 2] {
+fn steps([p, q]: [Place; 2], [r, s]: [Place; 2]) -> [Place; 2] {
     [(r.0 - p.0, r.1 - p.1), (s.0 - q.0, s.1 - q.1)]
 }
 
 /// Appends the image of a seam under a map of nodes that may drop some. The image is cut where its
 /// steps change. O(pairs).
 pub(crate) fn map_seam(seam: Seam, place: impl Fn(Place) -> Option<Place>, out: &mut Vec<Seam>) -> Result<()> {
-    let mut flush = |piece: Option<PartialSeam>| match piece {
-        // A pair of a node and itself glues nothing.
-        Some(piece) if piece.first[0] != piece.first[1] || piece.last[0] != piece.last[1] => {
-            alloc::push(out, piece.seam())
-        }
-        _ => Ok(()),
-    };
-    let mut current: Option<PartialSeam> = None;
+    // A pair of a node and itself glues nothing.
+    let glues = |piece: &Seam| [start(*piece).0, end(*piece)].iter().any(|[a, b]| a != b);
+    let mut flush = |piece: Option<Seam>| piece.filter(glues).map_or(Ok(()), |piece| alloc::push(out, piece));
+    let mut current: Option<Seam> = None;
     for k in 0..seam.count {
         let (Some(a), Some(b)) = (place(seam.a.place(k)), place(seam.b.place(k))) else {
             flush(current.take())?;
@@ -58,14 +39,13 @@ pub(crate) fn map_seam(seam: Seam, place: impl Fn(Place) -> Option<Place>, out: 
         };
         let pair = [a, b];
         current = Some(match current {
-            None => PartialSeam { first: pair, last: pair, count: 1 },
-            Some(piece) if piece.last == pair => piece,
-            Some(piece) if piece.count == 1 || step(piece.last, pair) == piece.step() => {
-                PartialSeam { last: pair, count: piece.count + 1, ..piece }
-            }
+            None => seam_from(pair, [(0, 0); 2], 1),
+            Some(piece) if end(piece) == pair => piece,
+            Some(piece) if piece.count == 1 => seam_from(end(piece), steps(end(piece), pair), 2),
+            Some(piece) if steps(end(piece), pair) == start(piece).1 => Seam { count: piece.count + 1, ..piece },
             Some(piece) => {
                 flush(Some(piece))?;
-                PartialSeam { first: piece.last, last: pair, count: 2 }
+                seam_from(end(piece), steps(end(piece), pair), 2)
             }
         });
     }

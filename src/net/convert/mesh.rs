@@ -4,7 +4,6 @@
 //! quads, triangles, or nothing. Invariant: a closed net becomes a closed mesh, with positions bit
 //! for bit. O(nodes).
 
-use super::texture::Texture;
 use super::used_links::UsedLinks;
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -13,7 +12,7 @@ use crate::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
 use crate::net::hidden_cells::HiddenCells;
 use crate::net::shape::sorted_pair;
 use crate::net::topology::Reduced;
-use crate::net::{Classes, Net, Planes, Real, each};
+use crate::net::{Classes, Net, Planes, Real, Shape, each};
 use crate::sort::sort_distinct;
 use glam::DVec3;
 use std::iter::repeat_n;
@@ -71,6 +70,42 @@ pub struct NetMesh {
     pub wires: Vec<[u32; 2]>,
     /// Texture coordinates, if requested.
     pub texture: Option<Texture>,
+}
+
+/// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
+///
+/// They belong to nodes, not to vertices: a vertex on a seam has a pair of coordinates on each
+/// side, so that an image covers a closed net once and does not run back within its last column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texture {
+    /// u and v, once for each node that a face uses, in the order of the nodes.
+    pub coordinates: Vec<[f64; 2]>,
+    /// For each corner of the mesh the index of its coordinates.
+    pub corners: Vec<u32>,
+}
+
+impl Texture {
+    /// The texture coordinates of faces given by nodes.
+    fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
+        let mut number = alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERS)?;
+        job.part(0.2, 0.4).ranges(NUMBERS, nodes.len(), |range| {
+            nodes[range].iter().for_each(|&node| number[node as usize] = 0);
+            Ok(())
+        })?;
+        let mut coordinates = Vec::new();
+        let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
+        job.part(0.4, 0.8).ranges(NUMBERS, shape.node_count(), |range| {
+            for (node, number) in range.clone().zip(&mut number[range]).filter(|(_, number)| **number == 0) {
+                *number = coordinates.len() as u32;
+                let (i, j) = shape.place(node as u32);
+                alloc::push(&mut coordinates, [j as f64 / columns, i as f64 / rows])?;
+            }
+            Ok(())
+        })?;
+        let corners =
+            alloc::collect_cancellable(nodes.iter().map(|&node| number[node as usize]), &job.part(0.8, 1.0), NUMBERS)?;
+        Ok(Texture { coordinates, corners })
+    }
 }
 
 impl Net<'_> {
@@ -325,7 +360,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             }
             Ok(())
         })?;
-        let texture = options.texture.then(|| Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7), NUMBERS));
+        let texture = options.texture.then(|| Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
         let texture = texture.transpose()?;
         part(0.7, 0.8).ranges(NUMBERS, self.nodes.len(), |range| {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);

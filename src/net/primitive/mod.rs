@@ -6,10 +6,8 @@
 //! from outside, and so a positive volume. O(nodes).
 
 mod construct;
-mod coordinates;
 mod formula;
 mod profile;
-mod revolve;
 mod solid;
 mod unit_circle;
 

@@ -6,9 +6,7 @@
 
 mod decimate;
 mod interpolate;
-mod pyramid;
 mod sides;
 
 pub use decimate::{Decimated, decimate};
-pub use interpolate::{Interpolation, resample};
-pub use pyramid::pyramid;
+pub use interpolate::{Interpolation, pyramid, resample};

@@ -148,11 +148,7 @@ pub(super) fn decode<T: Bits>(
 ) -> Result<()> {
     let (columns, order) = (info.shape.columns(), ORDERS[info.order as usize]);
     let start = from.bad("what is coded is no net");
-    let may_miss = match from.u8()? {
-        0 => false,
-        1 => true,
-        _ => return Err(start),
-    };
+    let may_miss = from.flag()?.ok_or(start)?;
     let mut predictors = [(0, Predictor::new(&Predictor::PARALLELOGRAM, 1)); 3];
     for (before, predictor) in predictors.iter_mut().enumerate() {
         *predictor = (order[before], Predictor::read(before, fraction(info), &mut from)?);

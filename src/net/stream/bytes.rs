@@ -100,6 +100,12 @@ impl<'a> Reader<'a> {
         Ok(self.array::<1>()?[0])
     }
 
+    /// 0 or 1; `None` for another byte.
+    pub(super) fn flag(&mut self) -> Result<Option<bool>> {
+        let byte = self.u8()?;
+        Ok((byte <= 1).then_some(byte == 1))
+    }
+
     pub(super) fn u32(&mut self) -> Result<u32> {
         Ok(u32::from_le_bytes(self.array()?))
     }

@@ -61,6 +61,24 @@ pub struct StreamInfo {
 }
 
 impl StreamInfo {
+    /// The header of a stream without any content yet.
+    pub(super) fn new(shape: Shape, scalar: Scalar, mode: Mode, rows_per_block: usize) -> Self {
+        StreamInfo {
+            shape,
+            scalar,
+            mode,
+            rows_per_block,
+            origin: [0.0; 3],
+            step: [0.0; 3],
+            prelude_size: 0,
+            folded: false,
+            missing: [0; 3],
+            order: 0,
+            structure_size: 0,
+            checksum: 0,
+        }
+    }
+
     /// Reads the first [`HEADER_SIZE`] bytes of a stream. O(1).
     ///
     /// # Errors
@@ -117,20 +135,9 @@ impl StreamInfo {
         if !quantised && step != [0.0; 3] {
             return Err(from.bad("a field has no such value"));
         }
-        let mut info = StreamInfo {
-            shape,
-            scalar,
-            mode,
-            rows_per_block: rows_per_block as usize,
-            origin,
-            step,
-            prelude_size: 0,
-            folded: flags == 1,
-            missing,
-            order,
-            structure_size,
-            checksum,
-        };
+        let plain = StreamInfo::new(shape, scalar, mode, rows_per_block as usize);
+        let mut info =
+            StreamInfo { origin, step, folded: flags == 1, missing, order, structure_size, checksum, ..plain };
         info.prelude_size = info.prelude().ok_or_else(|| from.bad("a size is too large"))?;
         Ok(info)
     }

@@ -26,19 +26,15 @@ pub(super) fn write(net: &Net<'_>, to: &mut Writer) -> Result<u64> {
     let adaptations = Adaptations::of(net.bridges())?;
     adaptations.write(to)?;
     write_bridges(net.bridges(), &adaptations.numbers, to)?;
-    Ok(adaptations
-        .list
-        .iter()
-        .map(|adaptation| work(&adaptation.topology))
-        .fold(work(net.topology()), u64::saturating_add))
+    let adapted = adaptations.list.iter().map(|adaptation| work(&adaptation.topology));
+    Ok(adapted.fold(work(net.topology()), u64::saturating_add))
 }
 
 /// `limit`: the largest number of nodes and pairs of seams.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`].
-pub(super) fn read(shape: Shape, limit: u64, mut from: Reader<'_>) -> Result<(Topology, Vec<Bridge>)> {
-    let mut limit = limit;
+pub(super) fn read(shape: Shape, mut limit: u64, mut from: Reader<'_>) -> Result<(Topology, Vec<Bridge>)> {
     let topology = read_topology(shape, &mut limit, &mut from)?;
     let mut adaptations = Vec::new();
     let count = from.varint()?;
@@ -147,11 +143,7 @@ fn push_adaptations<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a Adaptation, b
 
 fn read_adaptation(adaptations: &[Arc<Adaptation>], limit: &mut u64, from: &mut Reader<'_>) -> Result<Adaptation> {
     let joined = read_shape(from)?;
-    let flipped = match from.u8()? {
-        0 => false,
-        1 => true,
-        _ => return Err(from.bad("a field has no such value")),
-    };
+    let flipped = from.flag()?.ok_or_else(|| from.bad("a field has no such value"))?;
     let twist = from.varint_u32()?;
     let mut end = 0u64;
     let copies = read_list(from, |from| {
@@ -206,15 +198,9 @@ fn sides_bits(sides: Sides) -> u8 {
 }
 
 fn sides_of(bits: u8) -> Sides {
-    let on = |k: u32| bits >> k & 1 == 1;
-    Sides {
-        rows_closed: on(0),
-        columns_closed: on(1),
-        pole_top: on(2),
-        pole_bottom: on(3),
-        pole_left: on(4),
-        pole_right: on(5),
-    }
+    let [rows_closed, columns_closed, pole_top, pole_bottom, pole_left, pole_right] =
+        std::array::from_fn(|k| bits >> k & 1 == 1);
+    Sides { rows_closed, columns_closed, pole_top, pole_bottom, pole_left, pole_right }
 }
 
 /// Writes contracted links in runs of equal distance: the gap before the run, its length, the
@@ -300,9 +286,8 @@ fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, 
     let numbers = [bridge.at, bridge.start, bridge.end, bridge.nesting];
     numbers.into_iter().try_for_each(|number| to.varint(number.into()))?;
     for adaptation in &bridge.adaptations {
-        to.varint(
-            adaptation.as_ref().map_or(0, |adaptation| adaptations.get(&Arc::as_ptr(adaptation)).copied().unwrap_or(0)),
-        )?;
+        let number = adaptation.as_ref().and_then(|adaptation| adaptations.get(&Arc::as_ptr(adaptation)));
+        to.varint(number.copied().unwrap_or(0))?;
     }
     if plain { Ok(()) } else { bits.into_iter().try_for_each(|number| to.u64(number)) }
 }

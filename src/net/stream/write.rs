@@ -63,20 +63,8 @@ fn encode_planes<T: Bits>(
     job: &Job<'_>,
 ) -> Result<Vec<u8>> {
     let shape = net.shape();
-    let mut info = StreamInfo {
-        shape,
-        scalar: T::SCALAR,
-        mode: options.mode,
-        rows_per_block: options.rows_per_block(shape.rows(), shape.columns()),
-        origin: [0.0; 3],
-        step: [0.0; 3],
-        prelude_size: 0,
-        folded: false,
-        missing: [0; 3],
-        order: 0,
-        structure_size: 0,
-        checksum: 0,
-    };
+    let rows_per_block = options.rows_per_block(shape.rows(), shape.columns());
+    let mut info = StreamInfo::new(shape, T::SCALAR, options.mode, rows_per_block);
     job.step(0.0, SAMPLING)?;
     if info.mode == Mode::Raw {
         let blocks = in_parallel(&info, job, |info, block| raw::encode(info, planes, block))?;
