@@ -50,10 +50,7 @@ const HOLES: &[Choice] = &[
 ];
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let mut pieces = alloc::with_capacity(inputs.len())?;
-    for input in inputs {
-        pieces.push(*input.mesh()?);
-    }
+    let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let (tolerance, max_gap) = (values.number("tolerance"), values.number("max_gap"));
     let options = Options {
         weld: (tolerance >= 0.0).then(|| weld::Options { tolerance: Some(tolerance), ..weld::Options::default() }),
@@ -96,11 +93,11 @@ fn report(done: &Assembly) -> Report {
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
     push_line!(text, "{} filled, {} left", counted(filled, ["hole", "holes"]), counted(done.loops_left, BOUNDARY_LOOP));
-    let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined));
+    let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let values = [
         ("sewn_edges", f64::from(done.sewn_edges)),
-        ("joins", joined.count() as f64),
-        ("refused_joins", done.joints.iter().filter(|joint| !matches!(joint.outcome, Outcome::Joined)).count() as f64),
+        ("joins", joined as f64),
+        ("refused_joins", (done.joints.len() - joined) as f64),
         ("filled_holes", filled as f64),
         ("boundary_loops", f64::from(done.loops_left)),
     ];

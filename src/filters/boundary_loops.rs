@@ -34,9 +34,7 @@ fn report(boundary: &Boundary) -> Report {
         let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
         push_line!(text, "{kind} {i}: {}, length {}", counted(found.half_edges.len(), EDGE), short(found.length));
     }
-    if boundary.len() > MAX_LISTED {
-        push_line!(text, "and {} more", boundary.len() - MAX_LISTED);
-    }
+    push_more(&mut text, boundary.len(), MAX_LISTED);
     if !boundary.defects().is_empty() {
         push_line!(text, "{} of the mesh", counted(boundary.defects().len(), ["defect", "defects"]));
     }

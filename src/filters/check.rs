@@ -1,7 +1,6 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, VERTEX};
 use crate::check::{Check, check};
-use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
     id: "check",
@@ -22,36 +21,45 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut text = summary(&found);
     let max = values.number("listed") as usize;
     let faces = mesh.faces();
-    let edge = |h: u32| format!("{}-{}", faces.corner(h), faces.corner(faces.next(h)));
-    // Edges are named by their ends, vertices and faces by their numbers.
-    let edges: [(Noun, &[u32]); 3] = [
-        (BOUNDARY_EDGE, &found.boundary_edges),
-        (["edge of three or more faces", "edges of three or more faces"], &found.non_manifold_edges),
-        (
-            ["edge with inconsistently oriented faces", "edges with inconsistently oriented faces"],
-            &found.orientation_conflicts,
-        ),
-    ];
-    let others: [(Noun, &[u32]); 6] = [
-        (["non-manifold vertex", "non-manifold vertices"], &found.non_manifold_vertices),
-        (["vertex with several fans of faces", "vertices with several fans of faces"], &found.bow_ties),
-        (["duplicate face", "duplicate faces"], &found.duplicate_faces),
-        (["face with a repeated vertex", "faces with a repeated vertex"], &found.degenerate_faces),
-        (["face without area", "faces without area"], &found.zero_area_faces),
-        (["unused vertex", "unused vertices"], &found.unused_vertices),
-    ];
-    edges.iter().for_each(|&(what, list)| push_defects(&mut text, what, list, max, edge));
-    others.iter().for_each(|&(what, list)| push_defects(&mut text, what, list, max, |element| element.to_string()));
+    let name = |kind: usize, element: u32| match kind {
+        // Edges are named by their ends, vertices and faces by their numbers.
+        0..EDGE_DEFECTS => format!("{}-{}", faces.corner(element), faces.corner(faces.next(element))),
+        _ => element.to_string(),
+    };
+    for (kind, (noun, _, elements)) in
+        defects(&found).into_iter().enumerate().filter(|(_, defect)| !defect.2.is_empty())
+    {
+        text += &format!("{}:", counted(elements.len(), noun));
+        elements.iter().take(max).for_each(|&element| text += &format!(" {}", name(kind, element)));
+        text += if elements.len() > max { " ...\n" } else { "\n" };
+    }
     Ok(vec![Output::Text(Report::new(text, &numbers(&found)))])
 }
 
-/// Appends a line on a kind of defect, if there are any.
-fn push_defects(text: &mut String, what: Noun, elements: &[u32], max: usize, name: impl Fn(u32) -> String) {
-    if !elements.is_empty() {
-        let _ = write!(text, "{}:", counted(elements.len(), what));
-        elements.iter().take(max).for_each(|&element| *text += &format!(" {}", name(element)));
-        *text += if elements.len() > max { " ...\n" } else { "\n" };
-    }
+/// The kinds of defects that are edges, the first ones.
+const EDGE_DEFECTS: usize = 3;
+
+/// Each kind of defect: its noun, its name for programs, and its elements.
+fn defects(found: &Check) -> [(Noun, &'static str, &[u32]); 9] {
+    [
+        (BOUNDARY_EDGE, "boundary_edges", &found.boundary_edges),
+        (
+            ["edge of three or more faces", "edges of three or more faces"],
+            "non_manifold_edges",
+            &found.non_manifold_edges,
+        ),
+        (
+            ["edge with inconsistently oriented faces", "edges with inconsistently oriented faces"],
+            "orientation_conflicts",
+            &found.orientation_conflicts,
+        ),
+        (["non-manifold vertex", "non-manifold vertices"], "non_manifold_vertices", &found.non_manifold_vertices),
+        (["vertex with several fans of faces", "vertices with several fans of faces"], "bow_ties", &found.bow_ties),
+        (["duplicate face", "duplicate faces"], "duplicate_faces", &found.duplicate_faces),
+        (["face with a repeated vertex", "faces with a repeated vertex"], "degenerate_faces", &found.degenerate_faces),
+        (["face without area", "faces without area"], "zero_area_faces", &found.zero_area_faces),
+        (["unused vertex", "unused vertices"], "unused_vertices", &found.unused_vertices),
+    ]
 }
 
 fn summary(found: &Check) -> String {
@@ -90,17 +98,6 @@ fn numbers(found: &Check) -> Vec<(&'static str, f64)> {
         ("euler_characteristic", found.euler as f64),
     ];
     values.extend(found.genus.map(|genus| ("genus", f64::from(genus))));
-    let lists: [(&str, &[u32]); 9] = [
-        ("boundary_edges", &found.boundary_edges),
-        ("non_manifold_edges", &found.non_manifold_edges),
-        ("orientation_conflicts", &found.orientation_conflicts),
-        ("non_manifold_vertices", &found.non_manifold_vertices),
-        ("bow_ties", &found.bow_ties),
-        ("duplicate_faces", &found.duplicate_faces),
-        ("degenerate_faces", &found.degenerate_faces),
-        ("zero_area_faces", &found.zero_area_faces),
-        ("unused_vertices", &found.unused_vertices),
-    ];
-    values.extend(lists.map(|(name, list)| (name, list.len() as f64)));
+    values.extend(defects(found).map(|(_, name, elements)| (name, elements.len() as f64)));
     values
 }

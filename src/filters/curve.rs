@@ -50,13 +50,9 @@ fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -
         let outlines = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         return fit(&outlines, &options, job)?.curve(0).to_owned();
     }
-    let mut controls: Vec<DVec3> = alloc::with_capacity(points.len() + 1)?;
     let again = points.first().filter(|_| closed);
-    for point in points.iter().chain(again).map(|&point| DVec3::from(point)) {
-        if controls.last() != Some(&point) {
-            controls.push(point);
-        }
-    }
+    let mut controls = alloc::gather(points.iter().chain(again).map(|&point| DVec3::from(point)))?;
+    controls.dedup();
     let ends = alloc::collect((0..controls.len().max(1)).map(|k| k as u32))?;
     CurveView::new(&controls, &ends, closed)?.to_owned()
 }

@@ -30,9 +30,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             push_line!(text, "curve {c}: {}", line(&curve, length)?);
         }
     }
-    if curves.len() > MAX_LISTED {
-        push_line!(text, "and {} more", curves.len() - MAX_LISTED);
-    }
+    push_more(&mut text, curves.len(), MAX_LISTED);
     push_line!(text, "{}, length {}", counted(curves.len(), CURVE), short(total));
     let values = [("curves", curves.len() as f64), ("length", total)];
     Ok(vec![Output::Text(Report::new(text, &values))])

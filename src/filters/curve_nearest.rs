@@ -25,11 +25,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let queries = alloc::collect(from.points.iter().map(|&point| DVec3::from(point)))?;
     let views = alloc::collect(curves.iter().map(Curve::view))?;
     let found = nearest_of_any(&views, &queries, &job.part(0.2, 0.9))?;
-    let mut ways = Curves::none();
+    let (mut ways, drawing) = (Curves::none(), job.part(0.9, 1.0));
     for (k, (&query, (_, nearest))) in queries.iter().zip(&found).enumerate() {
-        if k % POINTS_PER_REPORT == 0 {
-            job.step(0.9 + 0.1 * k as f64 / queries.len() as f64, "segments")?;
-        }
+        drawing.step_every(POINTS_PER_REPORT, k, queries.len(), "segments")?;
         ways.add([query, nearest.point].into_iter(), false)?;
     }
     let report = distances(POINT, found.iter().map(|(_, nearest)| nearest.distance));

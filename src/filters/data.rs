@@ -148,11 +148,9 @@ impl Curves {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub(super) fn add(&mut self, points: impl ExactSizeIterator<Item = DVec3>, closed: bool) -> Result<()> {
-        alloc::reserve(&mut self.points, points.len())?;
-        self.points.extend(points.map(|point| point.to_array()));
-        let (count, limit) = (self.points.len() as u64, u64::from(u32::MAX));
-        let end = u32::try_from(count).map_err(|_| Error::TooLarge { what: "points", count, limit })?;
-        alloc::push(&mut self.offsets, end)?;
+        alloc::extend(&mut self.points, points.map(|point| point.to_array()))?;
+        Error::check_count("points", self.points.len() as u64, u32::MAX.into())?;
+        alloc::push(&mut self.offsets, self.points.len() as u32)?;
         alloc::push(&mut self.closed, closed)
     }
 
@@ -165,12 +163,7 @@ impl Curves {
         if self.offsets.is_empty() && self.points.is_empty() {
             return Ok(Vec::new());
         }
-        if let Some((index, point)) =
-            self.points.iter().enumerate().find(|(_, point)| !DVec3::from(**point).is_finite())
-        {
-            let value = point.iter().copied().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::NotFinite { element: Element::Point, index: index as u64, value });
-        }
+        (0..).zip(&self.points).try_for_each(|(k, &p)| Error::check_finite(Element::Point, k, p.into()))?;
         self.check()?;
         let curves = self.offsets.windows(2).zip(&self.closed);
         alloc::collect(curves.map(|(ends, &closed)| (&self.points[ends[0] as usize..ends[1] as usize], closed)))

@@ -108,9 +108,7 @@ fn map<T: Copy + Into<f64>>(
     let mut scratch = [[0.0; CHUNK]; 3];
     let chunks = points.len().div_ceil(CHUNK);
     for (number, chunk) in points.chunks_mut(CHUNK).enumerate() {
-        if number % CHUNKS_PER_REPORT == 0 {
-            job.step(number as f64 / chunks as f64, "moving vertices")?;
-        }
+        job.step_every(CHUNKS_PER_REPORT, number, chunks, "moving vertices")?;
         let count = chunk.len();
         for (k, point) in chunk.iter().enumerate() {
             (0..3).for_each(|axis| scratch[axis][k] = point[axis].into());

@@ -50,12 +50,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 fn report(done: &Filled) -> Report {
     let filled = done.holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
-    let (mut count, mut faces, mut vertices) = (0u32, 0, 0);
-    for hole in filled {
-        count += 1;
-        faces += hole.faces.len();
-        vertices += hole.vertices.len();
-    }
+    let count = filled.clone().count();
+    let faces: usize = filled.clone().map(|hole| hole.faces.len()).sum();
+    let vertices: usize = filled.map(|hole| hole.vertices.len()).sum();
     let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
     let measures = match count {
         0 => String::new(),
@@ -69,7 +66,7 @@ fn report(done: &Filled) -> Report {
         counted(done.quality.loops_left, BOUNDARY_LOOP)
     );
     let values = [
-        ("filled_loops", f64::from(count)),
+        ("filled_loops", count as f64),
         ("boundary_loops_before", done.holes.len() as f64),
         ("new_faces", faces as f64),
         ("new_vertices", vertices as f64),

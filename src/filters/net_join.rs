@@ -1,7 +1,7 @@
 use super::prelude::*;
 use super::quads::{self, CATEGORY, TRIANGLES};
 use super::report::{COLUMN, ROW};
-use crate::net::{BridgeMode, Direction, JoinOptions, Net, Replication, concatenate_all};
+use crate::net::{BridgeMode, Direction, JoinOptions, Replication, concatenate_all};
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_join",
@@ -43,10 +43,10 @@ choices! {
 }
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let mut nets: Vec<Net<'static>> = alloc::with_capacity(inputs.len())?;
-    for (k, input) in inputs.iter().enumerate() {
-        nets.push(quads::net(input.mesh()?, &job.part(0.0, 0.5).share(k, inputs.len()))?);
-    }
+    let grids = inputs.iter().enumerate();
+    let nets = alloc::try_collect(
+        grids.map(|(k, grid)| quads::net(grid.mesh()?, &job.part(0.0, 0.5).share(k, inputs.len()))),
+    )?;
     let options = JoinOptions {
         mode: values.choice("bridge", BridgeMode::CHOICES),
         tolerance: values.number("tolerance"),

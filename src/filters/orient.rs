@@ -35,9 +35,7 @@ fn report(done: &Oriented) -> Report {
     for found in done.one_sided.iter().take(MAX_LISTED) {
         push_line!(text, "the piece of face {} has one side only (half-edge {})", found.face, found.half_edge);
     }
-    if done.one_sided.len() > MAX_LISTED {
-        push_line!(text, "and {} more", done.one_sided.len() - MAX_LISTED);
-    }
+    push_more(&mut text, done.one_sided.len(), MAX_LISTED);
     let values = [
         ("turned_faces", f64::from(done.turned_faces)),
         ("pieces", f64::from(done.components)),

@@ -4,7 +4,7 @@ pub(super) use super::data::{Curves, Input, InputKind, Output, OutputKind};
 pub(super) use super::extent::extent_of;
 pub(super) use super::filter::{Defaults, Filter};
 pub(super) use super::param::{COORDINATES, LENGTHS, NON_NEGATIVE, Param, ParamKind, Values};
-pub(super) use super::report::{Report, counted, push_line, short, short_point};
+pub(super) use super::report::{Report, counted, push_line, push_more, short, short_point};
 pub(super) use crate::alloc;
 pub(super) use crate::choice::{Choice, choices};
 pub(super) use crate::error::{Error, Result};

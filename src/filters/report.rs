@@ -99,6 +99,13 @@ macro_rules! push_line {
 }
 pub(super) use push_line;
 
+/// Appends a line on what a list leaves out, if it does.
+pub(super) fn push_more(text: &mut String, count: usize, listed: usize) {
+    if count > listed {
+        push_line!(text, "and {} more", count - listed);
+    }
+}
+
 /// A line on distances: their number, the largest, the mean and the root mean square.
 pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
     let (mut count, mut largest, mut sum) = (0u64, 0.0f64, 0.0);

@@ -37,12 +37,8 @@ pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -
     // The surface's first parameter runs along rows, as faces do.
     let closed_u = columns > 3 && (0..rows).all(|i| vertex(i, 0) == vertex(i, columns - 1));
     let closed_v = rows > 3 && (0..columns).all(|j| vertex(0, j) == vertex(rows - 1, j));
-    let mut data = alloc::with_capacity(3 * rows * columns)?;
-    for j in 0..columns {
-        for i in 0..rows {
-            data.extend(mesh.positions().get(vertex(i, j)).to_array());
-        }
-    }
+    let places = (0..columns).flat_map(|j| (0..rows).map(move |i| (i, j)));
+    let data = alloc::gather(places.flat_map(|(i, j)| mesh.positions().get(vertex(i, j)).to_array()))?;
     let nodes = Nodes::strided(data, columns, rows, 0, 0)?;
     let sheet = Sheet::Grid(Grid::new(nodes, [closed_u, closed_v], scheme)?);
     Surface::new(vec![sheet], None, &job.part(0.6, 1.0))
@@ -86,11 +82,12 @@ pub(super) fn nearest(
         Error::NotFinite { index, value, .. } => not_finite(index, value),
         error => error,
     })?;
-    let mut nearest = alloc::with_capacity(queries.len())?;
-    for (index, found) in (0..).zip(found) {
-        nearest.push(found.ok_or(not_finite(index, queries[index as usize].element_sum()))?);
-    }
-    Ok(nearest)
+    alloc::try_collect(
+        (0..)
+            .zip(found)
+            .zip(queries)
+            .map(|((index, found), query)| found.ok_or(not_finite(index, query.element_sum()))),
+    )
 }
 
 /// Paths as polylines.
