@@ -82,7 +82,7 @@ pub(super) fn nearest(
         Error::NotFinite { index, value, .. } => not_finite(index, value),
         error => error,
     })?;
-    alloc::try_collect(
+    alloc::try_gather(
         (0..)
             .zip(found)
             .zip(queries)

@@ -38,6 +38,8 @@ pub struct Place {
 }
 
 impl Place {
+    pub(super) const START: Place = Place { segment: 0, t: 0.0 };
+
     /// The place as one number: segment and parameter added.
     pub(super) fn along(self) -> f64 {
         f64::from(self.segment) + self.t
@@ -128,16 +130,19 @@ impl<'a> CurveView<'a> {
         Err(Error::NoSuchPlace { index: index as u32, segment: place.segment, t: place.t })
     }
 
+    /// The end of the last segment.
+    pub(super) fn last_place(&self) -> Place {
+        Place { segment: self.len() as u32 - 1, t: 1.0 }
+    }
+
     pub(super) fn check_not_empty(&self) -> Result<()> {
         if self.points.is_empty() { Err(Error::EmptyCurve) } else { Ok(()) }
     }
 
     /// That the curve lies in the plane z = 0.
     pub(super) fn check_plane(&self) -> Result<()> {
-        match self.points.iter().position(|p| p.z != 0.0) {
-            Some(point) => Err(Error::CurveNotPlane { point: point as u32 }),
-            None => Ok(()),
-        }
+        let outside = self.points.iter().position(|p| p.z != 0.0);
+        outside.map_or(Ok(()), |point| Err(Error::CurveNotPlane { point: point as u32 }))
     }
 
     /// The number of segments after which a closed curve comes round; infinite for an open one.

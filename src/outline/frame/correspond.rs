@@ -95,20 +95,17 @@ impl SectionNodes {
         normal: DVec3,
     ) -> Result<()> {
         let crossings = curve.intersect_plane(point, normal)?;
-        let mut farthest: Option<(f64, DVec3)> = None;
-        let mut hits = 0;
-        for &place in &crossings.places {
-            let p = curve.point(place)?;
+        let (mut hits, mut farthest) = (0, None);
+        let mut greatest = 0.0;
+        for p in curve.points_at(&crossings.places)? {
             let distance = (p - point).dot(ray);
-            if distance > 0.0 {
-                hits += 1;
-                if farthest.is_none_or(|(other, _)| distance > other) {
-                    farthest = Some((distance, p));
-                }
+            hits += usize::from(distance > 0.0);
+            if distance > greatest {
+                (greatest, farthest) = (distance, Some(p));
             }
         }
         let node = self.nodes.len();
-        let Some((_, p)) = farthest else {
+        let Some(p) = farthest else {
             return Err(Error::NoNode { section: section as u32, column: (node - section * self.columns) as u32 });
         };
         if hits > 1 {

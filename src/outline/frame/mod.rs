@@ -81,21 +81,19 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     let turned_back = |point: usize| (point % rows) * columns + point / rows;
     let turned_about = alloc::collect((0..found.nodes.len()).map(|point| found.nodes[turned_back(point)]))?;
     let along = curves(&turned_about, rows, options.ring, &options.along, &job.part(0.6, 0.8))?;
+    let (on_across, directions_across) = at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
+    let (on_along, directions_along) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
     let mut grid = NodeGrid {
         rows,
         columns,
         nodes: found.nodes,
-        across: Vec::new(),
-        along: Vec::new(),
+        across: directions_across,
+        along: directions_along,
         turned: found.turned,
         ambiguous: found.ambiguous,
         max_gap: 0.0,
         min_sine: 1.0,
     };
-    let (on_across, directions) = at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
-    grid.across = directions;
-    let (on_along, directions) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
-    grid.along = directions;
     let unit = common_unit(&grid.nodes);
     let size = Aabb::of(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
     for (node, (&p, &q)) in on_across.iter().zip(&on_along).enumerate() {
@@ -129,13 +127,12 @@ fn at_nodes(
     let mut directions = alloc::filled(DVec3::ZERO, width * count)?;
     for k in 0..count {
         job.step(k as f64 / count as f64, "directions at nodes")?;
-        let curve = fit.curve(k);
+        let (curve, own) = (fit.curve(k), k * width..(k + 1) * width);
         if curve.is_empty() {
             // No extent: all its points are one.
-            (k * width..(k + 1) * width).for_each(|i| points[place(i)] = curve.points()[0]);
+            own.for_each(|i| points[place(i)] = curve.points()[0]);
             continue;
         }
-        let own = k * width..(k + 1) * width;
         let places = alloc::collect(own.clone().map(|i| fit.place(i)))?;
         let (on_curve, along) = (curve.points_at(&places)?, curve.tangents_at(&places)?);
         for ((i, p), direction) in own.zip(on_curve).zip(along) {

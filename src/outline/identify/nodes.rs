@@ -55,13 +55,13 @@ impl Nodes {
         constraints: &[Constraint],
         options: &Options,
     ) -> Result<()> {
-        self.read_points(outlines, span, options.repeat_tolerance)?;
+        self.normalise_points(outlines, span, options.repeat_tolerance)?;
         self.closed = outlines.closed && self.points.len() > 2;
         self.cut(span, constraints, options)
     }
 
-    /// Reads the points near the origin, and enters those that repeat others.
-    fn read_points(&mut self, outlines: &Outlines<'_>, span: &Range<usize>, repeat_tolerance: f64) -> Result<()> {
+    /// Brings the points near the origin and to a size near 1, and merges those that repeat others.
+    fn normalise_points(&mut self, outlines: &Outlines<'_>, span: &Range<usize>, repeat_tolerance: f64) -> Result<()> {
         let Nodes { points, node_of, .. } = self;
         points.clear();
         node_of.clear();

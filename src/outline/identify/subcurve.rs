@@ -88,7 +88,7 @@ pub(super) struct PointResult {
 
 impl Default for PointResult {
     fn default() -> Self {
-        PointResult { place: Place { segment: 0, t: 0.0 }, status: PointStatus::Ok }
+        PointResult { place: Place::START, status: PointStatus::Ok }
     }
 }
 

@@ -90,14 +90,13 @@ const MIN_DERIVATIVE: f64 = 1e-13;
 
 /// The direction at `t`, of length 1, or 0.
 pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
-    let along = if t == 0.0 {
-        segment::first_leg(controls)
-    } else if t == 1.0 {
-        segment::last_leg(controls)
-    } else {
-        let (_, derived) = derivatives(controls, t);
-        let min = MIN_DERIVATIVE * controls.len() as f64;
-        derived.into_iter().find(|d| d.length() > min).unwrap_or(DVec3::ZERO)
+    let along = match t {
+        0.0 => segment::first_leg(controls),
+        1.0 => segment::last_leg(controls),
+        _ => {
+            let min = MIN_DERIVATIVE * controls.len() as f64;
+            derivatives(controls, t).1.into_iter().find(|d| d.length() > min).unwrap_or(DVec3::ZERO)
+        }
     };
     let size = along.abs().max_element();
     if size.is_finite() { (along / size).normalize_or_zero() } else { (along * 0.25).normalize_or_zero() }

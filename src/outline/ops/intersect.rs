@@ -105,7 +105,7 @@ impl CurveView<'_> {
         for found in &mut all.points {
             // The end of a closed curve is its start.
             if found.b.along() >= period - SAME_PARAMETER {
-                *found = Intersection { a: Place { segment: 0, t: 0.0 }, b: found.a };
+                *found = Intersection { a: Place::START, b: found.a };
             }
         }
         all.points.retain(|found| {

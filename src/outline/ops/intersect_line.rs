@@ -96,7 +96,7 @@ impl PlaneIntersections {
     /// follows.
     fn close(&mut self, curve: &CurveView<'_>) {
         let last = curve.len() as u32;
-        let start = Place { segment: 0, t: 0.0 };
+        let start = Place::START;
         let has_start = self.places.first() == Some(&start);
         let first_inside = self.inside.first() == Some(&0);
         if curve.is_closed() && has_start && self.inside.last().is_some_and(|&k| k + 1 == last) {

@@ -82,17 +82,17 @@ impl<'a> Lengths<'a> {
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        Ok(self.place_in_frame(self.frame.length(length)))
+        Ok(self.place_at_frame_length(self.frame.length(length)))
     }
 
     /// Places at equal distances along the curve: the parts k / n of the whole for k = 0 to
     /// `count` - 1.
     pub(super) fn place_of_part(&self, k: usize, n: usize) -> Place {
         let total = self.ends.last().copied().unwrap_or(0.0);
-        self.place_in_frame(total * (k as f64 / n as f64))
+        self.place_at_frame_length(total * (k as f64 / n as f64))
     }
 
-    fn place_in_frame(&self, length: f64) -> Place {
+    fn place_at_frame_length(&self, length: f64) -> Place {
         // The first segment that ends beyond it.
         let k = self.ends.partition_point(|&end| end < length).min(self.ends.len() - 1);
         let (before, after) = (self.before(k), self.ends[k]);

@@ -93,7 +93,7 @@ impl CurveView<'_> {
             CurveView::trusted(&points[1], other.ends(), other.is_closed()),
         ];
         let within = frame.length(within).max(ROUNDING);
-        let mut search = Search { sides, within, minima: Vec::new(), unresolved: Vec::new(), undecided: false };
+        let mut search = NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), undecided: false };
         let tree = BoxTree::new(sides[1].segments().map(Aabb::of))?;
         for (i, a) in sides[0].segments().enumerate() {
             job.step_every(16, i, self.len(), "near misses of curves")?;
@@ -114,7 +114,7 @@ fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     Some(if at_end { segment::first_leg(next) } else { -segment::last_leg(next) })
 }
 
-struct Search<'a> {
+struct NearMissSearch<'a> {
     sides: [CurveView<'a>; 2],
     within: f64,
     minima: Vec<Minimum>,
@@ -126,7 +126,7 @@ struct Search<'a> {
 
 /// The search of two segments, by their numbers.
 struct PairSearch<'s, 'a> {
-    search: &'s mut Search<'a>,
+    search: &'s mut NearMissSearch<'a>,
     numbers: [usize; 2],
     whole: [&'a [DVec3]; 2],
 }
@@ -144,28 +144,25 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
         Ok(match count_minima(p, q) {
             Some(0) => BoxTest::Empty,
             Some(_) => BoxTest::Unique(()),
-            None => {
-                let short = [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH);
-                let [x, y] = [p, q].map(Part::size);
-                match short {
-                    [true, true] => BoxTest::Unresolved,
-                    [false, true] => BoxTest::Undecided(0),
-                    [true, false] => BoxTest::Undecided(1),
-                    [false, false] => BoxTest::Undecided(usize::from(x < y)),
-                }
-            }
+            None => match [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH) {
+                [true, true] => BoxTest::Unresolved,
+                [false, true] => BoxTest::Undecided(0),
+                [true, false] => BoxTest::Undecided(1),
+                [false, false] => BoxTest::Undecided(usize::from(p.size() < q.size())),
+            },
         })
     }
 
     fn accept(&mut self, pair: [Part; 2], (): ()) -> Result<()> {
-        self.search.add_minimum(self.whole, self.numbers, pair)
+        self.search.add_local_minimum(self.whole, self.numbers, pair)
     }
 
     fn give_up(&mut self, [p, q]: [Part; 2], exhausted: bool) -> Result<()> {
         self.search.undecided |= exhausted;
-        let middle = DVec2::new(p.from + p.to, q.from + q.to) * 0.5;
+        let [low, high] = corners(&[p, q]);
+        let middle = (low + high) * 0.5;
         let [x, y] = [segment::point(self.whole[0], middle.x), segment::point(self.whole[1], middle.y)];
-        let half = (DVec2::new(p.to - p.from, q.to - q.from) * 0.5).extend(0.0);
+        let half = ((high - low) * 0.5).extend(0.0);
         let middle = (number_of(self.numbers) + middle).extend(0.0);
         alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
     }
@@ -179,7 +176,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
     }
 }
 
-impl Search<'_> {
+impl NearMissSearch<'_> {
     fn search_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));
@@ -189,10 +186,9 @@ impl Search<'_> {
 
     /// Adds the least distance of a pair that has only one, if it is one of the curves too and near
     /// enough.
-    fn add_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
-        let low = DVec2::new(pair[0].from, pair[1].from);
-        let high = DVec2::new(pair[0].to, pair[1].to);
-        let (at, gradient) = descend(whole, 0.5 * (low + high), low, high);
+    fn add_local_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
+        let [low, high] = corners(&pair);
+        let (at, gradient) = minimise_distance(whole, 0.5 * (low + high), low, high);
         let gap = segment::point(whole[0], at.x) - segment::point(whole[1], at.y);
         for k in 0..2 {
             let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
@@ -210,10 +206,10 @@ impl Search<'_> {
                 return Ok(());
             }
         }
-        if gap.length() <= self.within {
-            alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance: gap.length() })?;
+        if gap.length() > self.within {
+            return Ok(());
         }
-        Ok(())
+        alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance: gap.length() })
     }
 
     /// Clusters the unresolved pairs, sorts, and merges repeats.
@@ -233,7 +229,8 @@ impl Search<'_> {
             let whole = [0, 1].map(|k| sides[k].segment(numbers[k]));
             let start = DVec2::new(places[0].t, places[1].t);
             let reach = 2.0 * best.half.truncate();
-            let (at, _) = descend(whole, start, (start - reach).max(DVec2::ZERO), (start + reach).min(DVec2::ONE));
+            let (at, _) =
+                minimise_distance(whole, start, (start - reach).max(DVec2::ZERO), (start + reach).min(DVec2::ONE));
             let distance = segment::point(whole[0], at.x).distance(segment::point(whole[1], at.y));
             if distance <= self.within {
                 alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance })?;
@@ -251,6 +248,11 @@ impl Search<'_> {
         }))?;
         Ok(found)
     }
+}
+
+/// The smallest and the largest parameters of a pair of parts.
+fn corners([p, q]: &[Part; 2]) -> [DVec2; 2] {
+    [DVec2::new(p.from, q.from), DVec2::new(p.to, q.to)]
 }
 
 /// The numbers of two segments, for places as numbers.
@@ -322,7 +324,7 @@ fn count_minima(p: &Part, q: &Part) -> Option<usize> {
 
 /// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton; the place and
 /// the gradient there.
-fn descend(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, DVec2) {
+fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, DVec2) {
     let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
     let (mut a, mut b) = jets(at);

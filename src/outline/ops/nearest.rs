@@ -126,7 +126,7 @@ impl<'a> CurveSearch<'a> {
     fn nearest(&self, q: DVec3) -> Nearest {
         if self.curve.is_empty() {
             let point = self.curve.points()[0];
-            return Nearest { place: Place { segment: 0, t: 0.0 }, point, distance: distance(point, q) };
+            return Nearest { place: Place::START, point, distance: distance(point, q) };
         }
         let place = self.place(self.in_frame(q));
         let point = segment::point(self.curve.segment(place.segment as usize), place.t);
@@ -145,7 +145,7 @@ impl<'a> CurveSearch<'a> {
     /// The place nearest to a point of the frame.
     fn place(&self, q: DVec3) -> Place {
         let local = CurveView::trusted(&self.points, self.curve.ends(), false);
-        let mut best = (Place { segment: 0, t: 0.0 }, local.segment(0)[0].distance_squared(q));
+        let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
         self.tree.nearest(q, best.1, &mut |k| {
             let (t, distance) = nearest_on(local.segment(k), q);
             if distance < best.1 {
@@ -222,19 +222,19 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
             if t > 0.0 && t < 1.0 {
                 offer(t);
             }
+            return best;
         }
         [a, b, c] => {
             // C - q = w t^2 + 2 u t + r: half of its product with its derivative is this cubic.
             let (r, u, w) = (a - q, b - a, (c - b) - (b - a));
             let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
-            match cubic {
-                Some((found, count)) => {
-                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t));
-                }
-                None => stationary_points(controls, q).as_slice().iter().for_each(|&t| offer(t)),
+            if let Some((found, count)) = cubic {
+                found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t));
+                return best;
             }
         }
-        _ => stationary_points(controls, q).as_slice().iter().for_each(|&t| offer(t)),
+        _ => {}
     }
+    stationary_points(controls, q).as_slice().iter().for_each(|&t| offer(t));
     best
 }

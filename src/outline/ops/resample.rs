@@ -105,9 +105,7 @@ impl<'a> Walk<'a> {
 
     fn by_count(mut self, count: usize, lengths: &Lengths<'_>) -> Result<Samples> {
         let gaps = if self.curve.is_closed() { count } else { count - 1 };
-        for k in 0..count {
-            self.add(lengths.place_of_part(k, gaps))?;
-        }
+        (0..count).try_for_each(|k| self.add(lengths.place_of_part(k, gaps)))?;
         Ok(self.samples)
     }
 
@@ -121,14 +119,14 @@ impl<'a> Walk<'a> {
             }
         }
         if !self.curve.is_closed() {
-            self.add(Place { segment: self.curve.len() as u32 - 1, t: 1.0 })?;
+            self.add(self.curve.last_place())?;
         }
         Ok(self.samples)
     }
 
     fn by_chord(mut self, tolerance: f64) -> Result<Samples> {
         let frame = UnitFrame::of(self.curve.points());
-        self.add(Place { segment: 0, t: 0.0 })?;
+        self.add(Place::START)?;
         for (k, controls) in self.curve.segments().enumerate() {
             self.flatten(k as u32, frame.segment(controls), [0.0, 1.0], frame.length(tolerance), 20)?;
         }

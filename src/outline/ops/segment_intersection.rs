@@ -183,20 +183,19 @@ impl SegmentIntersections {
                 && nearest_on(b, middle).1 <= MAX_COMMON_DISTANCE * MAX_COMMON_DISTANCE
         };
         let mut kept = 0;
-        let mut i = 0;
-        while i < self.at.len() {
+        let mut rest = 0..self.at.len();
+        while let Some(i) = rest.next() {
             let first = self.at[i];
             let mut last = first;
-            while i + 1 < self.at.len() && together(last, self.at[i + 1]) {
-                i += 1;
-                last = self.at[i];
+            while !rest.is_empty() && together(last, self.at[rest.start]) {
+                last = self.at[rest.start];
+                rest.start += 1;
             }
             self.at[kept] = [0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1])];
             if first != last {
                 self.at[kept][1] = snap(nearest_on(b, segment::point(a, self.at[kept][0])).0);
             }
             kept += 1;
-            i += 1;
         }
         self.at.truncate(kept);
     }

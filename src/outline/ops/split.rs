@@ -13,8 +13,7 @@ impl CurveView<'_> {
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`]. O(points).
     pub fn split(&self, at: Place) -> Result<[Curve; 2]> {
         self.check_place(0, at)?;
-        let last = Place { segment: self.len() as u32 - 1, t: 1.0 };
-        Ok([self.between(Place { segment: 0, t: 0.0 }, at)?, self.between(at, last)?])
+        Ok([self.between(Place::START, at)?, self.between(at, self.last_place())?])
     }
 
     /// The part from one place to another, open. On a closed curve it may run over the start, and
@@ -31,12 +30,9 @@ impl CurveView<'_> {
             return self.between(from, to);
         }
         Error::require(self.is_closed(), "to", to.t)?;
-        let last = Place { segment: self.len() as u32 - 1, t: 1.0 };
-        let mut curve = self.between(from, last)?;
-        let rest = self.between(Place { segment: 0, t: 0.0 }, to)?;
-        for segment in rest.view().segments() {
-            curve.push(&segment[1..])?;
-        }
+        let mut curve = self.between(from, self.last_place())?;
+        let rest = self.between(Place::START, to)?;
+        rest.view().segments().try_for_each(|segment| curve.push(&segment[1..]))?;
         Ok(curve)
     }
 
