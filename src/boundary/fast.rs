@@ -103,13 +103,13 @@ fn minus(x: u32, y: u32) -> u64 {
     u64::from(x).wrapping_sub(u64::from(y))
 }
 
-/// Both sums over some faces.
-struct Partial {
+/// Both sums over some faces or all.
+struct Sums {
     of_vertex: Vec<u32>,
     area: u64,
 }
 
-impl Visitor for Partial {
+impl Visitor for Sums {
     #[inline(always)]
     fn face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
         let (count, first) = (corners.len(), corners[0]);
@@ -128,43 +128,30 @@ impl Visitor for Partial {
     }
 }
 
-/// Both sums over all faces.
-struct Sums {
-    of_vertex: Vec<u32>,
-    area: u64,
-    /// How many vertices have sums that are not 0.
-    flagged: usize,
-}
-
 impl Sums {
     /// Each thread sums in an array of its own. All additions wrap round, so that it does not
     /// matter who adds what.
     fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
-        let idle: Mutex<Vec<Partial>> = Mutex::new(Vec::new());
+        let idle: Mutex<Vec<Sums>> = Mutex::new(Vec::new());
         let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
         let added = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
             let free = pool().pop();
             let mut partial = match free {
                 Some(partial) => partial,
-                None => Partial { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
+                None => Sums { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
             };
             mesh.faces().visit(range, &mut partial)?;
             pool().push(partial);
             Ok(())
         });
         added.into_iter().collect::<Result<()>>()?;
-        let partials = idle.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let mut sums = Sums { of_vertex: Vec::new(), area: 0, flagged: 0 };
+        let mut partials = idle.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter();
+        let mut sums = partials.next().unwrap_or(Sums { of_vertex: Vec::new(), area: 0 });
         for partial in partials {
             sums.area = sums.area.wrapping_add(partial.area);
-            if sums.of_vertex.is_empty() {
-                sums.of_vertex = partial.of_vertex;
-            } else {
-                let both = sums.of_vertex.iter_mut().zip(partial.of_vertex);
-                both.for_each(|(sum, part)| *sum = sum.wrapping_add(part));
-            }
+            let both = sums.of_vertex.iter_mut().zip(partial.of_vertex);
+            both.for_each(|(sum, part)| *sum = sum.wrapping_add(part));
         }
-        sums.flagged = sums.of_vertex.iter().filter(|&&sum| sum != 0).count();
         Ok(sums)
     }
 
@@ -179,7 +166,8 @@ impl Sums {
             self.of_vertex[v as usize] == f(border[i].1).wrapping_sub(f(u))
         };
         let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(u, v)));
-        border.len() == self.flagged && border.iter().zip(next).all(fits) && area == self.area
+        let flagged = self.of_vertex.iter().filter(|&&sum| sum != 0).count();
+        border.len() == flagged && border.iter().zip(next).all(fits) && area == self.area
     }
 }
 

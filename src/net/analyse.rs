@@ -223,7 +223,7 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
         for (j, determinant) in row.iter_mut().enumerate() {
             let [a, b, c, d] = planes.corners(i, j);
             let size = (c - a).length() + (d - b).length();
-            let (jacobian, error) = differences((a + b + c + d) / 4.0, size, steps);
+            let (jacobian, error) = jacobian((a + b + c + d) / 4.0, size, steps);
             let [x, y, z] = [jacobian.x_axis, jacobian.y_axis, jacobian.z_axis];
             // The error bound of the determinant, given that of each column.
             let off = error * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length());
@@ -234,15 +234,10 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
     Ok(determinants)
 }
 
-/// The Jacobian of a chain of fields at a point, by central differences. The step balances
-/// truncation against rounding: the cube root of the precision, times the larger of `size` and the
-/// coordinates.
-pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> DMat3 {
-    differences(point, size, steps).0
-}
-
-/// The Jacobian, and an error bound of its columns.
-fn differences(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
+/// The Jacobian of a chain of fields at a point, by central differences, and an error bound of its
+/// columns. The step balances truncation against rounding: the cube root of the precision, times
+/// the larger of `size` and the coordinates.
+pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);
     let points = [0, 1, 2].map(|k| [point + offsets[k], point - offsets[k]]);

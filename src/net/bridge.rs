@@ -113,12 +113,6 @@ impl Bridge {
         self.mode == BridgeMode::Hide
     }
 
-    /// True if the cell at (i, j) belongs to it.
-    pub fn has_cell(&self, i: usize, j: usize) -> bool {
-        let (across, along) = self.direction.ordered(i, j);
-        across + 1 == self.at as usize && (self.start as usize..self.end as usize - 1).contains(&along)
-    }
-
     /// True if it runs from side to side of a net of that size, so that the net can be split there.
     pub fn is_whole(&self, shape: Shape) -> bool {
         self.start == 0 && self.end as usize == self.direction.extent(shape).1

@@ -1,7 +1,4 @@
 //! The cells of hidden bridges, sorted by row.
-//!
-//! [`Net::is_hidden`] asks every bridge for every cell; this asks every bridge once. Built in
-//! O(rows + cells of hidden bridges).
 
 use crate::error::Result;
 use crate::net::{Bridge, Net};

@@ -92,8 +92,10 @@ impl Coordinates<'_> {
 /// A tetragonal regular network: H x W nodes in space, their gluing, and the bridges between the
 /// nets that it was joined from.
 ///
-/// A node with a coordinate that is NaN or infinite is missing, and so are the cells that touch it:
-/// see [`Net::is_present`].
+/// A node with a coordinate that is NaN or infinite is missing. A cell exists if its four nodes are
+/// not missing, and it belongs to no hidden bridge. A missing node does not affect the nodes that
+/// are glued to it: their cells exist, and the vertex lies at the first of its nodes that is not
+/// missing. [`Complex::of`](super::complex::Complex::of) and [`Net::to_mesh`] follow this rule.
 #[derive(Debug)]
 pub struct Net<'a> {
     coordinates: Coordinates<'a>,
@@ -176,20 +178,6 @@ impl<'a> Net<'a> {
     pub(crate) fn position(&self, node: u32) -> DVec3 {
         let (i, j) = self.shape().place(node);
         self.get(i, j)
-    }
-
-    /// True if the cell at (i, j) exists: its four nodes have finite coordinates, and it belongs to
-    /// no hidden bridge. A missing node does not affect the nodes that are glued to it: their cells
-    /// exist, and the vertex lies at the first of its nodes that is not missing.
-    /// [`Complex::of`](super::complex::Complex::of) and [`Net::to_mesh`] follow this rule.
-    pub fn is_present(&self, i: usize, j: usize) -> bool {
-        each!(&self.coordinates, planes => planes.corners(i, j)).into_iter().all(DVec3::is_finite)
-            && !self.is_hidden(i, j)
-    }
-
-    /// True if the cell at (i, j) belongs to a hidden bridge.
-    pub fn is_hidden(&self, i: usize, j: usize) -> bool {
-        self.bridges.iter().any(|bridge| bridge.is_hidden() && bridge.has_cell(i, j))
     }
 
     /// A copy with coordinates of the given type. Rounding to single precision keeps glued nodes

@@ -5,13 +5,18 @@ use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::outline::{
     Constraint, CurveView, Ends, Fit, FitStatus, JointParameter, Method, Mode, Options, Outlines, Place,
-    PointConstraint, PointStatus, Points, fit, tangent_of_angle,
+    PointConstraint, PointStatus, Points, fit,
 };
 use gusset::{Element, Error, Job};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 const MODES: [Mode; 4] = [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2];
+
+/// The tangent of an angle, in radians counter-clockwise from the x-axis, in the plane z = 0.
+fn tangent_of_angle(angle: f64) -> DVec3 {
+    DVec3::new(angle.cos(), angle.sin(), 0.0)
+}
 
 fn at(curve: CurveView<'_>, place: Place) -> DVec3 {
     casteljau(curve.segment(place.segment as usize), place.t)

@@ -1,7 +1,7 @@
 //! The frame of outlines, on bodies by formula.
 
 use glam::DVec3;
-use gusset::outline::frame::{Correspondence, Frame, FrameOptions, Measure, frame, measures, slice};
+use gusset::outline::frame::{Correspondence, Frame, FrameOptions, Measure, frame, slice};
 use gusset::outline::{Mode, Options, Outlines, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
@@ -139,12 +139,13 @@ fn new_sections_of_a_ball_have_its_girths_and_areas() {
         }
     }
     let planes: Vec<DVec3> = (0..7).map(|k| DVec3::Z * (0.4 * f64::from(k) - 1.2)).collect();
-    let series = measures(&made.along, &planes, DVec3::Z, true, &CUBIC, &Job::default()).unwrap();
-    for (plane, measure) in planes.iter().zip(&series) {
+    for plane in &planes {
+        let cut = slice(&made.along, *plane, DVec3::Z, true, &CUBIC, &Job::default()).unwrap();
+        let measure = Measure::of(cut.curve.curve(0)).unwrap();
         assert!((measure.area / (PI * (4.0 - plane.z * plane.z)) - 1.0).abs() < 1e-4);
     }
-    let beyond = measures(&made.along, &[planes[0], DVec3::Z * 3.0], DVec3::Z, true, &CUBIC, &Job::default());
-    assert_eq!(beyond.unwrap_err(), Error::NoNode { section: 1, column: 0 });
+    let beyond = slice(&made.along, DVec3::Z * 3.0, DVec3::Z, true, &CUBIC, &Job::default());
+    assert_eq!(beyond.unwrap_err(), Error::NoNode { section: 0, column: 0 });
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Joining nets and taking them apart.
 
 use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
+use crate::space::{has_cell, is_hidden};
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{Gluing, Links};
@@ -231,7 +232,7 @@ fn refusals() {
     let wide = sphere(4, 18, Scalar::F32, DVec3::ZERO);
     let twice = concatenate(&once, &wide, &JoinOptions::new(Direction::Down), &job()).unwrap();
     assert_eq!(twice.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0 });
-    assert!(!twice.is_hidden(2, 8) && twice.bridges()[0].has_cell(2, 8) && !twice.bridges()[0].has_cell(5, 8));
+    assert!(!is_hidden(&twice, 2, 8) && has_cell(&twice.bridges()[0], 2, 8) && !has_cell(&twice.bridges()[0], 5, 8));
     assert_eq!(concatenate_all(&[], &strict, &job()).unwrap_err(), Error::EmptyScene);
 }
 

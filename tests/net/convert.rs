@@ -2,6 +2,7 @@
 
 use crate::common::{self, edge_counts, euler, faces_of};
 use crate::nets::{Surface, any_topology, job, same, shape, sphere, torus};
+use crate::space::{is_hidden, is_present};
 use glam::DVec3;
 use gusset::Error;
 use gusset::boundary::boundary_loops;
@@ -60,7 +61,7 @@ proptest! {
         }
         for (face, &cell) in mesh.faces().zip(&made.cell_of_face) {
             let (i, j) = size.cell_place(cell);
-            prop_assert!(net.is_present(i, j) || options.fill_corners && !net.is_hidden(i, j));
+            prop_assert!(is_present(&net, i, j) || options.fill_corners && !is_hidden(&net, i, j));
             let corners = size.corners(i, j).map(|node| made.vertex_of_node[node as usize]);
             prop_assert!(face.iter().all(|vertex| corners.contains(vertex)));
             prop_assert!(face.iter().all(|&vertex| mesh.positions.get(vertex).is_finite()));

@@ -110,7 +110,7 @@ fn twists_tapers_shears_and_wraps_have_the_volumes_that_their_formulas_say() {
     let mut random = Random(11);
     for _ in 0..200 {
         let p = 2.0 * random.vector();
-        let det = |field: &dyn Field| jacobian(p, 0.1, &[whole(field)]).determinant();
+        let det = |field: &dyn Field| jacobian(p, 0.1, &[whole(field)]).0.determinant();
         let close = |a: f64, b: f64| (a - b).abs() < 1e-7 * (1.0 + b.abs());
         for (axis, w) in [(Axis::X, p.x), (Axis::Y, p.y), (Axis::Z, p.z)] {
             assert!(close(det(&field::twist(axis, 0.7, 0.2).unwrap()), 1.0));

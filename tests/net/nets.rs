@@ -1,6 +1,7 @@
 //! Nets at random and by formula, and what is independently known of them, for the tests of nets.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
+use crate::space::is_hidden;
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{Links, Matrix, Reduced, Run};
@@ -78,7 +79,7 @@ impl Surface {
         let mut edge = |a: u32, b: u32| edges.insert([a.min(b), a.max(b)]);
         let (h, w) = (net.shape().rows(), net.shape().columns());
         for (i, j) in (0..h - 1).flat_map(|i| (0..w - 1).map(move |j| (i, j))) {
-            if net.is_hidden(i, j) {
+            if is_hidden(net, i, j) {
                 continue;
             }
             match Reduced::new(classes.corners(i, j)) {

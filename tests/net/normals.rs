@@ -1,6 +1,6 @@
 //! Normals: analytic shapes, brute force over polygons, rims, holes, scales, bits.
 
-use crate::space::{Gapped, Random, sheet, sphere, torus};
+use crate::space::{Gapped, Random, is_present, sheet, sphere, torus};
 use glam::DVec3;
 use gusset::job::Progress;
 use gusset::mesh::Scalar;
@@ -56,7 +56,7 @@ fn by_force(net: &Net<'_>) -> Vec<DVec3> {
     let mut sums = vec![(DVec3::ZERO, 0.0); shape.node_count()];
     for i in 0..shape.rows() - 1 {
         for j in 0..shape.columns() - 1 {
-            if !net.is_present(i, j) {
+            if !is_present(net, i, j) {
                 continue;
             }
             if let Some(polygon) = Reduced::new(classes.corners(i, j)).polygon() {

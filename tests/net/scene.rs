@@ -17,6 +17,11 @@ fn along_x(x: f64) -> DAffine3 {
     DAffine3::from_translation(DVec3::new(x, 0.0, 0.0))
 }
 
+/// The nets that are entries, each once, in order of their indices.
+fn nets(scene: &Scene) -> Vec<&Net<'static>> {
+    (0..scene.len() as u32).filter_map(|entry| scene.net(entry).ok()).map(|net| &**net).collect()
+}
+
 /// True if `entry` is below `group`, by force.
 fn is_below(scene: &Scene, group: u32, entry: u32) -> bool {
     let children = scene.children(group).unwrap_or_default();
@@ -65,10 +70,10 @@ proptest! {
             scene.add_child(group, net).unwrap();
         }
         let flat = scene.flatten(&hidden(direction), &job()).unwrap();
-        let back = Scene::of_flat(&flat.net, direction, &job()).unwrap();
-        let (before, after): (Vec<_>, Vec<_>) = (scene.nets().collect(), back.nets().collect());
+        let back = Scene::of_flat(&flat, direction, &job()).unwrap();
+        let (before, after) = (nets(&scene), nets(&back));
         prop_assert_eq!(before.len(), after.len());
-        prop_assert!(before.iter().zip(&after).all(|((_, a), (_, b))| same(a, b)));
+        prop_assert!(before.iter().zip(&after).all(|(a, b)| same(a, b)));
     }
 }
 
@@ -84,8 +89,8 @@ fn nets_that_were_joined_before_stay_joined() {
             scene.add_child(group, net).unwrap();
         }
         let flat = scene.flatten(&hidden(direction), &job()).unwrap();
-        let back = Scene::of_flat(&flat.net, direction, &job()).unwrap();
-        let nets: Vec<_> = back.nets().map(|(_, net)| net).collect();
+        let back = Scene::of_flat(&flat, direction, &job()).unwrap();
+        let nets = nets(&back);
         assert_eq!(nets.len(), 3);
         assert!(same(nets[0], &pair) && same(nets[2], &pair));
         let [a, b] = nets[0].split(0, &job()).unwrap();
@@ -113,7 +118,7 @@ fn a_million_levels() {
         let instances = scene.instances(&job()).unwrap();
         assert_eq!(instances[levels as usize].world, along_x(f64::from(levels - 1)));
         let flat = scene.flatten(&hidden(Direction::Down), &job()).unwrap();
-        assert_eq!(flat.net.get(0, 0), DVec3::new(f64::from(levels - 1), 0.0, -1.0));
+        assert_eq!(flat.get(0, 0), DVec3::new(f64::from(levels - 1), 0.0, -1.0));
         drop(scene);
     }
 }
@@ -142,7 +147,7 @@ fn mirrors_are_mirrors_at_any_size() {
             let mut scene = Scene::new();
             let ball = scene.add_net(Arc::new(sphere(5, 9, Scalar::F64, DVec3::ZERO))).unwrap();
             scene.set_transform(ball, DAffine3::from_scale(size * DVec3::new(x, 1.0, 1.0))).unwrap();
-            scene.flatten(&hidden(Direction::Down), &job()).unwrap().net
+            scene.flatten(&hidden(Direction::Down), &job()).unwrap()
         });
         for net in &flat {
             assert_eq!(net.topology(), flat[0].topology(), "{x}");
@@ -168,16 +173,18 @@ fn where_things_are() {
     assert_eq!((counts.nets, counts.groups, counts.instances, counts.net_instances, counts.levels), (2, 4, 9, 4, 4));
     for direction in [Direction::Down, Direction::Right] {
         let flat = scene.flatten(&hidden(direction), &job()).unwrap();
-        let entries: Vec<u32> = flat.instances.iter().map(|instance| instance.entry).collect();
+        let mut instances = scene.instances(&job()).unwrap();
+        instances.retain(|instance| scene.net(instance.entry).is_ok());
+        let entries: Vec<u32> = instances.iter().map(|instance| instance.entry).collect();
         assert_eq!(entries, [ball, ring, ball, ring]);
-        let surface = Surface::of(&flat.net);
+        let surface = Surface::of(&flat);
         assert_eq!((surface.euler(), surface.edge_faces().into_keys().collect::<Vec<_>>()), (4, vec![2]));
         let volume = |net: &Net<'_>| Surface::of(net).volume(net);
         let own = volume(scene.net(ball).unwrap()) + volume(scene.net(ring).unwrap());
-        assert!((surface.volume(&flat.net) - 2.0 * own).abs() < 1e-9, "mirrored nets count as others");
-        let back = flat.net.split_all(direction, &job()).unwrap();
+        assert!((surface.volume(&flat) - 2.0 * own).abs() < 1e-9, "mirrored nets count as others");
+        let back = flat.split_all(direction, &job()).unwrap();
         let nets = entries.iter().map(|&entry| scene.net(entry).unwrap());
-        for ((part, net), instance) in back.iter().zip(nets).zip(&flat.instances) {
+        for ((part, net), instance) in back.iter().zip(nets).zip(&instances) {
             let mirrored = instance.world.matrix3.determinant() < 0.0;
             assert_eq!(part.shape(), net.shape());
             assert_eq!(part.topology(), &net.topology().clone().with_reversed(mirrored));
@@ -186,7 +193,7 @@ fn where_things_are() {
     }
     scene.set_visible(left, false).unwrap();
     let flat = scene.flatten(&hidden(Direction::Down), &job()).unwrap();
-    assert_eq!(flat.instances.len(), 2);
+    assert_eq!(flat.split_all(Direction::Down, &job()).unwrap().len(), 2);
     scene.set_visible(all, false).unwrap();
     assert_eq!(scene.flatten(&hidden(Direction::Down), &job()).unwrap_err(), Error::EmptyScene);
     scene.remove(pair).unwrap();
@@ -211,7 +218,7 @@ fn a_hundred_thousand_nets() {
         scene.add_net(Arc::new(net.unwrap())).unwrap();
     }
     let flat = scene.flatten(&hidden(Direction::Down), &job()).unwrap();
-    assert_eq!((flat.net.shape(), flat.net.bridges().len()), (shape(800_000, 8), 99_999));
-    let back = flat.net.split_all(Direction::Down, &job()).unwrap();
-    assert!(scene.nets().zip(&back).step_by(997).all(|((_, a), b)| same(a, b)));
+    assert_eq!((flat.shape(), flat.bridges().len()), (shape(800_000, 8), 99_999));
+    let back = flat.split_all(Direction::Down, &job()).unwrap();
+    assert!(nets(&scene).iter().zip(&back).step_by(997).all(|(a, b)| same(a, b)));
 }

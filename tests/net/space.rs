@@ -4,12 +4,32 @@
 
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::{Coordinates, Net, Planes, Shape, Sides, Topology};
+use gusset::net::{Bridge, Coordinates, Direction, Net, Planes, Shape, Sides, Topology};
 use std::f64::consts::{PI, TAU};
 
 /// The sine and cosine of k of n parts of a full turn, with equal bits for k = 0 and k = n.
 fn turn(k: usize, n: usize) -> (f64, f64) {
     ((k % n) as f64 * TAU / n as f64).sin_cos()
+}
+
+/// True if the cell at (i, j) belongs to the bridge.
+pub fn has_cell(bridge: &Bridge, i: usize, j: usize) -> bool {
+    let (across, along) = if bridge.direction == Direction::Down { (i, j) } else { (j, i) };
+    across + 1 == bridge.at as usize && (bridge.start as usize..bridge.end as usize - 1).contains(&along)
+}
+
+/// True if the cell at (i, j) belongs to a hidden bridge.
+pub fn is_hidden(net: &Net<'_>, i: usize, j: usize) -> bool {
+    net.bridges().iter().any(|bridge| bridge.is_hidden() && has_cell(bridge, i, j))
+}
+
+/// True if the cell at (i, j) exists: its four nodes have finite coordinates, and it belongs to no
+/// hidden bridge.
+pub fn is_present(net: &Net<'_>, i: usize, j: usize) -> bool {
+    net.shape().corners(i, j).into_iter().all(|node| {
+        let (i, j) = net.shape().place(node);
+        net.get(i, j).is_finite()
+    }) && !is_hidden(net, i, j)
 }
 
 /// A sphere with poles at z = -1 (first row) and z = 1 (last row), its normals outwards.

@@ -217,10 +217,11 @@ fn rows_come_as_their_blocks_do() {
         let mut rows = 0;
         for piece in stream.chunks(97) {
             let done = decoder.push(piece).unwrap();
-            for i in rows..done {
-                let Some(Coordinates::F64(planes)) = decoder.coordinates() else { panic!("no coordinates") };
+            if done > rows {
+                let preview = decoder.preview().unwrap();
+                let Coordinates::F64(planes) = preview.coordinates() else { panic!("another type") };
                 let Coordinates::F64(expected) = whole.coordinates() else { panic!("another type") };
-                assert_eq!(planes.row(i), expected.row(i));
+                assert!((rows..done).all(|i| planes.row(i) == expected.row(i)));
             }
             assert!(done >= rows && (done.is_multiple_of(7) || done == 60));
             rows = done;

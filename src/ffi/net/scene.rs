@@ -482,7 +482,7 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
         } else {
             input::read(options, false, "options")?.checked()?
         };
-        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?.net))
+        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?))
     })
 }
 

@@ -36,7 +36,7 @@ impl Complex {
         Complex::new(topology, &Presence::ALL, job)
     }
 
-    /// The complex of the cells of a net that exist: see [`Net::is_present`].
+    /// The complex of the cells of a net that exist: see [`Net`].
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face),

@@ -109,7 +109,7 @@ impl Texture {
 }
 
 impl Net<'_> {
-    /// The mesh of the net. It has the cells that [`Net::is_present`]. O(nodes).
+    /// The mesh of the net. It has the cells that exist. O(nodes).
     ///
     /// # Errors
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
@@ -307,8 +307,8 @@ impl<T: Real> FaceBuilder<'_, T> {
         alloc::push(&mut self.cells, cell)
     }
 
-    /// The edges without faces, as pairs of classes, each once, in order. O(e log e) for e edges, and
-    /// O(faces log e) if there are any.
+    /// The edges without faces, as pairs of classes, each once, in order. O(e log e) for e edges,
+    /// and O(faces log e) if there are any.
     fn wires(&mut self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
         let mut edges = std::mem::take(&mut self.edges);
         edges.iter_mut().for_each(|edge| *edge = sorted_pair(*edge));

@@ -69,20 +69,12 @@ fn cut(
     job: &Job<'_>,
 ) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
-    let mut ranges: Vec<Range<usize>> = alloc::with_capacity(cuts.len() + 1)?;
-    for &end in cuts.iter().chain(&[count]) {
-        let start = ranges.last().map_or(0, |range| range.end);
-        ranges.push(start..end);
-    }
+    let starts = [0].into_iter().chain(cuts.iter().copied());
+    let ranges = alloc::gather(starts.zip(cuts.iter().copied().chain([count])).map(|(start, end)| start..end))?;
     let topologies = match direction {
         Direction::Down => net.topology().rows_cut(&ranges)?,
         Direction::Right => {
-            let mut parts = net.topology().transposed()?.rows_cut(&ranges)?;
-            parts.iter_mut().try_for_each(|part| {
-                *part = part.transposed()?;
-                Ok(())
-            })?;
-            parts
+            alloc::try_collect(net.topology().transposed()?.rows_cut(&ranges)?.iter().map(Topology::transposed))?
         }
     };
     let welded = removed.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);

@@ -125,8 +125,8 @@ impl<T: Real> Kernel for Strip<'_, T> {
     }
 }
 
-/// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for cells with
-/// a missing corner.
+/// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for
+/// cells with a missing corner.
 #[inline(always)]
 fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &mut [[f64; CHUNK]; 5]) {
     let [lengths, n_x, n_y, n_z, cones] = cells;

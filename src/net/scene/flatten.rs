@@ -1,7 +1,7 @@
 //! Flattening: the visible nets of a scene joined to one, in the space of the scene, and the
 //! inverse. O(entries + instances + nodes).
 
-use super::arena::{Content, Scene};
+use super::arena::Scene;
 use super::instances::Instance;
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -14,19 +14,10 @@ use crate::par;
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
-/// A scene as one net.
-#[derive(Debug)]
-pub struct Flattened {
-    /// The nets of all visible instances in the space of the scene, with bridges between them.
-    pub net: Net<'static>,
-    /// The instance of each of these nets, in order.
-    pub instances: Vec<Instance>,
-}
-
 impl Scene {
-    /// Joins the nets of all visible instances to one. Nets whose transforms mirror are flipped
-    /// along the side where face orientations would differ; `options.turn` counts as true.
-    /// O(entries + instances + nodes).
+    /// Joins the nets of all visible instances, in order, to one in the space of the scene. Nets
+    /// whose transforms mirror are flipped along the side where face orientations would differ;
+    /// `options.turn` counts as true. O(entries + instances + nodes).
     ///
     /// [`Net::split_all`] and [`Scene::of_flat`] are the inverse: they give the nets in the space
     /// of the scene, bit for bit where transforms are the identity.
@@ -34,7 +25,7 @@ impl Scene {
     /// # Errors
     /// [`Error::EmptyScene`] if no net is visible; those of [`Scene::instances`] and
     /// [`concatenate`](crate::net::concatenate).
-    pub fn flatten(&self, options: &JoinOptions, job: &Job<'_>) -> Result<Flattened> {
+    pub fn flatten(&self, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
         let mut instances = self.instances(&job.part(0.0, 0.2))?;
         instances.retain(|instance| instance.visible && self.net(instance.entry).is_ok());
         if instances.is_empty() {
@@ -51,7 +42,7 @@ impl Scene {
             each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job));
         }
         job.step(1.0, "nodes")?;
-        Ok(Flattened { net, instances })
+        Ok(net)
     }
 
     /// A scene of the nets that a flat net was joined from, in one group. O(nodes).
@@ -66,14 +57,6 @@ impl Scene {
             scene.add_child(group, child)?;
         }
         Ok(scene)
-    }
-
-    /// The nets that are entries, each once, in order of their indices.
-    pub fn nets(&self) -> impl Iterator<Item = (u32, &Arc<Net<'static>>)> {
-        (0..).zip(&self.entries).filter_map(|(index, entry)| match &entry.as_ref()?.content {
-            Content::Net(net) => Some((index, net)),
-            Content::Group(_) => None,
-        })
     }
 }
 

@@ -15,5 +15,4 @@ mod instances;
 mod reachability;
 
 pub use arena::{Content, Counts, Scene};
-pub use flatten::Flattened;
 pub use instances::{Instance, MAX_INSTANCES};

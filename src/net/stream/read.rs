@@ -245,11 +245,6 @@ impl StreamDecoder {
         self.info().zip(last).map_or(0, |(info, last)| info.block_rows(last).end)
     }
 
-    /// The coordinates; incomplete rows are undefined.
-    pub fn coordinates(&self) -> Option<&Coordinates<'static>> {
-        self.state.as_ref().map(|(_, coordinates)| coordinates)
-    }
-
     /// The complete rows as a net: a sheet without bridges.
     ///
     /// # Errors

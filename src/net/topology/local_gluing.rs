@@ -44,11 +44,6 @@ impl GluingType {
         (number != NO_TYPE).then_some(GluingType(number))
     }
 
-    /// All types in order.
-    pub fn all() -> impl ExactSizeIterator<Item = GluingType> {
-        (0..Self::COUNT as u8).map(GluingType)
-    }
-
     /// The type of a number; `None` above 17.
     pub fn from_number(number: u32) -> Option<Self> {
         u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)

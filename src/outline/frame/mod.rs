@@ -18,7 +18,7 @@ mod options;
 mod slice;
 
 pub use options::{Correspondence, FrameOptions};
-pub use slice::{Measure, Slice, measures, slice};
+pub use slice::{Measure, Slice, slice};
 
 use crate::outline::identify::{Fit, Options, Outlines, Points, fit};
 

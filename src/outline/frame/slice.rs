@@ -99,28 +99,3 @@ impl Measure {
 
 /// The chords of a segment by which its centre is measured.
 const CHORDS_PER_SEGMENT: u32 = 16;
-
-/// Measures the sections of a frame by planes through some points across `normal`: girth and area
-/// along a body.
-///
-/// # Errors
-/// Those of [`slice`](slice()); the section of [`Error::NoNode`] is the place of the plane.
-pub fn measures(
-    along: &Fit,
-    points: &[DVec3],
-    normal: DVec3,
-    closed: bool,
-    options: &Options,
-    job: &Job<'_>,
-) -> Result<Vec<Measure>> {
-    let mut found = alloc::with_capacity(points.len())?;
-    for (k, &point) in points.iter().enumerate() {
-        let part = job.share(k, points.len());
-        let cut = slice(along, point, normal, closed, options, &part).map_err(|error| match error {
-            Error::NoNode { column, .. } => Error::NoNode { section: k as u32, column },
-            other => other,
-        })?;
-        found.push(Measure::of(cut.curve.curve(0))?);
-    }
-    Ok(found)
-}

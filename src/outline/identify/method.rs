@@ -201,8 +201,3 @@ fn unit_tangent(tau: DVec3) -> Result<DVec3, PointStatus> {
 
 /// The sine of the angle by which a tangent may leave the plane of its section.
 const MAX_PLANE_SINE: f64 = 1e-9;
-
-/// The tangent of an angle, in radians counter-clockwise from the x-axis, in the plane z = 0.
-pub fn tangent_of_angle(angle: f64) -> DVec3 {
-    DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
-}

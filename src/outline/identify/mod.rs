@@ -36,9 +36,7 @@ mod subcurve;
 
 pub use driver::fit;
 pub use fit::Fit;
-pub use method::{
-    Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent, tangent_of_angle,
-};
+pub use method::{Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent};
 pub use options::{Ends, JointParameter, Lock, Mode, Options, Solver};
 pub use outlines::{Constraint, MAX_POINTS, Outlines, PointConstraint, Points};
 pub use report::{FitStatus, PointStatus, Report};

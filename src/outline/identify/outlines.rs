@@ -46,11 +46,6 @@ impl<'a> Points<'a> {
         self.len() == 0
     }
 
-    /// 2 or 3.
-    pub fn dimension(&self) -> usize {
-        self.dimension
-    }
-
     /// Appends the points of a range to a list of sufficient capacity.
     pub(super) fn read(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
         match self.dimension {

@@ -64,16 +64,6 @@ impl CurveView<'_> {
         (doubled * 0.5).map(|x| frame.length_back(frame.length_back(x)))
     }
 
-    /// The signed area that a plane curve encloses, positive if it runs counter-clockwise, from x
-    /// to y.
-    ///
-    /// # Errors
-    /// [`CurveNotPlane`](crate::Error::CurveNotPlane).
-    pub fn area(&self) -> Result<f64> {
-        self.check_plane()?;
-        Ok(self.area_vector().z)
-    }
-
     /// Area, centroid and second moments of what a plane curve encloses. Exact but for rounding.
     /// O(sum of degree^2).
     ///
