@@ -89,17 +89,6 @@ pub enum Output {
     Text(Report),
 }
 
-impl Output {
-    /// Its kind.
-    pub fn kind(&self) -> OutputKind {
-        match self {
-            Output::Mesh(_) => OutputKind::Mesh,
-            Output::Curves(_) => OutputKind::Curves,
-            Output::Text(_) => OutputKind::Text,
-        }
-    }
-}
-
 /// Polylines: curve c has the points `offsets[c] .. offsets[c + 1]`, and if it is closed, an edge
 /// from the last to the first.
 #[derive(Debug, Clone, PartialEq, Default)]

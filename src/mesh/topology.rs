@@ -1,7 +1,7 @@
 //! Which half-edges share an edge.
 
 use super::defect::Defect;
-use super::pairing::{FREE, SINGULAR, Topology, pairs};
+use super::pairing::{FREE, SINGULAR, Topology};
 use super::view::MeshView;
 use crate::alloc;
 use crate::error::Result;
@@ -24,17 +24,6 @@ pub(crate) enum Across {
 }
 
 impl Topology {
-    /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
-    /// memory: 12 bytes a half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most
-    /// 8 take part. Of this 4 bytes a half-edge and 4 a vertex remain.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
-    pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
-        pairs(mesh, job)
-    }
-
     /// What lies across half-edge `h`, which must not be an ignored one.
     pub(crate) fn across(&self, h: u32) -> Across {
         match self.mate[h as usize] {

@@ -187,13 +187,7 @@ impl<'a> Net<'a> {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
         fn planes<A: Real, B: Real>(from: &Planes<'_, A>) -> Result<Planes<'static, B>> {
-            let mut to = Planes::zeroed(from.shape())?;
-            for i in 0..from.shape().rows() {
-                for (to, from) in to.row_mut(i).into_iter().zip(from.row(i)) {
-                    to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::of(from.into()));
-                }
-            }
-            Ok(to)
+            from.converted(|to, from| to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::of(from.into())))
         }
         let coordinates = match scalar {
             _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,

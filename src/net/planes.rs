@@ -205,11 +205,14 @@ impl<'a, T: Real> Planes<'a, T> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn copied(&self) -> Result<Planes<'static, T>> {
+        self.converted(<[T]>::copy_from_slice)
+    }
+
+    /// A copy in another type; `convert` writes a row of one coordinate.
+    pub(crate) fn converted<B: Real>(&self, convert: impl Fn(&mut [B], &[T])) -> Result<Planes<'static, B>> {
         let mut copy = Planes::zeroed(self.shape)?;
         for i in 0..self.shape.rows() {
-            for (to, from) in copy.row_mut(i).into_iter().zip(self.row(i)) {
-                to.copy_from_slice(from);
-            }
+            copy.row_mut(i).into_iter().zip(self.row(i)).for_each(|(to, from)| convert(to, from));
         }
         Ok(copy)
     }

@@ -2,7 +2,7 @@
 
 use crate::common::{self, Soup, Steady, cap};
 use crate::editor::{Given, given, inputs, pieces, polylines, run_on, run_on_curves, values};
-use gusset::filters::data::{Curves, Input, InputKind, Output};
+use gusset::filters::data::{Curves, Input, InputKind, Output, OutputKind};
 use gusset::filters::param::{Param, ParamKind};
 use gusset::filters::{FILTERS, Filter};
 use gusset::{Element, Error, Job, Progress};
@@ -167,6 +167,14 @@ fn suggestions_are_in_range_whatever_the_mesh() {
     }
 }
 
+fn kind_of(output: &Output) -> OutputKind {
+    match output {
+        Output::Mesh(_) => OutputKind::Mesh,
+        Output::Curves(_) => OutputKind::Curves,
+        Output::Text(_) => OutputKind::Text,
+    }
+}
+
 #[test]
 fn every_filter_runs_with_its_defaults_and_with_every_choice() {
     for filter in FILTERS {
@@ -175,7 +183,7 @@ fn every_filter_runs_with_its_defaults_and_with_every_choice() {
         let defaults = filter.defaults(&inputs);
         let run = |values: &[f64]| filter.run(&inputs, values, &Job::new(1, &Steady::default()));
         let reference = run(&[]).unwrap_or_else(|error| panic!("{}: {error}", filter.id));
-        assert_eq!(reference.iter().map(Output::kind).collect::<Vec<_>>(), filter.outputs, "{}", filter.id);
+        assert_eq!(reference.iter().map(kind_of).collect::<Vec<_>>(), filter.outputs, "{}", filter.id);
         assert_eq!(filter.run(&inputs, &defaults, &Job::default()).unwrap(), reference);
         let mut start = 0;
         for param in filter.params {

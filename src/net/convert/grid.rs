@@ -94,6 +94,11 @@ impl Walker<'_> {
         self.mesh.faces().corner(h)
     }
 
+    /// The third corner of a triangle.
+    fn apex(&self, h: u32) -> u32 {
+        self.start(self.advance(h, 2))
+    }
+
     /// The error at the face of a half-edge.
     fn no_grid(&self, h: u32) -> Error {
         Error::NoGrid { face: self.face(h) }
@@ -279,10 +284,7 @@ impl Grid {
         let mut apex = None;
         for &cell in &self.cells[first..first + self.columns] {
             match walker.neighbour(cell, heading)? {
-                Neighbour::Triangle(h)
-                    if *apex.get_or_insert(walker.start(walker.advance(h, 2)))
-                        == walker.start(walker.advance(h, 2)) =>
-                {
+                Neighbour::Triangle(h) if *apex.get_or_insert(walker.apex(h)) == walker.apex(h) => {
                     // Neighbours share the edge to the pole; otherwise it would be open there.
                     alloc::push(&mut triangles, h)?;
                 }
@@ -324,7 +326,7 @@ impl Grid {
     /// For each node its vertex.
     fn vertices(&self, walker: &Walker<'_>, shape: Shape) -> Result<Vec<u32>> {
         let mut vertices = alloc::with_capacity(shape.node_count())?;
-        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.start(walker.advance(pole[0], 2)));
+        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.apex(pole[0]));
         let [top, bottom] = self.poles.each_ref().map(apex);
         vertices.extend(top.into_iter().flat_map(|apex| std::iter::repeat_n(apex, shape.columns())));
         let mut add_row = |row: &[u32], corners: [usize; 2]| {

@@ -13,6 +13,7 @@ use crate::par;
 use glam::DVec3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 /// The result of [`decimate`].
 #[derive(Debug)]
@@ -57,20 +58,13 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
     })
 }
 
-/// Two consecutive kept lines.
-#[derive(Clone, Copy)]
-struct Gap {
-    from: usize,
-    to: usize,
-}
-
-/// The largest distance of nodes in a gap from the segments across it. `node(k, j)`: node j of line
-/// k.
-fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Gap, places: &[usize]) -> f64 {
+/// The largest distance of nodes in a gap, between two kept lines, from the segments across it.
+/// `node(k, j)`: node j of line k.
+fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
     let mut max = 0.0f64;
     for &j in places {
-        let (a, b) = (node(gap.from, j), node(gap.to, j));
-        for k in gap.from + 1..gap.to {
+        let (a, b) = (node(gap.start, j), node(gap.end, j));
+        for k in gap.start + 1..gap.end {
             let point = node(k, j);
             let ends = a.is_finite() && b.is_finite();
             match (point.is_finite(), ends) {
@@ -98,7 +92,7 @@ fn kept(
     min_lines: usize,
     limit: f64,
     job: &Job<'_>,
-    cost: impl Fn(Gap) -> f64 + Sync,
+    cost: impl Fn(Range<usize>) -> f64 + Sync,
 ) -> Result<(Vec<usize>, f64)> {
     job.step(0.0, "decimate")?;
     // A doubly linked list of the kept lines.
@@ -106,12 +100,10 @@ fn kept(
     let mut after = alloc::collect(1..count + 1)?;
     let mut queue: BinaryHeap<Candidate> = BinaryHeap::from(alloc::with_capacity(3 * count)?);
     let costs = par::map_cancellable(&job.part(0.0, 0.5), "decimate", par::ranges(count - 2, 16), |lines| {
-        lines.map(|k| cost(Gap { from: k, to: k + 2 })).collect::<Vec<_>>()
+        lines.map(|k| cost(k..k + 2)).collect::<Vec<_>>()
     })?;
     let job = job.part(0.5, 1.0);
-    queue.extend(
-        costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, Gap { from: k, to: k + 2 }, k + 1)),
-    );
+    queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, k..k + 2, k + 1)));
     let (mut left, mut max) = (count, 0.0f64);
     while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {
         if f64::from_bits(bits) > limit || bits == f64::INFINITY.to_bits() || left <= min_lines {
@@ -126,8 +118,8 @@ fn kept(
         after[line] = line;
         for neighbour in [from, to] {
             if neighbour != 0 && neighbour != count - 1 {
-                let gap = Gap { from: before[neighbour], to: after[neighbour] };
-                queue.push(candidate(cost(gap), gap, neighbour));
+                let gap = before[neighbour]..after[neighbour];
+                queue.push(candidate(cost(gap.clone()), gap, neighbour));
             }
         }
         if left % 16 == 0 {
@@ -142,7 +134,7 @@ fn kept(
 /// take O(n log n).
 type Candidate = Reverse<(u64, usize, usize, usize, usize)>;
 
-fn candidate(cost: f64, gap: Gap, line: usize) -> Candidate {
+fn candidate(cost: f64, gap: Range<usize>, line: usize) -> Candidate {
     // Bit patterns of non-negative numbers are in their order.
-    Reverse((cost.to_bits(), gap.to - gap.from, line, gap.from, gap.to))
+    Reverse((cost.to_bits(), gap.len(), line, gap.start, gap.end))
 }

@@ -52,15 +52,11 @@ impl Duplicates {
 
     /// True if duplicates equal the nodes that they repeat bit for bit.
     pub(super) fn are_exact<T: Bits>(&self, planes: &Planes<'_, T>) -> bool {
-        let levels = |i: usize, j: usize| planes.row(i).map(|row| row[j].level());
-        (0..self.shape.rows()).all(|i| {
-            let mut exact = true;
-            self.for_each_in_row(i, |j, first| {
-                let (a, b) = self.shape.place(first);
-                exact &= levels(i, j) == levels(a, b);
-            });
-            exact
-        })
+        let levels = |node: u32| {
+            let (i, j) = self.shape.place(node);
+            planes.row(i).map(|row| row[j].level())
+        };
+        self.pairs.iter().all(|&[node, first]| levels(node) == levels(first))
     }
 
     /// Gives the duplicates of some rows the coordinates of the nodes that they repeat.

@@ -58,6 +58,11 @@ impl Writer {
     }
 }
 
+/// [`Error::BadStream`] at a byte of the stream.
+pub(super) fn bad(what: &'static str, byte: u64) -> Error {
+    Error::BadStream { what, byte }
+}
+
 /// Reads numbers from bytes; [`Error::BadStream`] where they end.
 #[derive(Debug, Clone)]
 pub(super) struct Reader<'a> {
@@ -74,7 +79,7 @@ impl<'a> Reader<'a> {
 
     /// The error at the current byte.
     pub(super) fn bad(&self, what: &'static str) -> Error {
-        Error::BadStream { what, byte: self.offset + self.at as u64 }
+        bad(what, self.offset + self.at as u64)
     }
 
     pub(super) fn remaining(&self) -> usize {
@@ -83,7 +88,7 @@ impl<'a> Reader<'a> {
 
     pub(super) fn raw(&mut self, count: usize) -> Result<&'a [u8]> {
         if count > self.remaining() {
-            return Err(Error::BadStream { what: "it is cut off", byte: self.offset + self.bytes.len() as u64 });
+            return Err(bad("it is cut off", self.offset + self.bytes.len() as u64));
         }
         let bytes = &self.bytes[self.at..self.at + count];
         self.at += count;

@@ -1,7 +1,7 @@
 //! The header of a stream: 128 bytes, checked field by field.
 
-use super::bytes::{Reader, Writer, checksum};
-use crate::error::{Error, Result};
+use super::bytes::{Reader, Writer, bad, checksum};
+use crate::error::Result;
 use crate::mesh::Scalar;
 use crate::net::Shape;
 
@@ -82,18 +82,16 @@ impl StreamInfo {
     /// Reads the first [`HEADER_SIZE`] bytes of a stream. O(1).
     ///
     /// # Errors
-    /// [`Error::BadStream`].
+    /// [`Error::BadStream`](crate::Error::BadStream).
     pub fn read(bytes: &[u8]) -> Result<Self> {
-        let Some(header) = bytes.get(..HEADER_SIZE) else {
-            return Err(Error::BadStream { what: "it is cut off", byte: bytes.len() as u64 });
-        };
+        let header = bytes.get(..HEADER_SIZE).ok_or(bad("it is cut off", bytes.len() as u64))?;
         let mut from = Reader::new(header, 0);
         if from.raw(8)? != MAGIC {
-            return Err(Error::BadStream { what: "it does not begin as a stream of a net does", byte: 0 });
+            return Err(bad("it does not begin as a stream of a net does", 0));
         }
         let last = HEADER_SIZE - 4;
         if header[last..] != checksum(&header[..last]).to_le_bytes() {
-            return Err(Error::BadStream { what: "the checksum of the header is wrong", byte: last as u64 });
+            return Err(bad("the checksum of the header is wrong", last as u64));
         }
         if from.u32()? != VERSION {
             return Err(from.bad("another version of the library wrote it"));

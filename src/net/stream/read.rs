@@ -4,7 +4,7 @@
 //! bound that the length of the stream implies. O(nodes), blocks in parallel.
 
 use super::block::{self, Duplicates};
-use super::bytes::{Reader, checksum};
+use super::bytes::{Reader, bad, checksum};
 use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
 use super::levels::{Bits, LosslessLevels, UniformLevels};
 use super::{raw, structure};
@@ -47,10 +47,7 @@ impl Prelude {
         let table = from.raw(info.table_size() as usize)?;
         let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
         if checksum(checked) != info.checksum {
-            return Err(Error::BadStream {
-                what: "the checksum of gluing and table is wrong",
-                byte: HEADER_SIZE as u64,
-            });
+            return Err(bad("the checksum of gluing and table is wrong", HEADER_SIZE as u64));
         }
         let padding = info.prelude_size - table_at - info.table_size();
         if from.raw(padding as usize)?.iter().any(|&byte| byte != 0) {
@@ -58,10 +55,7 @@ impl Prelude {
         }
         let (entries, end) = read_table(&info, Reader::new(table, table_at))?;
         if let Some(total) = total.filter(|&total| total != end) {
-            return Err(Error::BadStream {
-                what: "its blocks are not as long as the table says",
-                byte: end.min(total),
-            });
+            return Err(bad("its blocks are not as long as the table says", end.min(total)));
         }
         let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
         let from = Reader::new(structure, HEADER_SIZE as u64);
@@ -74,7 +68,7 @@ impl Prelude {
     fn decode<T: Bits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
         let Entry { offset, checksum: expected, .. } = self.entries[block];
         if checksum(bytes) != expected {
-            return Err(Error::BadStream { what: "the checksum of a block is wrong", byte: offset });
+            return Err(bad("the checksum of a block is wrong", offset));
         }
         let from = Reader::new(bytes, offset);
         let (info, duplicates) = (&self.info, &self.duplicates);
@@ -128,7 +122,7 @@ fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u6
 pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
     let info = StreamInfo::read(bytes)?;
     if info.prelude_size > bytes.len() as u64 {
-        return Err(Error::BadStream { what: "it is cut off", byte: bytes.len() as u64 });
+        return Err(bad("it is cut off", bytes.len() as u64));
     }
     let prelude = Prelude::read(info, bytes, Some(bytes.len() as u64))?;
     let mut coordinates = Coordinates::zeroed(info.shape, info.scalar)?;
@@ -211,7 +205,7 @@ impl StreamDecoder {
         self.pending.drain(..used);
         self.offset += used as u64;
         if self.next == prelude.entries.len() && !self.pending.is_empty() {
-            return Err(Error::BadStream { what: "there is something after the end", byte: self.offset });
+            return Err(bad("there is something after the end", self.offset));
         }
         Ok(())
     }
@@ -269,7 +263,7 @@ impl StreamDecoder {
         }
         let end = self.offset + self.pending.len() as u64;
         let whole = self.state.take_if(|(prelude, _)| self.next == prelude.entries.len());
-        let (prelude, coordinates) = whole.ok_or(Error::BadStream { what: "it is cut off", byte: end })?;
+        let (prelude, coordinates) = whole.ok_or(bad("it is cut off", end))?;
         *self = StreamDecoder::new(self.node_limit);
         Ok(prelude.into_net(coordinates))
     }

@@ -122,25 +122,18 @@ impl Classes {
     /// O(H + W) for sides alone, else O(nodes).
     pub(crate) fn each_glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
         let (h, w) = (self.shape.rows(), self.shape.columns());
+        let mut visit =
+            |node, representative| if representative == node { Ok(()) } else { visit(node, representative) };
         match &self.map {
             ClassMap::Sides(sides) => {
                 let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
-                for (i, j) in (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j))) {
-                    let (node, representative) = (self.shape.node(i, j), sides.representative(self.shape, i, j));
-                    if representative != node {
-                        visit(node, representative)?;
-                    }
-                }
+                let mut places = (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j)));
+                places.try_for_each(|(i, j)| visit(self.shape.node(i, j), sides.representative(self.shape, i, j)))
             }
             ClassMap::Table(table) => {
-                for (node, &representative) in (0..).zip(table) {
-                    if representative != node {
-                        visit(node, representative)?;
-                    }
-                }
+                (0..).zip(table).try_for_each(|(node, &representative)| visit(node, representative))
             }
         }
-        Ok(())
     }
 
     /// The classes of at least two nodes, in the order of their representatives.
