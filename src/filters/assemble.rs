@@ -15,17 +15,18 @@ pub(super) const FILTER: Filter = Filter {
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     max_inputs: 1 << 16,
     params: &[
-        Param::real("tolerance", "Welding distance", [-1.0, 1e15], &[0.0])
-            .help("The largest distance of border vertices that are welded; 0 for equal positions, -1 for no welding."),
-        Param::real("max_gap", "Widest gap", [-1.0, 1e15], &[-1.0]).help(
+        Param::real("tolerance", "Welding distance", [-1.0, 1e15], &[0.0]).with_help(
+            "The largest distance of border vertices that are welded; 0 for equal positions, -1 for no welding.",
+        ),
+        Param::real("max_gap", "Widest gap", [-1.0, 1e15], &[-1.0]).with_help(
             "The largest mean width of a gap that is closed; 0 leaves all open, -1 decides by the size of the loops.",
         ),
-        Param::choice("extent", "Join", EXTENTS.texts).help("The parts of the loops that are joined."),
+        Param::choice("extent", "Join", EXTENTS.texts).with_help("The parts of the loops that are joined."),
         Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
-            .help("The rule that joins vertices of one loop to vertices of the other."),
-        Param::choice("rows", "Rows", ROWS.texts).help("The rows of new vertices between the rims."),
-        Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).help(FAIRING_HELP),
-        Param::choice("holes", "Remaining holes", HOLES).help("The treatment of holes that remain."),
+            .with_help("The rule that joins vertices of one loop to vertices of the other."),
+        Param::choice("rows", "Rows", ROWS.texts).with_help("The rows of new vertices between the rims."),
+        Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
+        Param::choice("holes", "Remaining holes", HOLES).with_help("The treatment of holes that remain."),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };

@@ -13,7 +13,7 @@ pub(super) const FILTER: Filter = Filter {
            lies to the left of a loop. Where the boundary touches itself it is divided into simple loops.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 1",
     params: &[Param::choice("non_manifold", "Edges with three or more faces", NonManifold::CHOICES.texts)
-        .help("The course of a loop at an edge with three or more faces.")],
+        .with_help("The course of a loop at an edge with three or more faces.")],
     ..Filter::new(MESH, TO_CURVES_TEXT, run)
 };
 

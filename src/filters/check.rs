@@ -11,7 +11,7 @@ pub(super) const FILTER: Filter = Filter {
            number of components, the Euler characteristic and the genus.",
     reference: "Counts on half-edges; genus by Euler's formula",
     params: &[Param::int("listed", "Elements listed", [0.0, 1e6], &[20.0])
-        .help("The largest number of elements that are listed for each kind of defect.")],
+        .with_help("The largest number of elements that are listed for each kind of defect.")],
     ..Filter::new(MESH, TO_TEXT, run)
 };
 

@@ -18,16 +18,16 @@ choices! {
 }
 
 /// The interpolation of polylines.
-pub(super) const INTERPOLATION: Param =
-    Param::choice("between", "Between the points", CURVES_THROUGH.texts).help("The curves through the given points.");
+pub(super) const INTERPOLATION: Param = Param::choice("between", "Between the points", CURVES_THROUGH.texts)
+    .with_help("The curves through the given points.");
 
 /// The fineness of curves.
-pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error").help(
+pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error").with_help(
     "The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves.",
 );
 
 /// The plane of curves.
-pub(super) const PLANE: Param = Param::plane("plane", "Plane").help(
+pub(super) const PLANE: Param = Param::plane("plane", "Plane").with_help(
     "The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested.",
 );
 

@@ -15,8 +15,8 @@ pub(super) const FILTER: Filter = Filter {
     params: &[
         INTERPOLATION,
         Param::length("within", "Distance", NON_NEGATIVE, &[0.0])
-            .help("The largest distance at which curves count as meeting; 0 for intersections up to rounding.")
-            .relative(1e-6),
+            .with_help("The largest distance at which curves count as meeting; 0 for intersections up to rounding.")
+            .with_size_ratio(1e-6),
     ],
     ..Filter::new(CURVES, TO_CURVES_TEXT, run)
 };

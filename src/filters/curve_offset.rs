@@ -16,8 +16,8 @@ pub(super) const FILTER: Filter = Filter {
         INTERPOLATION,
         PLANE,
         Param::length("distance", "Distance", COORDINATES, &[0.1])
-            .help("The signed distance of the offset: to the left if positive, to the right if negative.")
-            .relative(0.02),
+            .with_help("The signed distance of the offset: to the left if positive, to the right if negative.")
+            .with_size_ratio(0.02),
         CHORD_ERROR,
     ],
     suggest: Some(curve::suggest_plane),

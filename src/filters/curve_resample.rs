@@ -12,12 +12,12 @@ pub(super) const FILTER: Filter = Filter {
     replaces: true,
     params: &[
         INTERPOLATION,
-        Param::choice("spacing", "Spacing", SPACINGS).help("The rule that places the new points."),
+        Param::choice("spacing", "Spacing", SPACINGS).with_help("The rule that places the new points."),
         Param::int("number", "Number", [2.0, 1e6], &[100.0])
-            .help("The number of points of each curve, if given; both ends of an open curve are among them."),
+            .with_help("The number of points of each curve, if given; both ends of an open curve are among them."),
         Param::length("step", "Step", LENGTHS, &[0.1])
-            .help("The spacing of points along the curve, if given.")
-            .relative(0.01),
+            .with_help("The spacing of points along the curve, if given.")
+            .with_size_ratio(0.01),
         CHORD_ERROR,
     ],
     ..Filter::new(CURVES, &[OutputKind::Curves], run)

@@ -12,7 +12,7 @@ pub(super) const FILTER: Filter = Filter {
     params: &[
         INTERPOLATION,
         PLANE,
-        Param::flag("downwards", "y downwards").help("Negates the second coordinate, as y points down in SVG."),
+        Param::flag("downwards", "y downwards").with_help("Negates the second coordinate, as y points down in SVG."),
     ],
     suggest: Some(suggest_plane),
     ..Filter::new(CURVES, TO_TEXT, run)

@@ -21,12 +21,12 @@ pub(super) const FILTER: Filter = Filter {
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, deformation fields",
     replaces: true,
     params: &[
-        Param::choice("field", "Field", FIELDS).help("The deformation field."),
-        Param::choice("axis", "Axis", AXES.texts).help("The axis of the field, through the origin."),
+        Param::choice("field", "Field", FIELDS).with_help("The deformation field."),
+        Param::choice("axis", "Axis", AXES.texts).with_help("The axis of the field, through the origin."),
         Param::real("amount", "Amount", COORDINATES, &[0.1])
-            .help("The parameter of the field; 0 leaves the mesh unchanged. The suggestion suits a twist."),
+            .with_help("The parameter of the field; 0 leaves the mesh unchanged. The suggestion suits a twist."),
         Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
-            .help("The fraction of the deformation that is applied, from 0 to 1."),
+            .with_help("The fraction of the deformation that is applied, from 0 to 1."),
     ],
     suggest: Some(suggest),
     ..Filter::new(MESH, TO_MESH, run)

@@ -11,8 +11,10 @@ pub(super) const FILTER: Filter = Filter {
     replaces: true,
     params: &[
         Param::length("distance", "Distance", COORDINATES, &[0.01])
-            .help("The displacement: outwards if positive, inwards if negative; a hundredth of the size is suggested.")
-            .relative(0.01),
+            .with_help(
+                "The displacement: outwards if positive, inwards if negative; a hundredth of the size is suggested.",
+            )
+            .with_size_ratio(0.01),
         TRIANGLES,
     ],
     ..Filter::new(MESH, TO_MESH, run)

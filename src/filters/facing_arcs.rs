@@ -10,11 +10,11 @@ pub(super) const FILTER: Filter = Filter {
            loop's centre. The arcs that stitching would join come first, then all others.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 2",
     params: &[
-        Param::int("curve_a", "First loop", CURVE_NUMBERS, &[0.0]).help(CURVE_HELP),
-        Param::int("curve_b", "Second loop", CURVE_NUMBERS, &[1.0]).help(CURVE_HELP),
-        Param::choice("run", "Facing arc", Run::CHOICES.texts).help(RUN_HELP),
-        Param::choice("centres", "Centres", Centres::CHOICES.texts).help("The definition of a loop's centre."),
-        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).help(
+        Param::int("curve_a", "First loop", CURVE_NUMBERS, &[0.0]).with_help(CURVE_HELP),
+        Param::int("curve_b", "Second loop", CURVE_NUMBERS, &[1.0]).with_help(CURVE_HELP),
+        Param::choice("run", "Facing arc", Run::CHOICES.texts).with_help(RUN_HELP),
+        Param::choice("centres", "Centres", Centres::CHOICES.texts).with_help("The definition of a loop's centre."),
+        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).with_help(
             "The smallest distance from the plane at which a point faces the other loop; -1 takes the bound on rounding.",
         ),
     ],

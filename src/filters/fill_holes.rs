@@ -11,14 +11,14 @@ pub(super) const FILTER: Filter = Filter {
     reference: "P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)",
     replaces: true,
     params: &[
-        Param::choice("inside", "Inside the holes", INTERIORS).help("The interior of the patches."),
+        Param::choice("inside", "Inside the holes", INTERIORS).with_help("The interior of the patches."),
         Param::choice("weight", "Best triangulation", Weight::CHOICES.texts)
-            .help("The weight that the triangulation of a rim minimises."),
+            .with_help("The weight that the triangulation of a rim minimises."),
         Param::int("max_edges", "Most edges", [0.0, u32::MAX as f64], &[0.0])
-            .help("Loops of more edges are left open; 0 sets no limit."),
+            .with_help("Loops of more edges are left open; 0 sets no limit."),
         Param::length("max_length", "Greatest length", NON_NEGATIVE, &[0.0])
-            .help("Longer loops are left open; 0 sets no limit."),
-        Param::flag("keep_longest", "Keep the longest loop").help("Leaves the outline of an open sheet open."),
+            .with_help("Longer loops are left open; 0 sets no limit."),
+        Param::flag("keep_longest", "Keep the longest loop").with_help("Leaves the outline of an open sheet open."),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };

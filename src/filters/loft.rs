@@ -14,16 +14,17 @@ pub(super) const FILTER: Filter = Filter {
            curves are drawn along the body, and the surface through both is returned as a mesh.",
     reference: REFERENCE,
     params: &[
-        Param::choice("nodes", "Nodes", CORRESPONDENCES).help("The rule by which points of the sections correspond."),
+        Param::choice("nodes", "Nodes", CORRESPONDENCES)
+            .with_help("The rule by which points of the sections correspond."),
         Param::int("columns", "Columns", [2.0, 100_000.0], &[32.0])
-            .help("The number of nodes on each section; ignored if the nodes are the given points."),
+            .with_help("The number of nodes on each section; ignored if the nodes are the given points."),
         Param::choice("through", "Through", FrameSurface::CHOICES.texts)
-            .help("The elements that the surface contains."),
-        Param::flag("ring", "Ring").help("The last section is followed by the first."),
+            .with_help("The elements that the surface contains."),
+        Param::flag("ring", "Ring").with_help("The last section is followed by the first."),
         Param::new(ParamKind::Point, "point", "Point of the axis", COORDINATES, &[0.0; 3])
-            .help("A point on the axis of the angles; the centre of the sections is suggested."),
+            .with_help("A point on the axis of the angles; the centre of the sections is suggested."),
         Param::direction("direction", "Direction of the axis")
-            .help("The direction of the axis of the angles; from the first section to the last is suggested."),
+            .with_help("The direction of the axis of the angles; from the first section to the last is suggested."),
         FINENESS[0],
         FINENESS[1],
         FINENESS[2],

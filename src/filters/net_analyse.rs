@@ -16,10 +16,10 @@ pub(super) const FILTER: Filter = Filter {
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations",
     params: &[
         Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0])
-            .help("The largest length that counts as 0; a billionth of the size is suggested.")
-            .relative(1e-9),
+            .with_help("The largest length that counts as 0; a billionth of the size is suggested.")
+            .with_size_ratio(1e-9),
         Param::int("listed", "Faces listed", [0.0, 1e6], &[20.0])
-            .help("The largest number of folded faces that are listed."),
+            .with_help("The largest number of folded faces that are listed."),
     ],
     ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, run)
 };

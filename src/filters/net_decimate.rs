@@ -12,11 +12,11 @@ pub(super) const FILTER: Filter = Filter {
     replaces: true,
     params: &[
         Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[1e-3])
-            .help(
+            .with_help(
                 "The largest distance of removed vertices from the segments that replace them; a thousandth of the size is \
                  suggested.",
             )
-            .relative(1e-3),
+            .with_size_ratio(1e-3),
         TRIANGLES,
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)

@@ -12,17 +12,19 @@ pub(super) const FILTER: Filter = Filter {
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation",
     max_inputs: 1 << 16,
     params: &[
-        Param::choice("direction", "Direction", DIRECTIONS.texts).help("The direction from each grid to the next."),
-        Param::choice("bridge", "Between them", BridgeMode::CHOICES.texts).help("The connection between two grids."),
+        Param::choice("direction", "Direction", DIRECTIONS.texts)
+            .with_help("The direction from each grid to the next."),
+        Param::choice("bridge", "Between them", BridgeMode::CHOICES.texts)
+            .with_help("The connection between two grids."),
         Param::length("tolerance", "Welding distance", NON_NEGATIVE, &[0.0])
-            .help("The largest distance of vertices that are welded; 0 for equal positions."),
+            .with_help("The largest distance of vertices that are welded; 0 for equal positions."),
         Param::choice("sizes", "Different sizes", REPLICATIONS.texts)
-            .help("The treatment of sides with different numbers of vertices."),
-        Param::int("twist", "Twist", [0.0, u32::MAX as f64], &[0.0]).help(
+            .with_help("The treatment of sides with different numbers of vertices."),
+        Param::int("twist", "Twist", [0.0, u32::MAX as f64], &[0.0]).with_help(
             "The number of vertices by which closed sides of all grids but the first are rotated before joining.",
         ),
         Param { default: &[1.0], ..Param::flag("turn", "Flip") }
-            .help("Flips grids of opposite orientation to the first along the side; otherwise the filter fails."),
+            .with_help("Flips grids of opposite orientation to the first along the side; otherwise the filter fails."),
         TRIANGLES,
     ],
     ..Filter::new(TWO_MESHES, TO_MESH_TEXT, run)

@@ -16,12 +16,12 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     params: &[
         Param::new(ParamKind::Point, "point", "Point of the axis", COORDINATES, &[0.0; 3])
-            .help("A point on the axis of revolution."),
+            .with_help("A point on the axis of revolution."),
         Param::direction("direction", "Direction of the axis")
-            .help("The direction of the axis; the surface runs counter-clockwise round it."),
-        Param::int("columns", "Columns", [3.0, 100_000.0], &[64.0]).help("The number of quads round the axis."),
+            .with_help("The direction of the axis; the surface runs counter-clockwise round it."),
+        Param::int("columns", "Columns", [3.0, 100_000.0], &[64.0]).with_help("The number of quads round the axis."),
         Param::int("rows", "Rows", [0.0, 100_000.0], &[0.0])
-            .help("The number of rows at equal arc lengths of the curve; 0 takes the given points."),
+            .with_help("The number of rows at equal arc lengths of the curve; 0 takes the given points."),
         INTERPOLATION,
         TRIANGLES,
     ],

@@ -11,8 +11,9 @@ pub(super) const FILTER: Filter = Filter {
     help: "Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a \
            closed one also volume, centroid and inertia tensor.",
     reference: "The divergence theorem on bilinear patches, with Gauss's points",
-    params: &[Param::real("planarity", "Planarity limit", [0.0, 1.0], &[0.01])
-        .help("Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted.")],
+    params: &[Param::real("planarity", "Planarity limit", [0.0, 1.0], &[0.01]).with_help(
+        "Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted.",
+    )],
     ..Filter::new(MESH, TO_TEXT, run)
 };
 

@@ -16,11 +16,11 @@ pub(super) const FILTER: Filter = Filter {
     replaces: true,
     params: &[
         Param::int("rows", "Rows", COUNTS, &[33.0])
-            .help("The number of rows of vertices; about as many as now are suggested."),
+            .with_help("The number of rows of vertices; about as many as now are suggested."),
         Param::int("columns", "Columns", COUNTS, &[65.0])
-            .help("The number of columns of vertices; in closed rows the last vertex repeats the first."),
+            .with_help("The number of columns of vertices; in closed rows the last vertex repeats the first."),
         Param::choice("interpolation", "Interpolation", Interpolation::CHOICES.texts)
-            .help("The interpolation between the old vertices."),
+            .with_help("The interpolation between the old vertices."),
         TRIANGLES,
     ],
     suggest: Some(suggest),

@@ -16,19 +16,19 @@ pub(super) const FILTER: Filter = Filter {
            contracted to a pole is one vertex.",
     reference: REFERENCE,
     params: &[
-        Param::choice("shape", "Shape", SHAPES).help("The shape, round the z axis."),
+        Param::choice("shape", "Shape", SHAPES).with_help("The shape, round the z axis."),
         Param::int("rows", "Rows", COUNTS, &[33.0])
-            .help("The number of rows of nodes, from one pole or rim to the other."),
+            .with_help("The number of rows of nodes, from one pole or rim to the other."),
         Param::int("columns", "Columns", COUNTS, &[65.0])
-            .help("The number of columns of nodes; in closed rows the last node repeats the first."),
-        Param::length("radius", "Radius", LENGTHS, &[1.0]).help("The radius; of a torus that of its centre line."),
+            .with_help("The number of columns of nodes; in closed rows the last node repeats the first."),
+        Param::length("radius", "Radius", LENGTHS, &[1.0]).with_help("The radius; of a torus that of its centre line."),
         Param::length("minor_radius", "Minor radius", LENGTHS, &[0.25])
-            .help("The radius of the tube of a torus, smaller than the radius."),
+            .with_help("The radius of the tube of a torus, smaller than the radius."),
         Param::length("height", "Height", LENGTHS, &[2.0])
-            .help("The height of tubes, cylinders, cones, prisms and pyramids."),
+            .with_help("The height of tubes, cylinders, cones, prisms and pyramids."),
         TRIANGLES,
         Param::int("sides", "Sides", [3.0, 10_000.0], &[6.0])
-            .help("The number of sides of the base of prisms and pyramids, smaller than the number of columns."),
+            .with_help("The number of sides of the base of prisms and pyramids, smaller than the number of columns."),
     ],
     ..Filter::new(&[], TO_MESH_TEXT, run)
 };

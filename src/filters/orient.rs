@@ -14,7 +14,7 @@ pub(super) const FILTER: Filter = Filter {
     reference: "Breadth-first search across edges of two faces",
     replaces: true,
     params: &[Param::choice("outward", "Closed components", Outward::CHOICES.texts)
-        .help("The orientation of closed components.")],
+        .with_help("The orientation of closed components.")],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
 

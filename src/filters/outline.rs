@@ -15,18 +15,18 @@ pub(super) const FILTER: Filter = Filter {
            middle of a quadratic section whose control point lies on the bisector, the median or the normal at the point.",
     reference: REFERENCE,
     params: &[
-        Param::choice("curve", "Curve", Mode::CHOICES.texts).help("The kind of curve that is drawn."),
+        Param::choice("curve", "Curve", Mode::CHOICES.texts).with_help("The kind of curve that is drawn."),
         Param::choice("method", "Method", Method::CHOICES.texts)
-            .help("The line that holds the control point of a section."),
+            .with_help("The line that holds the control point of a section."),
         Param::choice("lock", "Constraint", Lock::CHOICES.texts)
-            .help("The condition that fixes the section of a point."),
+            .with_help("The condition that fixes the section of a point."),
         Param::choice("joint", "Joints", JointParameter::CHOICES.texts)
-            .help("The joints between the sections of a composite curve."),
-        Param::choice("ends", "Ends", Ends::CHOICES.texts).help("The end conditions of open curves."),
+            .with_help("The joints between the sections of a composite curve."),
+        Param::choice("ends", "Ends", Ends::CHOICES.texts).with_help("The end conditions of open curves."),
         Param::new(ParamKind::Angle, "corner_angle", "Corners", [0.0, PI], &[PI])
-            .help("Points where the polyline turns by more than this angle remain corners; pi for none."),
+            .with_help("Points where the polyline turns by more than this angle remain corners; pi for none."),
         Param::relative_error("chord_error", "Chord error")
-            .help("The largest distance of the polyline from the curve, relative to the size of the curve."),
+            .with_help("The largest distance of the polyline from the curve, relative to the size of the curve."),
     ],
     ..Filter::new(CURVES, TO_CURVES_TEXT, run)
 };

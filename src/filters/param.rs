@@ -139,12 +139,12 @@ impl Param {
     }
 
     /// The parameter with its help.
-    pub(super) const fn help(self, help: &'static str) -> Self {
+    pub(super) const fn with_help(self, help: &'static str) -> Self {
         Param { help, ..self }
     }
 
     /// The length with a default relative to the diagonal of the inputs.
-    pub(super) const fn relative(self, size_ratio: f64) -> Self {
+    pub(super) const fn with_size_ratio(self, size_ratio: f64) -> Self {
         Param { size_ratio, ..self }
     }
 

@@ -11,13 +11,13 @@ pub(super) const FILTER: Filter = Filter {
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, projections",
     replaces: true,
     params: &[
-        Param::plane("plane", "Plane").help("The plane of projection; the plane below the mesh is suggested."),
-        Param::choice("along", "Along", PROJECTIONS).help("The lines of projection."),
-        Param::direction("direction", "Direction").help("The direction of projection, if given."),
+        Param::plane("plane", "Plane").with_help("The plane of projection; the plane below the mesh is suggested."),
+        Param::choice("along", "Along", PROJECTIONS).with_help("The lines of projection."),
+        Param::direction("direction", "Direction").with_help("The direction of projection, if given."),
         Param::new(ParamKind::Point, "eye", "Point", COORDINATES, &[0.0, 0.0, 1e3])
-            .help("The centre of projection, if given; a point above the mesh is suggested."),
+            .with_help("The centre of projection, if given; a point above the mesh is suggested."),
         Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
-            .help("The fraction of the way: 0 leaves the mesh unchanged, 1 puts the vertices in the plane."),
+            .with_help("The fraction of the way: 0 leaves the mesh unchanged, 1 puts the vertices in the plane."),
     ],
     suggest: Some(suggest),
     ..Filter::new(MESH, TO_MESH, run)

@@ -10,7 +10,7 @@ pub(super) const REFERENCE: &str = "A. A. Deryagin, Modelling of 3D objects and 
 
 /// Cuts quads into triangles.
 pub(super) const TRIANGLES: Param =
-    Param::flag("triangles", "Triangles").help("Cuts quads along their shorter diagonals.");
+    Param::flag("triangles", "Triangles").with_help("Cuts quads along their shorter diagonals.");
 
 /// The net whose cells are the faces of a mesh.
 ///

@@ -13,18 +13,19 @@ pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 19
 
 /// The interpolation of the surface.
 pub(super) const SCHEME: Param = Param::choice("scheme", "Surface", Scheme::CHOICES.texts)
-    .help("The interpolation of the vertices, whose quads must form a grid of rows and columns.");
+    .with_help("The interpolation of the vertices, whose quads must form a grid of rows and columns.");
 
 /// The fineness of curves.
 pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error")
-    .help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
+    .with_help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
 
 /// The fineness of meshes: relative deviation, fewest parts of a cell, triangles or quads.
 pub(super) const FINENESS: [Param; 3] = [
     Param::real("deviation", "Deviation", [1e-7, 1.0], &[1e-3])
-        .help("The largest distance of faces from the surface, relative to the diagonal of its box."),
-    Param::int("parts", "Parts", [1.0, 1000.0], &[1.0]).help("The smallest number of parts of each side of a cell."),
-    Param::flag("triangles", "Triangles").help("Makes triangles instead of quads."),
+        .with_help("The largest distance of faces from the surface, relative to the diagonal of its box."),
+    Param::int("parts", "Parts", [1.0, 1000.0], &[1.0])
+        .with_help("The smallest number of parts of each side of a cell."),
+    Param::flag("triangles", "Triangles").with_help("Makes triangles instead of quads."),
 ];
 
 /// The surface through a mesh, with its normals on the side that the faces are counter-clockwise

@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     params: &[
         SCHEME,
         Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
-            .help("The fraction of the way that vertices are moved: 0 leaves them, 1 puts them on the surface."),
+            .with_help("The fraction of the way that vertices are moved: 0 leaves them, 1 puts them on the surface."),
     ],
     ..Filter::new(TWO_MESHES, TO_MESH_TEXT, run)
 };

@@ -12,9 +12,9 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     params: &[
         SCHEME,
-        Param::direction("direction", "Direction").help("The direction that the light comes from."),
-        Param::int("number", "Number", [1.0, 10_000.0], &[12.0]).help("The number of angles."),
-        Param::choice("sides", "Sides", SIDES.texts).help("The range of the angles."),
+        Param::direction("direction", "Direction").with_help("The direction that the light comes from."),
+        Param::int("number", "Number", [1.0, 10_000.0], &[12.0]).with_help("The number of angles."),
+        Param::choice("sides", "Sides", SIDES.texts).with_help("The range of the angles."),
         CHORD_ERROR,
     ],
     ..Filter::new(MESH, TO_CURVES_TEXT, run)

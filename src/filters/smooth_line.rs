@@ -13,9 +13,9 @@ pub(super) const FILTER: Filter = Filter {
     params: &[
         SCHEME,
         Param::new(ParamKind::Point, "point", "Point", COORDINATES, &[0.0, 0.0, -1e3])
-            .help("A point on the line, the origin of a ray; a point below the centre of the mesh is suggested."),
-        Param::direction("direction", "Direction").help("The direction of the line."),
-        Param::choice("which", "Hits", HITS).help("The intersections that are returned."),
+            .with_help("A point on the line, the origin of a ray; a point below the centre of the mesh is suggested."),
+        Param::direction("direction", "Direction").with_help("The direction of the line."),
+        Param::choice("which", "Hits", HITS).with_help("The intersections that are returned."),
     ],
     suggest: Some(suggest),
     ..Filter::new(MESH, TO_CURVES_TEXT, run)

@@ -15,12 +15,13 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 1,
     params: &[
         INTERPOLATION,
-        Param::flag("ring", "Ring")
-            .help("The last curve across is followed by the first; ignored with curves along, which determine it."),
+        Param::flag("ring", "Ring").with_help(
+            "The last curve across is followed by the first; ignored with curves along, which determine it.",
+        ),
         // The rounding of points may keep curves apart.
         Param::length("tolerance", "Tolerance", LENGTHS, &[1e-6])
-            .help("The largest distance of curves where they meet; both are then moved to the middle.")
-            .relative(1e-4),
+            .with_help("The largest distance of curves where they meet; both are then moved to the middle.")
+            .with_size_ratio(1e-4),
         FINENESS[0],
         FINENESS[1],
         FINENESS[2],

@@ -13,12 +13,13 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     params: &[
         SCHEME,
-        Param::direction("direction", "Direction").help("The normal of the planes."),
-        Param::choice("placement", "Planes", PLACEMENTS).help("The placement of the planes."),
-        Param::int("number", "Number", [1.0, 10_000.0], &[10.0]).help("The number of planes."),
+        Param::direction("direction", "Direction").with_help("The normal of the planes."),
+        Param::choice("placement", "Planes", PLACEMENTS).with_help("The placement of the planes."),
+        Param::int("number", "Number", [1.0, 10_000.0], &[10.0]).with_help("The number of planes."),
         Param::length("offset", "Offset", COORDINATES, &[0.0])
-            .help("The distance of the first plane from the origin along the direction; for given planes."),
-        Param::length("distance", "Distance", LENGTHS, &[1.0]).help("The spacing of the planes; for given planes."),
+            .with_help("The distance of the first plane from the origin along the direction; for given planes."),
+        Param::length("distance", "Distance", LENGTHS, &[1.0])
+            .with_help("The spacing of the planes; for given planes."),
         CHORD_ERROR,
     ],
     suggest: Some(suggest),

@@ -11,9 +11,9 @@ pub(super) const FILTER: Filter = Filter {
     reference: REFERENCE,
     params: &[
         SCHEME,
-        Param::direction("direction", "Direction").help("The direction of view."),
+        Param::direction("direction", "Direction").with_help("The direction of view."),
         Param::new(ParamKind::Angle, "angle", "Angle", [0.0, PI], &[FRAC_PI_2])
-            .help("The angle between normals and the direction."),
+            .with_help("The angle between normals and the direction."),
         CHORD_ERROR,
     ],
     ..Filter::new(MESH, TO_CURVES_TEXT, run)

@@ -23,24 +23,24 @@ pub(super) const FILTER: Filter = Filter {
         loop_number("loop_a", "Loop of the first mesh"),
         loop_number("loop_b", "Loop of the second mesh"),
         Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
-            .help("The rule that joins vertices of one loop to vertices of the other."),
+            .with_help("The rule that joins vertices of one loop to vertices of the other."),
         Param::choice("orientation", "Opposite orientation", Orientation::CHOICES.texts)
-            .help("The treatment of a second piece of opposite orientation."),
+            .with_help("The treatment of a second piece of opposite orientation."),
         Param::int("twist", "Twist", [-MAX_COUNT, MAX_COUNT], &[0.0])
-            .help("The number of vertices by which the start on the second loop is shifted from the closest pair."),
-        Param::choice("extent", "Join", EXTENTS.texts).help("The parts of the loops that are joined."),
-        Param::choice("run", "Facing arc", Run::CHOICES.texts).help(RUN_HELP),
-        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).help(
+            .with_help("The number of vertices by which the start on the second loop is shifted from the closest pair."),
+        Param::choice("extent", "Join", EXTENTS.texts).with_help("The parts of the loops that are joined."),
+        Param::choice("run", "Facing arc", Run::CHOICES.texts).with_help(RUN_HELP),
+        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).with_help(
             "The smallest distance from the plane through its loop's centre at which a vertex faces the other loop; -1 takes \
              the bound on rounding.",
         ),
-        Param::choice("rows", "Rows", ROWS).help("The rows of new vertices between the rims."),
+        Param::choice("rows", "Rows", ROWS).with_help("The rows of new vertices between the rims."),
         Param::int("row_count", "Number of rows", [0.0, 10_000.0], &[1.0])
-            .help("The number of rows of new vertices, if given."),
-        Param::choice("cells", "Faces", Cells::CHOICES.texts).help("The faces of the strip."),
-        Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).help(FAIRING_HELP),
+            .with_help("The number of rows of new vertices, if given."),
+        Param::choice("cells", "Faces", Cells::CHOICES.texts).with_help("The faces of the strip."),
+        Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
         Param::choice("intersections", "Intersections", Intersections::CHOICES.texts)
-            .help("The search for faces that intersect each other."),
+            .with_help("The search for faces that intersect each other."),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
@@ -61,8 +61,9 @@ const ROWS: &[Choice] = &[
 ];
 
 const fn loop_number(id: &'static str, label: &'static str) -> Param {
-    Param::int(id, label, [-1.0, MAX_COUNT], &[-1.0])
-        .help("The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops.")
+    Param::int(id, label, [-1.0, MAX_COUNT], &[-1.0]).with_help(
+        "The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops.",
+    )
 }
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {

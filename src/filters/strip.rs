@@ -12,10 +12,10 @@ pub(super) const FILTER: Filter = Filter {
                 by index",
     params: &[
         Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
-            .help("The rule that joins points of one curve to points of the other."),
+            .with_help("The rule that joins points of one curve to points of the other."),
         Param::choice("start", "First meridian", STARTS.texts)
-            .help("The start of the strip between closed curves; between open ones it is at their first points."),
-        Param::flag("reversed", "Reversed").help("Reverses the second curve."),
+            .with_help("The start of the strip between closed curves; between open ones it is at their first points."),
+        Param::flag("reversed", "Reversed").with_help("Reverses the second curve."),
     ],
     ..Filter::new(CURVES, TO_MESH_TEXT, run)
 };

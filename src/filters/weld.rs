@@ -11,13 +11,14 @@ pub(super) const FILTER: Filter = Filter {
     reference: "Greedy clustering in the order of the vertices; edges are sewn two by two",
     replaces: true,
     params: &[
-        Param::choice("vertices", "Weld", Vertices::CHOICES.texts).help("The vertices that are welded."),
-        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0]).help(
+        Param::choice("vertices", "Weld", Vertices::CHOICES.texts).with_help("The vertices that are welded."),
+        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0]).with_help(
             "The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions.",
         ),
         Param::choice("collapse", "Short edges", COLLAPSE.texts)
-            .help("The treatment of coincident corners of one face."),
-        Param::choice("unused", "Unused vertices", UNUSED.texts).help("The treatment of vertices that no face uses."),
+            .with_help("The treatment of coincident corners of one face."),
+        Param::choice("unused", "Unused vertices", UNUSED.texts)
+            .with_help("The treatment of vertices that no face uses."),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
