@@ -159,15 +159,18 @@ impl<'a> Worker<'a> {
         let (own, rest) = self.constraints.split_at(own);
         self.constraints = rest;
         self.nodes.read(self.outlines, &span, own, self.options)?;
-        let first_status = self.done.statuses.len();
+        let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
         let placement = self.nodes.placement;
         let mut report = Report { size: placement.size * placement.unit, ..Report::default() };
         if self.nodes.cuts.is_empty() && self.options.mode == Mode::Composite {
-            return self.identify_smooth(&span, first_status, report);
+            self.identify_smooth(&span, base, &mut report)?;
+        } else {
+            self.solve(&mut report)?;
+            residuals::measure(&self.nodes, &self.builder, &mut report);
+            self.deliver(&span, base)?;
         }
-        self.solve(&mut report)?;
-        residuals::measure(&self.nodes, &self.builder, &mut report);
-        self.deliver(&span, first_status, report)
+        self.check_range(&span, base, first_status, &mut report)?;
+        self.account(first_status, report)
     }
 
     /// Finds the curve, near the origin, subcurve by subcurve.
@@ -221,16 +224,15 @@ impl<'a> Worker<'a> {
 
     /// Finds the composite curve of a closed outline without cuts, and writes it where the outline
     /// is.
-    fn identify_smooth(&mut self, span: &Range<usize>, first: usize, mut report: Report) -> Result<()> {
+    fn identify_smooth(&mut self, span: &Range<usize>, base: usize, report: &mut Report) -> Result<()> {
         let placement = self.nodes.placement;
         let (sub, results) = self.nodes.whole(self.options);
-        let mut out = Output { results, report: &mut report, builder: &mut self.builder };
+        let mut out = Output { results, report, builder: &mut self.builder };
         composite::solve(&sub, &mut self.composite, &mut out)?;
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
-        let base = done.points.len();
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;
-        composite::write_closed(&sub, solution, place, &mut done.points[base..], &mut report);
+        composite::write_closed(&sub, solution, place, &mut done.points[base..], report);
         alloc::reserve(&mut done.ends, n + 1)?;
         done.ends.extend((0..=n as u32).map(|k| 2 * k));
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
@@ -252,14 +254,12 @@ impl<'a> Worker<'a> {
                 done.statuses.push(if repeats { PointStatus::Merged } else { status });
             }
         }
-        self.check_range(span, base, first, &mut report)?;
-        self.account(first, report)
+        Ok(())
     }
 
-    /// Appends the curve where the outline is, and the account of its points.
-    fn deliver(&mut self, span: &Range<usize>, first: usize, mut report: Report) -> Result<()> {
+    /// Appends the curve where the outline is, and the places of its points.
+    fn deliver(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
         let (done, builder, nodes, placement) = (&mut self.done, &self.builder, &self.nodes, self.nodes.placement);
-        let base = done.points.len();
         alloc::reserve(&mut done.points, builder.points.len())?;
         done.points.extend(builder.points.iter().map(|&p| p * placement.unit + placement.origin));
         alloc::append(&mut done.ends, &builder.ends)?;
@@ -287,8 +287,7 @@ impl<'a> Worker<'a> {
             done.parameters.push(place.t);
             done.statuses.push(status);
         }
-        self.check_range(span, base, first, &mut report)?;
-        self.account(first, report)
+        Ok(())
     }
 
     /// Withdraws a curve whose control points overflow, though its points do not.
