@@ -1,7 +1,9 @@
 //! Systems of linear equations.
 //!
+//! * [`cholesky`]: small symmetric ones that are positive definite.
 //! * [`dense`]: small square systems, by elimination with row exchanges.
 //! * [`tridiagonal`]: open and cyclic ones with dominant rows, in linear time.
 
+pub(crate) mod cholesky;
 pub(crate) mod dense;
 pub(crate) mod tridiagonal;

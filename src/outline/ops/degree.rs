@@ -5,6 +5,7 @@
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::binomial_row;
+use crate::geom::linear::cholesky;
 use crate::outline::curve::segment::SegmentBuffer;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{Curve, CurveView, MAX_DEGREE};
@@ -129,32 +130,15 @@ fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
     let row = binomial_row::<{ 2 * MAX_DEGREE + 1 }>;
     let (own, given, own_own, own_given) = (row(m), row(n), row(2 * m), row(m + n));
     let product = |i: usize, j: usize| own[i] * own[j] / own_own[i + j] / (2 * m + 1) as f64;
-    let inner = m.saturating_sub(1);
     let mut lower = [[0.0; MAX_DEGREE]; MAX_DEGREE];
-    for i in 0..inner {
-        let mut right = DVec3::ZERO;
-        for (k, &p) in controls.iter().enumerate() {
-            right += p * (own[i + 1] * given[k] / own_given[i + 1 + k] / (m + n + 1) as f64);
-        }
-        right -= fitted[0] * product(i + 1, 0) + fitted[m] * product(i + 1, m);
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
-            let rest = product(i + 1, j + 1) - known;
-            // The matrix is positive definite; where rounding says otherwise (from degree 25 on)
-            // the deviation will tell.
-            lower[i][j] = if i == j { rest.max(f64::MIN_POSITIVE).sqrt() } else { rest / lower[j][j] };
-        }
-        for k in 0..i {
-            right -= fitted[k + 1] * lower[i][k];
-        }
-        fitted[i + 1] = right / lower[i][i];
+    for i in 1..m {
+        let weight = |k: usize| own[i] * given[k] / own_given[i + k] / (m + n + 1) as f64;
+        let right: DVec3 = controls.iter().enumerate().map(|(k, &p)| p * weight(k)).sum();
+        fitted[i] = right - (fitted[0] * product(i, 0) + fitted[m] * product(i, m));
+        (1..=i).for_each(|j| lower[i - 1][j - 1] = product(i, j));
     }
-    for i in (0..inner).rev() {
-        for k in i + 1..inner {
-            let next = fitted[k + 1];
-            fitted[i + 1] -= next * lower[k][i];
-        }
-        fitted[i + 1] /= lower[i][i];
-    }
+    // Where rounding says that the matrix is not positive definite (from degree 25 on) the
+    // deviation will tell.
+    cholesky::solve(&mut lower, &mut fitted[1..m]);
     fitted
 }
