@@ -83,7 +83,7 @@ pub(super) fn nearest(
         Error::NotFinite { index, value, .. } => not_finite(index, value),
         error => error,
     })?;
-    alloc::try_gather(
+    alloc::try_collect(
         (0..)
             .zip(found)
             .zip(queries)
