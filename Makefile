@@ -20,8 +20,8 @@ stage   := $(CURDIR)/build/stage
 # The program, where `make cli` has built it; the stage is without.
 cli      = $(shell test -x build/cli/gusset && echo yes)
 archive := $(CURDIR)/build/dist/gusset-$(version)-linux-$(shell uname -m).tar.gz
-# A build of its own: the same file name would otherwise stand for two libraries.
-openmfx := $(CURDIR)/target/openmfx/debug/libgusset.so
+# Nothing else that is used lies there: what is for use is released.
+openmfx := $(CURDIR)/$(or $(CARGO_TARGET_DIR),target)/debug/libgusset.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
@@ -41,7 +41,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test check check-fuzz exhaustive cli check-cancel demo docs pictures bench install install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts check lint exhaustive cli check-cancel demo docs pictures bench install install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -49,7 +49,6 @@ help:
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
-	@echo 'make check-fuzz                   whether the fuzzers compile; it is in make test too'
 	@echo 'make exhaustive                   long searches for wrong answers of surfaces, by brute force; minutes'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
@@ -74,33 +73,45 @@ help:
 # What is built tells no folders of the machine that built it; unless RUSTFLAGS is set, which cargo takes instead of these flags.
 cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
 remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
+released   := --config 'build.rustflags=[$(remapped)]'
 
 build:
-	$(CARGO) build --profile $(PROFILE) --locked --config 'build.rustflags=[$(remapped)]'
+	$(CARGO) build -p gusset --profile $(PROFILE) --locked $(released)
 
-check:
-	$(CARGO) fmt --check
-	$(CARGO) clippy --locked --all-targets -- -D warnings
-	$(CARGO) test --locked
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps --features openmfx
+check: lint test-units test-programs
 
-# Under a stable compiler, without linking; to run them: CONTRIBUTING.md.
-check-fuzz:
-	$(CARGO) check --manifest-path fuzz/Cargo.toml --no-default-features
+# The fuzzers among all others, under a stable compiler and without linking; to run them: CONTRIBUTING.md.
+lint:
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked -p gusset --no-deps --features openmfx
 
-# What is ignored in `make test` because it takes minutes.
+# Of the library in a plain build, with checks of overflow.
+test-units:
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --lib
+
+# From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
+test-programs: build
+	$(CARGO) test --locked -p gusset-tests --release $(released)
+
+# What is ignored in `make test` because it takes minutes, and the unit tests with all their cases.
 exhaustive:
-	$(CARGO) test --profile search --locked --test surface -- --ignored --nocapture exhaustive_
+	$(CARGO) test --locked -p gusset --lib --release
+	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 
 # The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
 openmfx:
-	$(CARGO) rustc --locked --lib --crate-type cdylib --features openmfx --target-dir target/openmfx
+	CARGO_INCREMENTAL=0 $(CARGO) rustc --locked -p gusset --lib --crate-type cdylib --features openmfx
 
-test: check check-fuzz stage openmfx dist
+# Both sides at once: each has stretches where it keeps one core busy.
+test:
 	@scripts/install-packages.sh $(test_packages)
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line check test-hosts
+
+test-hosts: openmfx dist
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx) -DGUSSET_ARCHIVE=$(archive)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
-	ctest --test-dir build/cpp --output-on-failure --no-tests=error
+	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2
 
 # `cmake --install build/cli --prefix PREFIX` installs it.
 cli: stage
@@ -168,7 +179,7 @@ check-conan: dist
 # The binary interface against packaging/abi, whose script says the rule; `make test` does the same.
 check-abi abi-baseline:
 	@scripts/install-packages.sh abigail-tools
-	$(CARGO) test --locked --test interface
+	$(CARGO) test --locked -p gusset-tests --release $(released) --test interface
 	@UNRELEASED='$(UNRELEASED)' packaging/abi/abi.sh $(patsubst check-abi,check,$(@:abi-%=%)) include
 
 check-cargo-c:

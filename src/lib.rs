@@ -65,6 +65,8 @@ mod simd;
 mod sort;
 pub mod stitch;
 pub mod surface;
+#[cfg(test)]
+mod testing;
 pub mod winged;
 
 pub use error::{Element, Error, Result, Side};

@@ -1,4 +1,4 @@
-/* Threads that open the plugin, run it, close it and end: reopen LIBRARY */
+/* Threads that open the plugin, run it, close it and end: reopen LIBRARY [TIMES], by default 100 times on one thread */
 #include "loaded.h"
 
 #include <dlfcn.h>
@@ -61,13 +61,14 @@ static void on_a_thread(int count) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
+    if (argc != 2 && argc != 3) {
         return 2;
     }
     path = argv[1];
+    int reopened = argc == 3 ? atoi(argv[2]) : REOPENED;
     CHECK(!is_loaded());
-    on_a_thread(REOPENED);
-    for (int i = 0; i < THREADS; ++i) {
+    on_a_thread(reopened);
+    for (int i = 0; i < THREADS && i < reopened; ++i) {
         on_a_thread(1);
     }
     open_run_close();

@@ -76,7 +76,7 @@ fn assert_same(name: &str, expected: &Net<'_>, found: &Net<'_>) {
 #[test]
 fn streams_of_the_past_are_read() {
     let job = Job::default();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/net/golden");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/net/golden");
     for (kind, net) in nets() {
         // Numbers that are not finite have no levels.
         for (mode_name, mode) in MODES.into_iter().filter(|(name, _)| kind != "wild" || *name != "quantised") {

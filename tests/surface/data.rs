@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 /// A file of the surface folder of the data; `None`, with a note, where there is none.
 fn text(name: &str) -> Option<String> {
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     let data = std::env::var_os("GUSSET_DATA").map_or_else(|| root.join("../shared/data"), PathBuf::from);
     let found = std::fs::read_to_string(data.join("carcass").join(name)).ok();
     if found.is_none() {

@@ -87,7 +87,7 @@ fn nodes_of(shape: &Shape) -> Vec<f64> {
 /// Some patches of the teapot, where the data are.
 fn teapot() -> Vec<Case> {
     let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let data = given.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data"));
+    let data = given.unwrap_or_else(|| Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"));
     let Ok(text) = std::fs::read_to_string(data.join("carcass/teapot_bezier.json")) else {
         println!("SKIPPED: no teapot in {}; set GUSSET_DATA", data.display());
         return Vec::new();

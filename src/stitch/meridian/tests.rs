@@ -4,6 +4,7 @@
 use super::index_rule::index_meridians;
 use super::metric::strip_area;
 use super::*;
+use crate::testing::cases;
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -134,6 +135,8 @@ fn polyline(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(256)))]
+
     #[test]
     fn equals_brute_force(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
@@ -210,7 +213,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(ProptestConfig::with_cases(cases(16)))]
 
     /// Blocks and bands lose nothing: a long wavy rim, coarse to fine and exactly.
     #[test]

@@ -161,6 +161,7 @@ impl ProductRange {
 mod tests {
     use super::super::foot::{MAX_STEPS, minimise};
     use super::*;
+    use crate::testing::cases;
 
     /// A patch through control points z(a, b) over a square grid.
     fn graph(z: impl Fn(usize, usize) -> f64) -> Patch<4> {
@@ -187,7 +188,7 @@ mod tests {
     /// one.
     #[test]
     fn bounds_hold() {
-        for (seed, query) in (0..20).flat_map(|seed| queries().map(move |query| (seed, query))) {
+        for (seed, query) in (0..cases(20) as usize).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let patch = rough(seed);
             let distances = || places().map(|place| patch.point(place.x, place.y).distance(query));
             let (min, max) = distances().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
@@ -273,7 +274,7 @@ mod tests {
             [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
         };
         let mut widest = [0.0_f64; 3];
-        let all = sheets.into_iter().chain((0..20).map(rough)).enumerate();
+        let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough)).enumerate();
         for (k, patch) in all {
             for (query, from) in queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
                 let range = patch.hessian_range(query, &Foot::at(&patch, query, from));
