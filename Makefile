@@ -20,8 +20,9 @@ stage   := $(CURDIR)/build/stage
 # The program, where `make cli` has built it; the stage is without.
 cli      = $(shell test -x build/cli/gusset && echo yes)
 archive := $(CURDIR)/build/dist/gusset-$(version)-linux-$(shell uname -m).tar.gz
-# Nothing else that is used lies there: what is for use is released.
-openmfx := $(CURDIR)/$(or $(CARGO_TARGET_DIR),target)/debug/libgusset.so
+# Plain builds, with all features, in a folder of their own: one file name would otherwise stand for two libraries.
+plain   := $(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/plain
+openmfx := $(plain)/debug/libgusset.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
@@ -88,7 +89,7 @@ lint:
 
 # Of the library in a plain build, with checks of overflow.
 test-units:
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --lib
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --lib --features openmfx --target-dir '$(plain)'
 
 # From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
 test-programs: build
@@ -101,7 +102,7 @@ exhaustive:
 
 # The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
 openmfx:
-	CARGO_INCREMENTAL=0 $(CARGO) rustc --locked -p gusset --lib --crate-type cdylib --features openmfx
+	CARGO_INCREMENTAL=0 $(CARGO) rustc --locked -p gusset --lib --crate-type cdylib --features openmfx --target-dir '$(plain)'
 
 # Both sides at once: each has stretches where it keeps one core busy.
 test:

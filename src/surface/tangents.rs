@@ -61,9 +61,9 @@ pub(super) fn tangents(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: Range<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::cases;
     use crate::surface::cells::{BLOCK, Cells};
     use crate::surface::{Grid, Patch, Scheme};
+    use crate::testing::cases;
     use glam::DVec3;
 
     /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their

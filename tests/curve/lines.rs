@@ -22,7 +22,7 @@ fn zeros(points: &[DVec3]) -> Vec<f64> {
     let ends = [0, points.len() as u32 - 1];
     let curve = CurveView::new(points, &ends, false).unwrap();
     let found = curve.intersect_line(DVec3::ZERO, DVec3::X).unwrap();
-    assert_eq!(found.inside, []);
+    assert!(found.inside.is_empty());
     found.places.iter().map(|place| place.t).collect()
 }
 

@@ -9,7 +9,8 @@ use std::path::PathBuf;
 /// none.
 pub fn folder() -> Option<PathBuf> {
     let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let folder = given.unwrap_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"));
+    let folder =
+        given.unwrap_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"));
     let grids = folder.join("grids");
     if grids.is_dir() {
         return Some(grids);

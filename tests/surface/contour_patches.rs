@@ -95,8 +95,8 @@ fn normals_that_jump() {
 
 /// The teapot's patches, a sheet each; `None` where there are no data.
 fn teapot() -> Option<Surface<'static>> {
-    let folder =
-        std::env::var("GUSSET_DATA").unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data").into());
+    let folder = std::env::var("GUSSET_DATA")
+        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data").into());
     let text = std::fs::read_to_string(format!("{folder}/carcass/teapot_bezier.json")).ok()?;
     let data: serde_json::Value = serde_json::from_str(&text).unwrap();
     let numbers = |value: &serde_json::Value| -> Vec<f64> {

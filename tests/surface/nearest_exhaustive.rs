@@ -20,8 +20,10 @@ const HULL: Shape = Shape {
 
 /// The teapot's patches of $GUSSET_DATA, one a sheet.
 fn teapot() -> Option<Vec<Sheet<'static>>> {
-    let folder = std::env::var_os("GUSSET_DATA")
-        .map_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"), PathBuf::from);
+    let folder = std::env::var_os("GUSSET_DATA").map_or_else(
+        || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"),
+        PathBuf::from,
+    );
     let text = std::fs::read_to_string(folder.join("carcass/teapot_bezier.json")).ok()?;
     let data: serde_json::Value = serde_json::from_str(&text).unwrap();
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
