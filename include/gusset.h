@@ -8,8 +8,9 @@
  *     options.struct_size = sizeof options;
  *
  * Errors are listed without their prefix GUSSET_ERROR_. Every function that takes a context may also return CONTEXT_BUSY, and
- * CANCELLED before it looks at its other arguments; outputs are cleared in any case. An array that the library lends is NULL
- * if it has no elements. C99 or later.
+ * CANCELLED before it looks at its other arguments. Whatever fails, handles, arrays of handles, structs and outputs of a fixed
+ * size are cleared; what an array of numbers holds, for which the caller gives the room, is unspecified after a failure. An
+ * array that the library lends is NULL if it has no elements. C99 or later, C++11 or later.
  */
 
 #ifndef GUSSET_H
@@ -1093,7 +1094,7 @@ enum gusset_status
      */
     GUSSET_ERROR_CROSSING_CELL = 1301,
     /**
-     * A seam is empty or leaves the net.
+     * A seam is empty, leaves the net, or repeats one pair of nodes.
      */
     GUSSET_ERROR_BAD_SEAM = 1302,
     /**
@@ -6101,7 +6102,7 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_BYTE 19
 
 /**
- * One of the operations, fields, gluings, lines, sheets or curves that were given.
+ * One of the operations, fields, gluings, lines, pieces, pairs, sheets or curves that were given.
  */
 #define GUSSET_ELEMENT_ITEM 21
 
@@ -8493,8 +8494,8 @@ gusset_status gusset_net_groups_create(const struct gusset_context *context,
  * offsets.count is one more than the number of groups. Valid until the groups are destroyed.
  *
  * @param groups the groups.
- * @param[out] offsets receives the offsets; struct_size is set by the caller.
- * @param[out] members receives the members; struct_size is set by the caller.
+ * @param[out] offsets receives the offsets.
+ * @param[out] members receives the members.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
  * @complexity O(1).
  * @since 0.1
@@ -8692,8 +8693,9 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
  * @param bridge its number, counted from 0.
  * @param[out] first receives the one, for gusset_net_destroy; NULL on failure.
  * @param[out] second receives the other, likewise.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
- *     bridge, or it is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OVERLAP (first and second
+ *     are the same place), NO_SUCH_ELEMENT (no such bridge, or it is within a part of the net
+ *     only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -9082,7 +9084,8 @@ gusset_status gusset_net_decimate_create(const struct gusset_context *context,
  * @param interpolation as for gusset_net_resample_create.
  * @param[out] levels receives the nets, each for gusset_net_destroy; all NULL on failure.
  * @param capacity how many it has room for; GUSSET_PYRAMID_LEVELS is always enough.
- * @param[out] count receives how many there are, also with BUFFER_TOO_SMALL.
+ * @param[out] count receives how many there are, also with BUFFER_TOO_SMALL, which capacity 0
+ *     gives too.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
  *     BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes), memory for 4/3 of the first.

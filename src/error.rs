@@ -117,10 +117,10 @@ pub enum Error {
         stride: u64,
         min: u64,
     },
-    /// A mesh without vertices or without faces.
-    #[error("the mesh has no {what}")]
+    /// A mesh without vertices or without faces, or no mesh at all.
+    #[error("there are no {what}")]
     EmptyMesh {
-        /// `"vertices"` or `"faces"`.
+        /// What there are none of, in the plural.
         what: &'static str,
     },
     /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere

@@ -209,12 +209,17 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, gusset_assembly_create(misaligned(), pieces, 2, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 0, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(NULL, 0, NULL, &done));
-    FAILS(GUSSET_ERROR_SIZE_OVERFLOW, done, assemble(pieces, SIZE_MAX, NULL, &done));
+    FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, SIZE_MAX, NULL, &done));
     pieces[0].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
     pieces[0].struct_size = sizeof pieces[0], pieces[1].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0, 1);
+    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
+    /* Larger than the first one, whose size says how far they are apart: nothing beyond the array is read. */
+    pieces[1].struct_size = sizeof pieces[1] + 8;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
+    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
+    CHECK(reported_value() == (double)pieces[1].struct_size);
 
     /* What is wrong with a mesh is reported with the number of the piece. */
     pieces[1] = pyramid(pyramid_down), pieces[1].vertex_count = 4;

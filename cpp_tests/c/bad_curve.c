@@ -119,6 +119,17 @@ static void made_of_curves(void) {
     CHECK(fabs(deviations[0] - 0.5) < 1e-14 && deviations[1] == 0.0);
     gusset_curve_destroy(made);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_offset_create(context, given, 0.1, NULL, NULL, &made));
+    /* What is of a fixed size is cleared whatever fails. */
+    {
+        double bounds[6] = {9, 9, 9, 9, 9, 9}, area[3] = {9, 9, 9};
+        report.corners = 9;
+        gusset_context_cancel(context);
+        EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));
+        EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_bounds(context, given, bounds));
+        EXPECT(GUSSET_ERROR_CANCELLED, gusset_curve_area_vector(context, given, area));
+        gusset_context_reset(context);
+        CHECK(made == NULL && report.corners == 0 && bounds[0] == 0 && bounds[5] == 0 && area[0] == 0 && area[2] == 0);
+    }
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_offset_create(context, given, NAN, &options, NULL, &made));
     EXPECT(GUSSET_OK, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));
     CHECK(report.deviation <= 1e-6 && report.reached == 1 && report.tight == 0 && report.corners == 1);

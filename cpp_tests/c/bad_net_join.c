@@ -165,6 +165,8 @@ static void joined(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split_create(context, NULL, 0, &first, &second));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split_create(context, out, 0, NULL, &second));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split_create(context, out, 0, &first, NULL));
+    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_split_create(context, out, 0, &first, &first));
+    CHECK(first == NULL);
     EXPECT(GUSSET_OK, gusset_net_split_create(context, out, 0, &first, &second));
     CHECK(has_size(first, 3, 4) && has_size(second, 4, 3) && at(second, 0, 0, 2) == 11);
     gusset_net_destroy(first);

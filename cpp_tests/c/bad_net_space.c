@@ -159,7 +159,7 @@ static void wrong_fields(void) {
     EXPECT(GUSSET_OK, gusset_net_deform(context, net, NULL, 0, 0));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, NULL, 1, 0));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, NULL, &good, 1, 0));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_deform(context, net, &good, SIZE_MAX, 0));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_deform(context, net, &good, SIZE_MAX, 0));
     bad = good, bad.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_deform(context, net, &bad, 1, 0));
     bad = good, bad.kind = 13;
@@ -176,6 +176,23 @@ static void wrong_fields(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, &bad, 1, 0));
     bad = good, bad.strength = INFINITY;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0.5));
+    /* What is wrong with the second of two is said of it, that it is of another version too. */
+    {
+        gusset_field two[2];
+        gusset_error_report report = {sizeof report, 0, 0, 0, 0, 0, 0};
+        for (int k = 0; k < 3; ++k) {
+            two[0] = two[1] = good;
+            if (k == 0) two[1].struct_size += 8;
+            if (k == 1) two[1].keys = NULL, two[1].key_count = 0, two[1].strength = NAN;
+            if (k == 2) two[1].reserved = 1;
+            EXPECT(k == 0   ? GUSSET_ERROR_BAD_STRUCT_SIZE
+                   : k == 1 ? GUSSET_ERROR_OUT_OF_RANGE
+                            : GUSSET_ERROR_UNKNOWN_VALUE,
+                   gusset_net_deform(context, net, two, 2, 0));
+            EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+            CHECK(report.element == GUSSET_ELEMENT_ITEM && report.index == 1);
+        }
+    }
     bad = field(GUSSET_FIELD_LATTICE, 0, 0, 0, 0, 1);
     bad.values[4] = bad.values[5] = 1;
     bad.counts[0] = 33, bad.counts[1] = bad.counts[2] = 2;
@@ -353,6 +370,17 @@ static void sizes(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_decimate_create(context, net, -1, rows, columns, &deviation, &made));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decimate_create(context, NULL, 0, rows, columns, &deviation, &made));
 
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_pyramid_create(context, net, 0, NULL, 0, &count));
+    /* Handles are NULL whatever fails, so that they may be destroyed. */
+    for (int k = 0; k < 4; ++k) {
+        levels[k] = (gusset_net *)misaligned();
+    }
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_pyramid_create(context, net, 0, levels, 4, &count));
+    gusset_context_reset(context);
+    for (int k = 0; k < 4; ++k) {
+        CHECK(levels[k] == NULL);
+    }
     EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_pyramid_create(context, net, 0, levels, 3, &count));
     CHECK(count == 4 && levels[0] == NULL && levels[2] == NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_pyramid_create(context, net, 0, NULL, 3, &count));

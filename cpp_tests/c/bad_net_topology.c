@@ -173,7 +173,7 @@ static void gluing(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_glue(context, net, &gluing, 1));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, net, NULL, 1));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_glue(context, NULL, &gluing, 0));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_glue(context, net, &gluing, SIZE_MAX));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_glue(context, net, &gluing, SIZE_MAX));
     EXPECT(GUSSET_OK, gusset_net_glue(context, net, NULL, 0));
 
     /* Three sides of a cell, and so the fourth. */

@@ -286,15 +286,25 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     }
 }
 
-/// Where the structs of an array are, all of which are as large as the first one says.
+/// Where the structs of an array are, all of which must be as large as the first one says; each
+/// failure with its number.
 pub(crate) fn structs<T: Versioned>(
     first: *const T,
     count: usize,
     name: &'static str,
-) -> Result<impl ExactSizeIterator<Item = *const T>, Failure> {
+) -> Result<impl ExactSizeIterator<Item = Result<*const T, Failure>>, Failure> {
     let size = if count == 0 { 0 } else { struct_size(first, name)? };
     bytes(first.cast(), count, size, name)?;
-    Ok((0..count).map(move |k| first.wrapping_byte_add(k * size)))
+    Ok((0..count).map(move |k| {
+        let one = first.wrapping_byte_add(k * size);
+        let found = struct_size(one, name).map_err(|failure| failure.of_item(k))?;
+        if found == size {
+            Ok(one)
+        } else {
+            let message = format!("{name}: the struct_size of number {k} is {found}, and that of the first one {size}");
+            Err(Failure { value: found as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) }.of_item(k))
+        }
+    }))
 }
 
 /// Clears a struct that the caller wants filled, all but its size, and returns the writer.
@@ -324,8 +334,7 @@ impl<T: Versioned> Output<T> {
     }
 }
 
-/// The size that the caller's struct says it has: the distance to the next one, where several lie
-/// in an array.
+/// The size that the caller's struct says it has.
 fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.

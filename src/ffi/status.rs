@@ -88,7 +88,7 @@ pub enum gusset_status {
     GUSSET_ERROR_NET_TOO_SMALL = 1300,
     /// A gluing makes both pairs of opposite corners of a cell one each, which no surface allows.
     GUSSET_ERROR_CROSSING_CELL = 1301,
-    /// A seam is empty or leaves the net.
+    /// A seam is empty, leaves the net, or repeats one pair of nodes.
     GUSSET_ERROR_BAD_SEAM = 1302,
     /// Sides of nets to be joined have different numbers of nodes, or do not lie on each other.
     GUSSET_ERROR_SIDES_DIFFER = 1303,
@@ -157,7 +157,7 @@ pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
 /// A byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
-/// One of the operations, fields, gluings, lines, sheets or curves that were given.
+/// One of the operations, fields, gluings, lines, pieces, pairs, sheets or curves that were given.
 pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;

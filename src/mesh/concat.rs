@@ -41,7 +41,7 @@ pub(crate) fn empty<'m, 'a: 'm>(
     pieces: impl Iterator<Item = &'m MeshView<'a>> + Clone,
     extra: [usize; 3],
 ) -> Result<Mesh> {
-    let scalar = pieces.clone().next().ok_or(Error::EmptyMesh { what: "faces" })?.positions().scalar();
+    let scalar = pieces.clone().next().ok_or(Error::EmptyMesh { what: "pieces" })?.positions().scalar();
     if scalar == Scalar::F32 && pieces.clone().any(|p| p.positions().scalar() == Scalar::F64) {
         return Err(Error::MixedScalars);
     }

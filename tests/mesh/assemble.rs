@@ -332,7 +332,7 @@ fn pieces_that_face_nothing_are_left() {
     // A closed piece has nothing to be joined.
     let done = run(&[cube(3), far(0.5)], &Options::default());
     assert_eq!((done.joints.len(), done.left.len(), done.loops_left), (0, 1, 1));
-    assert_eq!(assemble(&[], &Options::default(), &Job::default()).unwrap_err(), Error::EmptyMesh { what: "faces" });
+    assert_eq!(assemble(&[], &Options::default(), &Job::default()).unwrap_err(), Error::EmptyMesh { what: "pieces" });
     // A tube's own ends face each other within one component only if that is wanted.
     let ring = cut(&torus(16, 12), |p| (around(p) < 0.95).then_some(0));
     let within = |within_components| run(&ring, &Options { within_components, ..Options::default() });

@@ -20,5 +20,5 @@ fn pieces_side_by_side() {
     assert_eq!(concatenate(&[single, b.view()]).unwrap_err(), Error::MixedScalars);
     let (mixed, _) = concatenate(&[b.view(), single]).unwrap();
     assert_eq!(mixed.positions.get(8).x, f64::from(0.1f32));
-    assert_eq!(concatenate(&[]).unwrap_err(), Error::EmptyMesh { what: "faces" });
+    assert_eq!(concatenate(&[]).unwrap_err(), Error::EmptyMesh { what: "pieces" });
 }

@@ -204,9 +204,10 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     report: *mut gusset_offset_report,
     offset: *mut *mut gusset_curve,
 ) -> gusset_status {
+    let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose();
     create(context, offset, "offset", |_| {
+        let out = out?;
         let options = input::read(options, false, "options")?.checked()?;
-        let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose()?;
         let done = view(curve, "curve")?.offset(distance, &options, &Job::default())?;
         if let Some(out) = out {
             out.write(gusset_offset_report {

@@ -217,8 +217,9 @@ pub unsafe extern "C" fn gusset_frame_get_curves(
     along: *mut *const gusset_outline,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
-        let across = input::optional_output(across, ptr::null(), "across")?;
-        let along = input::optional_output(along, ptr::null(), "along")?;
+        let across = input::optional_output(across, ptr::null(), "across");
+        let along = input::optional_output(along, ptr::null(), "along");
+        let (across, along) = (across?, along?);
         let frame = input::reference(frame, "frame")?;
         input::set(across, &raw const frame.across);
         input::set(along, &raw const frame.along);

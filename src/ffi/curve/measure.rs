@@ -246,9 +246,9 @@ pub unsafe extern "C" fn gusset_curve_bounds(
     curve: *const gusset_curve,
     bounds: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| {
+    answer(context, (bounds.cast::<[[f64; 3]; 2]>(), "bounds"), [[0.0; 3]; 2], |_| {
         let found = view(curve, "curve")?.bounding_box()?;
-        write_points(&[found.low, found.high], bounds, "bounds")
+        Ok([found.low, found.high].map(|corner| corner.to_array()))
     })
 }
 
@@ -267,7 +267,7 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
     curve: *const gusset_curve,
     area: *mut f64,
 ) -> gusset_status {
-    guard(context, |_| write_points(&[view(curve, "curve")?.area_vector()], area, "area"))
+    answer(context, (area.cast::<[f64; 3]>(), "area"), [0.0; 3], |_| Ok(view(curve, "curve")?.area_vector().to_array()))
 }
 
 /// Area, centroid and second moments of what a plane curve encloses.

@@ -270,8 +270,8 @@ pub unsafe extern "C" fn gusset_boundary_get_defects(
     count: *mut usize,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
-        let count = input::output(count, 0, "count")?;
-        let defects = input::output(defects, ptr::null(), "defects")?;
+        let (count, defects) = (input::output(count, 0, "count"), input::output(defects, ptr::null(), "defects"));
+        let (count, defects) = (count?, defects?);
         let found = &input::reference(boundary, "boundary")?.defects;
         (*defects, *count) = (lent(found), found.len());
         Ok(())

@@ -89,11 +89,12 @@ pub(crate) fn meshes<'a>(
     count: usize,
     job: &Job<'_>,
 ) -> Result<Vec<MeshView<'a>>, Failure> {
-    if count == 0 {
-        return Err(Error::EmptyMesh { what: "faces" }.into());
-    }
+    Error::check_count("pieces", count as u64, MAX_ELEMENTS)?;
     let views = input::structs(views, count, "pieces")?.enumerate();
-    alloc::try_collect(views.map(|(k, view)| mesh(view, k as u32, &job.share(k, count))))
+    alloc::try_collect(views.map(|(k, view)| {
+        let read = |view| checked(view, "piece", &job.share(k, count));
+        view.and_then(read).map_err(|failure| failure.of_input(k as u32))
+    }))
 }
 
 /// A mesh of the caller's, held to the rules; `name` is that of its view.

@@ -3,6 +3,7 @@
 use crate::ffi::net::transform::{gusset_axis, matrix, vector};
 use crate::ffi::net::{edit, gusset_net};
 use crate::ffi::prelude::*;
+use crate::mesh::MAX_ELEMENTS;
 use crate::net::field::*;
 use libc::c_int;
 
@@ -123,12 +124,15 @@ impl Given {
 
 /// The fields of the caller's at a time.
 pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
-    alloc::try_collect(input::structs(fields, count, "fields")?.enumerate().map(|(k, given)| {
-        let given = input::read(given, false, "fields")?;
-        let of_item = |failure: Failure| failure.of_item(k);
-        let (field, strength) = (given.checked().map_err(of_item)?, given.strength_at(time).map_err(of_item)?);
+    Error::check_count("fields", count as u64, MAX_ELEMENTS)?;
+    let given = |field: *const gusset_field| {
+        let given = input::read(field, false, "fields")?;
+        let (field, strength) = (given.checked()?, given.strength_at(time)?);
+        Error::require(strength.is_finite(), "strength", strength)?;
         Ok(Given { field, strength })
-    }))
+    };
+    let fields = input::structs(fields, count, "fields")?.enumerate();
+    alloc::try_collect(fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.of_item(k))))
 }
 
 /// Groups of N numbers of the caller's, at any alignment.

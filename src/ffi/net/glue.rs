@@ -4,8 +4,8 @@ use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::gluing::{gusset_seam, seam};
 use crate::ffi::net::{edit, gusset_net, read, reglue};
 use crate::ffi::prelude::*;
-use crate::net::Classes;
 use crate::net::topology::{Diagonal, Gluing, GluingType, Groups};
+use crate::net::{Classes, MAX_NODES};
 
 /// What a gusset_gluing glues.
 pub type gusset_gluing_kind = u32;
@@ -115,6 +115,7 @@ impl gusset_gluing {
 
 /// The caller's, at any alignment.
 fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
+    Error::check_count("gluings", count as u64, MAX_NODES)?;
     let given = input::items(data, count, "gluings")?.enumerate();
     alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.of_item(k))))
 }
@@ -261,8 +262,8 @@ pub unsafe extern "C" fn gusset_net_groups_create(
 /// offsets.count is one more than the number of groups. Valid until the groups are destroyed.
 ///
 /// @param groups the groups.
-/// @param[out] offsets receives the offsets; struct_size is set by the caller.
-/// @param[out] members receives the members; struct_size is set by the caller.
+/// @param[out] offsets receives the offsets.
+/// @param[out] members receives the members.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
 /// @complexity O(1).
 /// @since 0.1
@@ -274,8 +275,9 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
     members: *mut gusset_indices,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
-        let offsets = input::output(offsets, gusset_indices::lend(&[]), "offsets")?;
-        let members = input::output(members, gusset_indices::lend(&[]), "members")?;
+        let offsets = input::output(offsets, gusset_indices::lend(&[]), "offsets");
+        let members = input::output(members, gusset_indices::lend(&[]), "members");
+        let (offsets, members) = (offsets?, members?);
         let groups = &input::reference(groups, "groups")?.0;
         (*offsets, *members) = (gusset_indices::lend(groups.offsets()), gusset_indices::lend(groups.members()));
         Ok(())

@@ -3,7 +3,7 @@
 use crate::ffi::net::net_handle::{gusset_net, read, reglue};
 use crate::ffi::prelude::*;
 use crate::net::topology::{Links, Run};
-use crate::net::{Matrix, Seam, Shape, Sides, Topology};
+use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
 
 /// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k *
 /// column_step_a) and node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to
@@ -125,6 +125,7 @@ pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
 
 /// Seams of the caller's, at any alignment.
 pub(crate) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
+    Error::check_count("seams", count as u64, MAX_NODES)?;
     alloc::try_collect(input::items(data, count, "seams")?.map(|given| seam(&given)))
 }
 
@@ -202,9 +203,10 @@ pub unsafe extern "C" fn gusset_net_get_topology(
     reversed: *mut u32,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
-        let out = input::optional_output(sides, 0, "sides")?;
-        let count = input::optional_output(seam_count, 0, "seam_count")?;
-        let turned = input::optional_output(reversed, 0, "reversed")?;
+        let out = input::optional_output(sides, 0, "sides");
+        let count = input::optional_output(seam_count, 0, "seam_count");
+        let turned = input::optional_output(reversed, 0, "reversed");
+        let (out, count, turned) = (out?, count?, turned?);
         let topology = read(net)?.topology();
         input::set(out, topology.sides().map_or(u32::MAX, sides_bits));
         input::set(count, topology.seams().len());

@@ -3,6 +3,7 @@
 use crate::ffi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
 use crate::ffi::net::{edit, gusset_net, read};
 use crate::ffi::prelude::*;
+use crate::ffi::status::gusset_status::GUSSET_ERROR_OVERLAP;
 use crate::net::{BridgeKind, BridgeMode, BridgeProperties, JoinOptions, MAX_NODES, Net, concatenate_all};
 
 /// What is done with the cells between two nets that were joined.
@@ -170,8 +171,9 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 /// @param bridge its number, counted from 0.
 /// @param[out] first receives the one, for gusset_net_destroy; NULL on failure.
 /// @param[out] second receives the other, likewise.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such
-///     bridge, or it is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OVERLAP (first and second
+///     are the same place), NO_SUCH_ELEMENT (no such bridge, or it is within a part of the net
+///     only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -187,6 +189,9 @@ pub unsafe extern "C" fn gusset_net_split_create(
     guard(context, |job| {
         let [first, second] = slots;
         let (first, second) = (first?, second?);
+        if ptr::eq(first, second) {
+            return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
+        }
         let parts = read(net)?.split(bridge, job)?;
         [*first, *second] = parts.map(|part| Box::into_raw(Box::new(gusset_net::new(part))));
         Ok(())

@@ -107,7 +107,8 @@ fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), 
 /// @param interpolation as for gusset_net_resample_create.
 /// @param[out] levels receives the nets, each for gusset_net_destroy; all NULL on failure.
 /// @param capacity how many it has room for; GUSSET_PYRAMID_LEVELS is always enough.
-/// @param[out] count receives how many there are, also with BUFFER_TOO_SMALL.
+/// @param[out] count receives how many there are, also with BUFFER_TOO_SMALL, which capacity 0
+///     gives too.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
 ///     BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes), memory for 4/3 of the first.
@@ -122,10 +123,9 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     capacity: usize,
     count: *mut usize,
 ) -> gusset_status {
-    let count = input::output(count, 0, "count");
+    let (count, slots) = (input::output(count, 0, "count"), input::handles(levels, capacity, "levels"));
     guard(context, |job| {
-        let count = count?;
-        let slots = input::handles(levels, capacity, "levels")?;
+        let (count, slots) = (count?, slots?);
         let made = pyramid(read(net)?, choice(interpolation)?, job)?;
         *count = made.len();
         if capacity < made.len() {

@@ -53,7 +53,7 @@ pub(super) fn inputs<'a>(
     let given = input::structs(given, count as usize, "inputs")?;
     alloc::try_collect(given.enumerate().map(|(k, one)| {
         let part = job.share(k, count as usize);
-        read(filter, one, k, &part).map_err(|fault| fault.of_input(k as u32))
+        one.map_err(Fault::from).and_then(|one| read(filter, one, k, &part)).map_err(|fault| fault.of_input(k as u32))
     }))
 }
 
