@@ -9,17 +9,17 @@ from report import number
 MARKS = "<!-- speed: written by `make bench` -->\n", "<!-- /speed -->"
 # Subject, case, and the peers of the columns, where they have the case.
 ROWS = [
-    ("boundary loops of 10^6 triangles", "boundary/coherent-1M"),
-    ("the same, and everything unusual", "boundary-full/coherent-1M"),
+    ("boundary loops of 10^6 triangles, all defects reported", "boundary-full/coherent-1M"),
+    ("the loops only", "boundary/coherent-1M"),
     ("winged-edge table", "winged/coherent-1M"),
     ("strip between rims of 486 and 426 vertices", "join-strip/jagged-486x426"),
     ("strip between rims of 10,000 and 8,000", "join-strip/10000x8000"),
-    ("rows of new vertices, faired", "rows/jagged"),
+    ("the first of these by faired rows of new vertices", "rows/jagged"),
     ("curves through 34,820 points, a point", "outline/composite"),
     ("normals of a net of 10^6 nodes", "net/normals-1e6"),
     ("smooth surface through 10^6 nodes", "carcass/build-1e6"),
-    ("a nearest point on it, from near", "carcass/near-1e6"),
-    ("a nearest point on it, from far", "carcass/far-1e6"),
+    ("nearest point on it, from a start near it", "carcass/near-1e6"),
+    ("nearest point on it, from far", "carcass/far-1e6"),
     ("an ordered plane section of it", "carcass/plane-1e6"),
     ("intersection of two tori", "carcass/ssi"),
 ]
@@ -64,8 +64,9 @@ def table(entries):
 
 def write_readme(entries, path=Path("README.md")):
     text = path.read_text()
-    head = (f"Times of {time.strftime('%Y-%m-%d')} on two cores, medians; a peer's figure says how many times as long it takes,\n"
-            "on the same arrays in one run.\n")
+    head = (f"{time.strftime('%Y-%m-%d')}, two cores, medians. The other columns are peer's time / ours: above 1, gusset is faster. Both are timed in turn in\n"
+            "one process on the same arrays, C++ and Python peers in processes of their own, where our own time differs too. VTK's strip is not\n"
+            "closed.\n")
     begin, end = map(re.escape, MARKS)
     new, count = re.subn(f"(?<={begin}).*?(?={end})", lambda _: f"{head}\n{table(entries)}\n", text, flags=re.DOTALL)
     if count != 1:

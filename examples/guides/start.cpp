@@ -138,7 +138,7 @@ static void nets() {
     //! [net]
     gusset::Net net = gusset::Net::from_primitive(gusset::Primitive::torus(2.0, 0.5));
     net.deform(gusset::Field::twist(gusset::Axis::z, 0.5));
-    const gusset::NetMesh closed(net); // a mesh for all that takes meshes
+    const gusset::NetMesh closed(net); // usable wherever a mesh is expected
     std::cout << closed.mesh().face_count() << " quads, closed: " << gusset::Check(closed.mesh()).is_closed() << '\n';
     //! [net]
 }
