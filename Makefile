@@ -42,7 +42,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts check lint exhaustive cli check-cancel demo docs pictures bench install install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts check lint exhaustive cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -126,7 +126,7 @@ check-cancel: stage
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel
 	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
 
-demo: stage
+demo:
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages) -- $(browser_packages)
 
 docs:
@@ -143,14 +143,21 @@ bench: stage
 # no use for and nm stumbles over where clang is.
 strip_shared = --strip-unneeded
 strip_static = --strip-debug
-install: build
-	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
+install: install-library install-data
+	$(if $(cli),DESTDIR='$(DESTDIR)' cmake --install build/cli --prefix '$(PREFIX)')
+
+install-library: build
+	install -d $(libdir)
 	$(OBJCOPY) $(strip_shared) $(release)/libgusset.so $(libdir)/libgusset.so.$(version)
 	chmod 755 $(libdir)/libgusset.so.$(version)
 	ln -sf libgusset.so.$(version) $(libdir)/libgusset.so.$(abi)
 	ln -sf libgusset.so.$(abi) $(libdir)/libgusset.so
 	$(OBJCOPY) -D $(strip_static) -R .llvmbc -R .llvmcmd $(release)/libgusset.a $(libdir)/libgusset.a
 	chmod 644 $(libdir)/libgusset.a
+
+# What needs no build, and suffices to compile against.
+install-data:
+	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
 	install -m 644 include/*.h include/*.hpp $(incdir)
 	install -m 644 include/gusset/*.hpp $(incdir)/gusset
 	install -m 644 include/cmake/*.cmake $(libdir)/cmake/gusset
@@ -162,7 +169,6 @@ install: build
 	find docs -name '*.md' -o -name '*.svg' -o -name '*.jpg' -o -name '*.html' | xargs -I% install -D -m 644 % $(docdir)/%
 	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
 	    xargs -I@ install -D -m 644 @ $(docdir)/@
-	$(if $(cli),DESTDIR='$(DESTDIR)' cmake --install build/cli --prefix '$(PREFIX)')
 
 install-debug:
 	@$(MAKE) --no-print-directory install PROFILE=release-debug strip_shared= strip_static=

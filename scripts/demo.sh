@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make demo: builds the demo against the installation in $1 and runs it on the meshes $2 and $3, or, where these are empty, on
+# make demo: installs the library in $1, builds the demo against it and runs it on the meshes $2 and $3, or, where these are empty, on
 # a real closed mesh that it takes a band out of. The remaining arguments are the Debian packages it needs; after -- those that
 # only the pictures need. Where there is no apt to install them it stitches shapes that it generates.
 set -euo pipefail
@@ -18,9 +18,15 @@ mkdir -p "$out"
 
 status=0
 scripts/install-packages.sh "${packages[@]}" || status=$?
+staged() { # A target of the Makefile
+  env -u MAKELEVEL -u MAKEFLAGS make --no-print-directory -s "$1" PREFIX="$stage" DESTDIR= cli=
+}
+rm -rf "$stage"
+staged install-data
 if [ "$status" -eq 3 ]; then
   [ -z "$left$right" ] || { echo "gusset: your own files need those packages" >&2; exit 1; }
   echo "gusset: so the demo stitches two shells that it generates, judged by the library alone, without pictures"
+  staged install-library
   cc -std=c99 -O2 -I"$stage/include" examples/c/generated.c "$stage/lib/libgusset.a" \
     -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o "$out/generated"
   (cd "$out" && ./generated)
@@ -29,8 +35,16 @@ if [ "$status" -eq 3 ]; then
 fi
 [ "$status" -eq 0 ] || exit "$status"
 
-cmake -S examples -B build/examples -DGUSSET_PREFIX="$stage" >build/examples.log 2>&1 &&
-  env -u MAKELEVEL -u MAKEFLAGS cmake --build build/examples --parallel 2 >>build/examples.log 2>&1 || { tail -n 40 build/examples.log; exit 1; }
+compiled() { # A target of the examples
+  cmake -S examples -B build/examples -DGUSSET_PREFIX="$stage" >build/examples.log 2>&1 &&
+    env -u MAKELEVEL -u MAKEFLAGS cmake --build build/examples --target "$1" --parallel 2 >>build/examples.log 2>&1 ||
+    { tail -n 40 build/examples.log; return 1; }
+}
+# The demo's own files are compiled while cargo, which seldom keeps all cores busy, builds the library that they are linked to.
+compiled demo_objects &
+staged install-library || { wait; exit 1; }
+wait $!
+compiled demo
 
 title="Two open meshes, joined"
 if [ -n "$left" ] || [ -n "$right" ]; then

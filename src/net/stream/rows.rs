@@ -70,8 +70,7 @@ impl RowCoder {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub(super) fn new(columns: usize, order: [(usize, Predictor); 3]) -> Result<Self> {
-        let channels =
-            alloc::try_collect(order.map(|(axis, predictor)| Channel::new(axis, predictor, columns)).into_iter())?;
+        let channels = alloc::try_collect(order.map(|(axis, predictor)| Channel::new(axis, predictor, columns)))?;
         let gaps = || alloc::filled(false, columns + 2 * MARGIN_BEFORE);
         Ok(RowCoder {
             channels,
