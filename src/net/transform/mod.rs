@@ -133,9 +133,9 @@ mod tests {
             let [mut x, mut y, mut z] = [3, 5, 7].map(numbers);
             let kernel = Apply { rows, x: &mut x, y: &mut y, z: &mut z };
             if wide {
-                simd::run(kernel)
+                simd::run(kernel);
             } else {
-                kernel.run()
+                kernel.run();
             }
             [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
         });
