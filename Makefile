@@ -107,9 +107,9 @@ openmfx:
 # Both sides at once: each has stretches where it keeps one core busy.
 test:
 	@scripts/install-packages.sh $(test_packages)
-	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line check test-hosts
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts check
 
-test-hosts: openmfx dist
+test-hosts: dist openmfx
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx) -DGUSSET_ARCHIVE=$(archive)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2
