@@ -41,7 +41,10 @@ Found by_gusset(const Triangles &mesh, gusset::Survey survey) {
     return found;
 }
 
-std::size_t winged_by_gusset(const Triangles &mesh) { return gusset::Winged(view(mesh)).edges().size(); }
+std::size_t winged_by_gusset(const Triangles &mesh) {
+    const gusset::Winged winged(view(mesh));
+    return winged.edges().size();
+}
 
 OpenMeshMesh openmesh(const Triangles &mesh) {
     OpenMeshMesh built;

@@ -74,10 +74,12 @@ TEST_CASE("places found") {
     CHECK(one.self_intersections().size() == 0);
     CHECK(one.intersect_line({0, 0.6}, {1, 0}).size() == 2);
     CHECK(one.intersect_plane({0, 0, 0}, {1, 0, 0}).size() == 2);
-    CHECK(one.intersect_plane({0, 0, 0}, {0, 0, 1}).inside().size() == 4);
+    const gusset::Places in_plane = one.intersect_plane({0, 0, 0}, {0, 0, 1});
+    CHECK(in_plane.inside().size() == 4);
     CHECK(one.sample(gusset::SampleRule::count, 7).size() == 7);
     CHECK(one.sample(gusset::SampleRule::step, 1).size() == 7);
-    CHECK(one.sample(gusset::SampleRule::chord, 0.1).points().size() == 8);
+    const gusset::Places by_chord = one.sample(gusset::SampleRule::chord, 0.1);
+    CHECK(by_chord.points().size() == 8);
 }
 
 TEST_CASE("curves made of curves") {
@@ -86,9 +88,10 @@ TEST_CASE("curves made of curves") {
     CHECK(std::abs(before.length() + after.length() - curve.length()) < 1e-12);
     CHECK(curve.part(gusset::place(3, 0.5), gusset::place(0, 0.5)).segment_count() == 2);
     CHECK(curve.reversed().moments().area == doctest::Approx(-curve.moments().area));
-    CHECK(curve.elevated_by(2).points().size() == 21);
-    CHECK(curve.elevated_by(0).points().size() == 13);
-    CHECK(curve.elevated_to(4).ends()[1] == 4);
+    const gusset::Curve by_two = curve.elevated_by(2), by_none = curve.elevated_by(0), to_four = curve.elevated_to(4);
+    CHECK(by_two.points().size() == 21);
+    CHECK(by_none.points().size() == 13);
+    CHECK(to_four.ends()[1] == 4);
     const gusset::ReducedCurve reduced = curve.elevated_to(5).reduced(3, 1e-9);
     CHECK(reduced.curve.points().size() == 13);
     CHECK(reduced.deviations[0] < 1e-14);
@@ -101,7 +104,8 @@ TEST_CASE("curves made of curves") {
 }
 
 TEST_CASE("other forms") {
-    CHECK(parabola().svg().text() == "M 0 0 Q 0.5 0 1 1");
+    const gusset::CurveForm svg = parabola().svg();
+    CHECK(svg.text() == "M 0 0 Q 0.5 0 1 1");
     const std::array<Point2, 9> points{{{0.5, 0}, {1, 0}, {1, 0.5}, {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}, {0, 0}, {0.5, 0}}};
     const std::array<uint32_t, 5> ends{0, 2, 4, 6, 8};
     const gusset::Curve round = gusset::Curve::from_points(points, ends, true);

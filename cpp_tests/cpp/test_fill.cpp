@@ -87,7 +87,8 @@ TEST_CASE("loops given, and loops left") {
     CHECK(nothing.mesh().face_count() == soup.face_count());
     gusset::FillOptions few;
     few.max_edges = 11;
-    CHECK(gusset::Fill(soup.view(), few).holes()[0].status == GUSSET_HOLE_TOO_LARGE);
+    const gusset::Fill left(soup.view(), few);
+    CHECK(left.holes()[0].status == GUSSET_HOLE_TOO_LARGE);
 }
 
 TEST_CASE("a planar hole of concave outline, beside CGAL's filling of it") {

@@ -73,7 +73,8 @@ TEST_CASE("gluing as the coordinates tell") {
     Net bare = sphere;
     bare.set_gluing(Sides::sheet);
     CHECK(NetComplex(bare).boundary_count() == 1);
-    CHECK(gusset::NetValidation(bare).warnings().size() >= 32);
+    const gusset::NetValidation validation(bare);
+    CHECK(validation.warnings().size() >= 32);
     bare.detect_gluing();
     CHECK(bare.classes() == sphere.classes());
     CHECK(NetComplex(bare).euler() == 2);

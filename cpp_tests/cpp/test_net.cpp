@@ -94,9 +94,10 @@ TEST_CASE("closed shapes are closed meshes, outwards") {
             CHECK(walks(host).empty());
         }
         // The bilinear patch lies midway between the two ways of cutting a quad.
-        const Surface falling = surface_of(NetMesh(net, with_faces(NetFaces::triangles_fixed)).mesh());
-        const Surface rising =
-            surface_of(NetMesh(net.flipped(gusset::Direction::right), with_faces(NetFaces::triangles_fixed)).mesh());
+        const NetMesh cut(net, with_faces(NetFaces::triangles_fixed));
+        const NetMesh cut_over(net.flipped(gusset::Direction::right), with_faces(NetFaces::triangles_fixed));
+        const Surface falling = surface_of(cut.mesh());
+        const Surface rising = surface_of(cut_over.mesh());
         CHECK(PMP::is_outward_oriented(falling));
         CHECK(PMP::is_outward_oriented(rising));
         CHECK((PMP::volume(falling) + PMP::volume(rising)) / 2 == doctest::Approx(volume).epsilon(1e-12));
@@ -279,7 +280,10 @@ TEST_CASE("meshes of nets in the rest of the library") {
         CHECK(same);
         CHECK(grid.face_of_cell().size() == (found.rows() - 1) * (found.columns() - 1));
     }
-    const Refusal no_grid = refusal([&] { gusset::NetGrid(NetMesh(torus, with_faces(NetFaces::triangles_fixed)).mesh()); });
+    const Refusal no_grid = refusal([&] {
+        const NetMesh triangles(torus, with_faces(NetFaces::triangles_fixed));
+        gusset::NetGrid(triangles.mesh());
+    });
     CHECK(no_grid.status == GUSSET_ERROR_NO_GRID);
     CHECK(no_grid.element == GUSSET_ELEMENT_FACE);
 }
@@ -301,7 +305,8 @@ TEST_CASE("missing nodes, and corners filled") {
     CHECK(surface_of(mesh.mesh()).number_of_faces() == 15);
     NetMeshOptions filled;
     filled.fill_corners = true;
-    CHECK(NetMesh(net, filled).mesh().face_count() == 20);
+    const NetMesh filled_mesh(net, filled);
+    CHECK(filled_mesh.mesh().face_count() == 20);
     // From above counter-clockwise, though rows run against y.
     const gusset_net_measure_report measures = net.measure();
     CHECK(measures.area_vector[2] == doctest::Approx(15.0));
@@ -309,7 +314,8 @@ TEST_CASE("missing nodes, and corners filled") {
     CHECK(NetComplex(net).view().quad_count == 20);
     Net cleared = sheet(3, 3);
     cleared.clear_no_data(2.0);
-    CHECK(NetMesh(cleared).mesh().face_count() == 1);
+    const NetMesh cleared_mesh(cleared);
+    CHECK(cleared_mesh.mesh().face_count() == 1);
 }
 
 TEST_SUITE("real meshes") {
@@ -342,13 +348,15 @@ TEST_SUITE("real meshes") {
         CHECK(verdict.boundary == std::vector<std::size_t>{2 * (60 + 86)});
         CHECK(verdict.self_intersections == 0);
         CHECK(PMP::area(surface_of(mesh.mesh())) == doctest::Approx(measures.area).epsilon(5e-3));
-        const Net found = gusset::NetGrid(NetMesh(net).mesh()).net();
+        const NetMesh quads(net);
+        const Net found = gusset::NetGrid(quads.mesh()).net();
         CHECK(found.node_count() == net.node_count());
         CHECK(found.measure().area == doctest::Approx(measures.area).epsilon(1e-12));
         const gusset::DecimatedNet small = net.decimated(10.0);
         CHECK(small.net.node_count() < net.node_count());
         CHECK(small.deviation <= 10.0);
         CHECK(small.net.at(1, 1) == net.at(small.rows[1], small.columns[1]));
-        CHECK(judge(NetMesh(small.net).mesh(), false).euler == 1);
+        const NetMesh small_mesh(small.net);
+        CHECK(judge(small_mesh.mesh(), false).euler == 1);
     }
 }

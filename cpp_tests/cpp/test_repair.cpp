@@ -94,7 +94,8 @@ Soup torus(uint32_t n, uint32_t m) {
 /// Welded and oriented, closed pieces outwards.
 Soup repaired(const Soup &soup, const gusset::WeldOptions &options = {}) {
     const gusset::Weld weld(soup.view(), options);
-    return copy_of(gusset::Orient(weld.mesh(), gusset::Outward::closed).mesh());
+    const gusset::Orient orient(weld.mesh(), gusset::Outward::closed);
+    return copy_of(orient.mesh());
 }
 
 void check_shape(const Soup &soup, std::size_t vertices, std::size_t faces, long euler, const Lengths &boundary) {
@@ -302,7 +303,8 @@ TEST_CASE("CGAL's own cases of stitching") {
     CHECK(!careful.left_edges().empty());
     gusset::WeldOptions all;
     all.vertices = gusset::WeldVertices::all;
-    CHECK(gusset::Check(gusset::Weld(twice.view(), all).mesh()).view().non_manifold_edges.count == 1);
+    const gusset::Weld welded_all(twice.view(), all);
+    CHECK(gusset::Check(welded_all.mesh()).view().non_manifold_edges.count == 1);
 }
 
 TEST_CASE("every oriented mesh: borders are sewn as CGAL's stitch_borders does") {
@@ -373,7 +375,8 @@ TEST_CASE("every mesh as a triangle soup: as many vertices as points, as CGAL co
         options.collapse = true;
         auto [points, faces] = CgalSoup<Kernel::Point_3>(pieces.view());
         PMP::merge_duplicate_points_in_polygon_soup(points, faces);
-        CHECK(gusset::Weld(pieces.view(), options).mesh().vertex_count() == points.size());
+        const gusset::Weld of_pieces(pieces.view(), options);
+        CHECK(of_pieces.mesh().vertex_count() == points.size());
     }
 }
 

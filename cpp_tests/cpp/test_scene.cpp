@@ -90,7 +90,8 @@ TEST_CASE("spatial operations") {
     const Net mirrored = moved(net, Operation::stretch({-1.0, 1.0, 2.0}));
     CHECK(mirrored.is_reversed() != net.is_reversed());
     CHECK(mirrored.measure().volume == doctest::Approx(2 * net.measure().volume).epsilon(1e-12));
-    CHECK(judge(NetMesh(mirrored).mesh()).bounds_a_volume);
+    const NetMesh mirrored_mesh(mirrored);
+    CHECK(judge(mirrored_mesh.mesh()).bounds_a_volume);
     CHECK(refusal([&] { moved(net, Operation::rotate({0, 0, 0}, 1.0)); }).status == GUSSET_ERROR_OUT_OF_RANGE);
 }
 
@@ -201,7 +202,8 @@ TEST_CASE("what a deformation does") {
 
     Net torn = net;
     torn.edit<double>().z(0, 3) += 0.1;
-    CHECK(!gusset::NetAnalysis(net, torn).torn().empty());
+    const gusset::NetAnalysis pulled(net, torn);
+    CHECK(!pulled.torn().empty());
 }
 
 TEST_CASE("a function of the caller's") {
@@ -344,7 +346,8 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     const Net three = gusset::concatenate(std::vector<Net>{torus(), sphere, tube}, down);
     CHECK(three.bridge_count() == 2);
     CHECK(gusset::NetComplex(three, gusset::NetCells::present).view().component_count == 3);
-    CHECK(judge(NetMesh(three).mesh(), false).components == 3);
+    const NetMesh three_mesh(three);
+    CHECK(judge(three_mesh.mesh(), false).components == 3);
     CHECK(three.measure().area == doctest::Approx(torus().measure().area + sphere.measure().area + tube.measure().area));
     const std::vector<const Net *> twice{&sphere, &sphere};
     CHECK(identical(gusset::concatenate(twice), gusset::concatenate({&sphere, &sphere})));
@@ -360,14 +363,16 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     Net whole = gusset::concatenate(first, second, down);
     CHECK(whole.bridge(0).kind == gusset::BridgeKind::tube);
     CHECK(gusset::NetComplex(whole).boundary_count() == 2);
-    const Verdict verdict = judge(NetMesh(whole).mesh());
+    const NetMesh whole_mesh(whole);
+    const Verdict verdict = judge(whole_mesh.mesh());
     CHECK(verdict.is_mesh);
     CHECK(verdict.components == 1);
     CHECK(verdict.euler == 0);
     CHECK(verdict.self_intersections == 0);
     whole.set_bridge(0, BridgeMode::hide, 0.0, gusset::BridgeProperties{5.0, 0.0, 0.0, 9});
     CHECK(whole.bridge(0).properties.tension == 5.0);
-    CHECK(judge(NetMesh(whole).mesh(), false).components == 2);
+    const NetMesh split_mesh(whole);
+    CHECK(judge(split_mesh.mesh(), false).components == 2);
     CHECK(identical(whole.split(0).first, first));
     whole.set_bridge(0, BridgeMode::keep);
     CHECK(whole.bridge(0).properties.user == 9);
@@ -479,5 +484,6 @@ TEST_CASE("scenes") {
     mirror.set_transform(other, {{-1, 0, 0, 9, 0, 1, 0, 0, 0, 0, 1, 0}});
     const Net whole = mirror.flatten();
     CHECK(whole.measure().volume == doctest::Approx(2 * net.measure().volume).epsilon(1e-12));
-    CHECK(judge(NetMesh(whole).mesh()).bounds_a_volume);
+    const NetMesh whole_mesh(whole);
+    CHECK(judge(whole_mesh.mesh()).bounds_a_volume);
 }

@@ -279,5 +279,6 @@ TEST_CASE("views of any point type") {
     CHECK(gusset::Boundary(gusset::MeshView::triangles(raw, corners))[0].vertices.size() == 3);
     CHECK(gusset::MeshView::triangles(gusset::Span<const Vertex>(points), corners).vertex_count() == 3);
     CHECK_THROWS_AS(gusset::MeshView::uniform(gusset::Span<const Vertex>(points), corners, 2), std::invalid_argument);
-    CHECK_THROWS_AS(gusset::MeshView::polygons(points, std::vector<uint32_t>{0, 4}, corners), std::invalid_argument);
+    const std::vector<uint32_t> wrong_offsets{0, 4};
+    CHECK_THROWS_AS(gusset::MeshView::polygons(points, wrong_offsets, corners), std::invalid_argument);
 }

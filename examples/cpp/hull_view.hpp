@@ -177,7 +177,8 @@ inline void draw(std::ostream &svg, const View &view, const Hull &hull, const st
         for (const auto *pieces : {k == 0 ? &hull.port : &hull.starboard, &hull.transom}) {
             for (const gusset::Sheet &sheet : *pieces) {
                 for (const gusset::Curve &edge : borders(sheet)) {
-                    draw_seen(svg, view, edge.sample(gusset::SampleRule::step, 0.004 * length).points(), {}, false, solid, 5 * reach);
+                    const gusset::Places samples = edge.sample(gusset::SampleRule::step, 0.004 * length);
+                    draw_seen(svg, view, samples.points(), {}, false, solid, 5 * reach);
                 }
             }
         }

@@ -115,7 +115,8 @@ void write(std::ostream &svg, const std::vector<Point> &points, const std::vecto
         << py(0) << ")'>\n";
     // The first one on top.
     for (auto drawn = all.rbegin(); drawn != all.rend(); ++drawn) {
-        svg << "<path stroke='" << drawn->style.colour << "' d='" << drawn->curve.svg().text() << "'/>\n";
+        const gusset::CurveForm path = drawn->curve.svg();
+        svg << "<path stroke='" << drawn->style.colour << "' d='" << path.text() << "'/>\n";
     }
     svg << "</g>\n";
     for (const gusset::Point3 &p : all[0].polygon) {

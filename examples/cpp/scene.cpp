@@ -202,7 +202,8 @@ int main(int argc, char **argv) {
         std::cout << apart.report().nets << " nets again\n";
 
         Mesh mesh;
-        if (!gusset::openmesh::append(mesh, gusset::NetMesh(flat).mesh()).empty()) {
+        const gusset::NetMesh quads(flat);
+        if (!gusset::openmesh::append(mesh, quads.mesh()).empty()) {
             std::cerr << "OpenMesh takes two-manifolds only\n";
             return 1;
         }

@@ -109,7 +109,8 @@ static void curves() {
     const gusset::Outline outline(gusset::Outlines(points, true)); // closed
     const gusset::Curve curve = outline.curve_copy();
     std::cout << "length " << curve.length() << ", area " << curve.moments().area << '\n';
-    std::cout << "<path d=\"" << curve.svg().text() << "\"/>\n";
+    const gusset::CurveForm svg = curve.svg();
+    std::cout << "<path d=\"" << svg.text() << "\"/>\n";
     //! [outline]
 }
 

@@ -56,17 +56,22 @@ public:
         assembly_.reset(context.result(gusset_assembly_create, views.data(), views.size(), &given));
     }
 
-    MeshView mesh() const { return MeshView(detail::lent(gusset_assembly_get_mesh, assembly_.get())); }
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_assembly_get_mesh, assembly_.get())); }
+    MeshView mesh() const && = delete;
     /// The whole report; its lists live as long as this.
     gusset_assembly_view view() const { return detail::lent(gusset_assembly_get_view, assembly_.get()); }
     /// The vertices and faces of each piece in the result.
-    Span<const gusset_piece_map> pieces() const { return {view().pieces, view().piece_count}; }
+    Span<const gusset_piece_map> pieces() const & { return {view().pieces, view().piece_count}; }
+    Span<const gusset_piece_map> pieces() const && = delete;
     /// The pairs of loops that face each other, with the status of each.
-    Span<const gusset_joint> joints() const { return {view().joints, view().joint_count}; }
+    Span<const gusset_joint> joints() const & { return {view().joints, view().joint_count}; }
+    Span<const gusset_joint> joints() const && = delete;
     /// The loops without a strip.
-    Span<const gusset_left_loop> left() const { return {view().left, view().left_count}; }
+    Span<const gusset_left_loop> left() const & { return {view().left, view().left_count}; }
+    Span<const gusset_left_loop> left() const && = delete;
     /// The holes that were considered after joining.
-    Span<const gusset_hole> holes() const { return {view().holes, view().hole_count}; }
+    Span<const gusset_hole> holes() const & { return {view().holes, view().hole_count}; }
+    Span<const gusset_hole> holes() const && = delete;
 
 private:
     detail::Handle<gusset_assembly, gusset_assembly_destroy> assembly_;

@@ -60,12 +60,13 @@ public:
                 {view.edge_flags, view.half_edges.count}, view.length, view.flags, view.walk};
     }
 
-    Span<const gusset_defect> defects() const {
+    Span<const gusset_defect> defects() const & {
         const gusset_defect *data = nullptr;
         std::size_t count = 0;
         detail::check(gusset_boundary_get_defects(boundary_.get(), &data, &count));
         return {data, count};
     }
+    Span<const gusset_defect> defects() const && = delete;
 
     iterator begin() const noexcept { return {this, 0}; }
     iterator end() const noexcept { return {this, size()}; }

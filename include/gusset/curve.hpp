@@ -20,28 +20,33 @@ public:
 
     std::size_t size() const { return view().count; }
     /// The places, in the order of the (first) curve.
-    Span<const Place> places() const {
+    Span<const Place> places() const & {
         const gusset_places_view found = view();
         return {found.places, found.count};
     }
+    Span<const Place> places() const && = delete;
     /// The points there.
-    Points points() const {
+    Points points() const & {
         const gusset_places_view found = view();
         return detail::points(found.points, found.count);
     }
+    Points points() const && = delete;
     /// Of intersections: the places on the other curve.
-    Span<const Place> others() const {
+    Span<const Place> others() const & {
         const gusset_places_view found = view();
         return {found.others, found.others != nullptr ? found.count : 0};
     }
+    Span<const Place> others() const && = delete;
     /// Four for each part in common: start and end on the one segment, then the same two on the
     /// other.
-    Span<const Place> overlaps() const {
+    Span<const Place> overlaps() const & {
         const gusset_places_view found = view();
         return {found.overlaps, 4 * found.overlap_count};
     }
+    Span<const Place> overlaps() const && = delete;
     /// Of a line or a plane: the segments that lie in it.
-    Indices inside() const { return detail::indices(view().inside); }
+    Indices inside() const & { return detail::indices(view().inside); }
+    Indices inside() const && = delete;
     /// Some pair of segments was left undecided.
     bool undecided() const { return view().undecided != 0; }
 
@@ -57,25 +62,29 @@ public:
     explicit CurveForm(gusset_curve_form *owned) : form_(owned) {}
 
     /// The text of an SVG path; empty for other forms.
-    std::string_view text() const {
+    std::string_view text() const & {
         const gusset_curve_form_view form = view();
         return form.text_length != 0 ? std::string_view(form.text, form.text_length) : std::string_view();
     }
+    std::string_view text() const && = delete;
     /// The points of a contour, or the control points of a spline.
-    Points points() const {
+    Points points() const & {
         const gusset_curve_form_view form = view();
         return detail::points(form.points, form.point_count);
     }
+    Points points() const && = delete;
     /// Of a contour: 1 for each point on the curve, 0 off it.
-    Span<const uint8_t> on_curve() const {
+    Span<const uint8_t> on_curve() const & {
         const gusset_curve_form_view form = view();
         return {form.on_curve, form.knot_count == 0 ? form.point_count : 0};
     }
+    Span<const uint8_t> on_curve() const && = delete;
     /// The knots of a spline.
-    Span<const double> knots() const {
+    Span<const double> knots() const & {
         const gusset_curve_form_view form = view();
         return {form.knots, form.knot_count};
     }
+    Span<const double> knots() const && = delete;
     /// The degree of a spline.
     std::size_t degree() const { return view().degree; }
 
@@ -114,7 +123,7 @@ public:
     template <class Container>
     static Curve from_points(const Container &points, Indices ends, bool closed, const Context &context = Context()) {
         using Point = std::decay_t<decltype(*std::data(points))>;
-        static_assert(std::is_same_v<std::decay_t<decltype(std::declval<const Point &>()[0])>, double> &&
+        static_assert(std::is_same_v<typename detail::PointTraits<Point>::Scalar, double> &&
                           (sizeof(Point) == 16 || sizeof(Point) == 24),
                       "two or three doubles");
         const auto *numbers = reinterpret_cast<const double *>(std::data(points));
@@ -132,12 +141,14 @@ public:
 
     const gusset_curve *get() const noexcept { return curve_.get(); }
     /// The control points.
-    Points points() const {
+    Points points() const & {
         const gusset_curve_view curve = view();
         return detail::points(curve.points, curve.point_count);
     }
+    Points points() const && = delete;
     /// 0, then the index of the last control point of each segment.
-    Indices ends() const { return detail::indices(view().ends); }
+    Indices ends() const & { return detail::indices(view().ends); }
+    Indices ends() const && = delete;
     /// The curve continues from its end into its start.
     bool is_closed() const { return view().closed != 0; }
     /// The number of segments.

@@ -35,10 +35,11 @@ public:
     /// Centres, normals, distances, runs, and the runs taken; valid as long as this lives.
     gusset_facing_view view() const { return detail::lent(gusset_facing_get_view, facing_.get()); }
     /// The run taken on loop 0 or 1.
-    LoopArc arc(int loop) const {
+    LoopArc arc(int loop) const & {
         const gusset_facing_view found = view();
         return {found.taken[loop != 0][0], found.taken[loop != 0][1]};
     }
+    LoopArc arc(int loop) const && = delete;
 
 private:
     detail::Handle<gusset_facing, gusset_facing_destroy> facing_;

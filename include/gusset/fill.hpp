@@ -61,14 +61,17 @@ public:
     }
 
     /// Old vertices and faces first.
-    MeshView mesh() const { return MeshView(detail::lent(gusset_fill_get_mesh, fill_.get())); }
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_fill_get_mesh, fill_.get())); }
+    MeshView mesh() const && = delete;
     /// A report on each loop.
-    Span<const gusset_hole> holes() const {
+    Span<const gusset_hole> holes() const & {
         const gusset_fill_view found = view();
         return {found.holes, found.hole_count};
     }
+    Span<const gusset_hole> holes() const && = delete;
     /// The vertices of a hole's rim.
-    Indices rim(const gusset_hole &hole) const { return {view().rims.data + hole.rim_first, hole.rim_count}; }
+    Indices rim(const gusset_hole &hole) const & { return {view().rims.data + hole.rim_first, hole.rim_count}; }
+    Indices rim(const gusset_hole &hole) const && = delete;
     gusset_quality_report quality() const { return detail::lent(gusset_fill_get_quality, fill_.get()); }
 
 private:

@@ -64,22 +64,25 @@ public:
     /// The nodes and their arrays, valid as long as this lives.
     gusset_frame_view view() const { return detail::lent(gusset_frame_get_view, frame_.get()); }
     /// The nodes, row by row.
-    Points nodes() const {
+    Points nodes() const & {
         const gusset_frame_view all = view();
         return detail::points(all.nodes, all.rows * all.columns);
     }
+    Points nodes() const && = delete;
     /// The curve through row k.
-    OutlineCurve across(std::size_t k) const {
+    OutlineCurve across(std::size_t k) const & {
         const gusset_outline *curves = nullptr;
         detail::check(gusset_frame_get_curves(frame_.get(), &curves, nullptr));
         return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), k);
     }
+    OutlineCurve across(std::size_t k) const && = delete;
     /// The curve through column i.
-    OutlineCurve along(std::size_t i) const {
+    OutlineCurve along(std::size_t i) const & {
         const gusset_outline *curves = nullptr;
         detail::check(gusset_frame_get_curves(frame_.get(), nullptr, &curves));
         return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), i);
     }
+    OutlineCurve along(std::size_t i) const && = delete;
     /// A new section: the intersection of the curves along with the plane through a point.
     Outline slice(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
         return Outline(context.result(gusset_frame_slice_create, frame_.get(), point.data(), normal.data()));

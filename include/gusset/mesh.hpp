@@ -29,9 +29,14 @@ public:
         }
         return MeshView(view);
     }
+    template <class... Arguments, class = std::enable_if_t<(detail::is_temporary<Arguments> || ...)>>
+    static MeshView uniform(Arguments &&...) = delete;
     /// Triangles, three corners each.
     template <class Points>
     static MeshView triangles(const Points &points, Indices corners) { return uniform(points, corners, 3); }
+    /// Containers that are gone with the expression cannot be borrowed.
+    template <class... Arguments, class = std::enable_if_t<(detail::is_temporary<Arguments> || ...)>>
+    static MeshView triangles(Arguments &&...) = delete;
 
     /// Face f has the corners offsets[f] to offsets[f + 1] - 1.
     template <class Points>
@@ -45,6 +50,8 @@ public:
         view.face_count = offsets.size() - 1;
         return MeshView(view);
     }
+    template <class... Arguments, class = std::enable_if_t<(detail::is_temporary<Arguments> || ...)>>
+    static MeshView polygons(Arguments &&...) = delete;
 
     const gusset_mesh_view &get() const noexcept { return view_; }
     /// The number of vertices.
@@ -80,9 +87,7 @@ public:
 private:
     template <class Point>
     static gusset_mesh_view with_points(const Point *points, std::size_t count) {
-        using Scalar = std::decay_t<decltype(std::declval<const Point &>()[0])>;
-        static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "points of float or double");
-        static_assert(sizeof(Point) >= 3 * sizeof(Scalar), "three coordinates");
+        using Scalar = typename detail::PointTraits3<Point>::Scalar;
         auto view = detail::sized<gusset_mesh_view>();
         view.positions = points;
         view.position_stride = sizeof(Point);

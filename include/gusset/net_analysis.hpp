@@ -22,27 +22,31 @@ public:
                                        time, tolerance));
     }
     /// Of each link, its new length divided by its old one; NaN if it had none.
-    Span<const double> links() const {
+    Span<const double> links() const & {
         const gusset_net_analysis_view found = view();
         return {found.links, found.link_count};
     }
+    Span<const double> links() const && = delete;
     /// Of each cell, its new area divided by its old one; negative where the surface is folded
     /// over.
-    Span<const double> cells() const {
+    Span<const double> cells() const & {
         const gusset_net_analysis_view found = view();
         return {found.cells, found.cell_count};
     }
+    Span<const double> cells() const && = delete;
     /// Of each cell, the determinant of the fields' Jacobian at its centre; empty if nets were
     /// compared.
-    Span<const double> determinants() const {
+    Span<const double> determinants() const & {
         const gusset_net_analysis_view found = view();
         return {found.determinants, found.determinants != nullptr ? found.cell_count : 0};
     }
+    Span<const double> determinants() const && = delete;
     /// The links that have shrunk to a point and are not glued: see Net::absorb.
-    Indices contracted() const {
+    Indices contracted() const & {
         const gusset_net_analysis_view found = view();
         return {found.contracted, found.contracted_count};
     }
+    Indices contracted() const && = delete;
     /// Of contracted link `i`, the type of the star of its first node; throws std::out_of_range.
     GluingType star(std::size_t i) const {
         const gusset_net_analysis_view found = view();
@@ -52,15 +56,17 @@ public:
         return static_cast<GluingType>(found.stars[i]);
     }
     /// The glued links whose ends have come apart.
-    Indices torn() const {
+    Indices torn() const & {
         const gusset_net_analysis_view found = view();
         return {found.torn, found.torn_count};
     }
+    Indices torn() const && = delete;
     /// The cells oriented against most of the others.
-    Indices folded() const {
+    Indices folded() const & {
         const gusset_net_analysis_view found = view();
         return {found.folded, found.folded_count};
     }
+    Indices folded() const && = delete;
     /// No node is newly glued, torn or folded.
     bool is_soft() const { return view().soft != 0; }
 

@@ -87,9 +87,7 @@ gusset_net_view net_view(std::size_t rows, std::size_t columns, const T *x, cons
 template <class Container>
 gusset_net_view net_view(std::size_t rows, std::size_t columns, const Container &points) {
     using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
-    using T = std::decay_t<decltype(std::declval<const Point &>()[0])>;
-    static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "points of float or double");
-    static_assert(sizeof(Point) >= 3 * sizeof(T), "three coordinates");
+    using T = typename PointTraits3<Point>::Scalar;
     if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
         throw std::invalid_argument("gusset: the number of points is not rows * columns");
     }

@@ -42,23 +42,30 @@ public:
         mesh_.reset(context.result(gusset_net_mesh_create, net.get(), &given));
     }
 
-    MeshView mesh() const { return MeshView(detail::lent(gusset_net_mesh_get_mesh, mesh_.get())); }
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_net_mesh_get_mesh, mesh_.get())); }
+    MeshView mesh() const && = delete;
     /// Of each node its vertex, or none.
-    Indices vertex_of_node() const { return detail::indices(view().vertex_of_node); }
+    Indices vertex_of_node() const & { return detail::indices(view().vertex_of_node); }
+    Indices vertex_of_node() const && = delete;
     /// Of each vertex the first of its nodes.
-    Indices node_of_vertex() const { return detail::indices(view().node_of_vertex); }
+    Indices node_of_vertex() const & { return detail::indices(view().node_of_vertex); }
+    Indices node_of_vertex() const && = delete;
     /// Of each face its cell: cell (i, j) is i * (columns - 1) + j.
-    Indices cell_of_face() const { return detail::indices(view().cell_of_face); }
+    Indices cell_of_face() const & { return detail::indices(view().cell_of_face); }
+    Indices cell_of_face() const && = delete;
     /// Edges without faces, two vertices each.
-    Indices wires() const { return detail::indices(view().wires); }
+    Indices wires() const & { return detail::indices(view().wires); }
+    Indices wires() const && = delete;
     /// Of each corner of the mesh the index of its texture coordinates; empty unless requested.
-    Indices texture_corners() const { return detail::indices(view().texture_corners); }
+    Indices texture_corners() const & { return detail::indices(view().texture_corners); }
+    Indices texture_corners() const && = delete;
     /// u and v from 0 to 1: column and row.
-    Span<const std::array<double, 2>> texture_coordinates() const {
+    Span<const std::array<double, 2>> texture_coordinates() const & {
         static_assert(sizeof(std::array<double, 2>) == 2 * sizeof(double), "packed");
         const gusset_net_mesh_view found = view();
         return {reinterpret_cast<const std::array<double, 2> *>(found.texture_coordinates), found.texture_count};
     }
+    Span<const std::array<double, 2>> texture_coordinates() const && = delete;
 
 private:
     gusset_net_mesh_view view() const { return detail::lent(gusset_net_mesh_get_view, mesh_.get()); }
@@ -80,9 +87,11 @@ public:
         return Net(context.result(gusset_net_grid_net_create, grid_.get()));
     }
     /// Of each node its vertex.
-    Indices vertex_of_node() const { return detail::indices(view().vertex_of_node); }
+    Indices vertex_of_node() const & { return detail::indices(view().vertex_of_node); }
+    Indices vertex_of_node() const && = delete;
     /// Of each cell its face.
-    Indices face_of_cell() const { return detail::indices(view().face_of_cell); }
+    Indices face_of_cell() const & { return detail::indices(view().face_of_cell); }
+    Indices face_of_cell() const && = delete;
 
 private:
     gusset_net_grid_view view() const { return detail::lent(gusset_net_grid_get_view, grid_.get()); }

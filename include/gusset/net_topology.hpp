@@ -36,7 +36,7 @@ public:
     std::size_t boundary_count() const { return view().boundary_offsets.count - 1; }
     /// The vertices of chain `i` of boundary edges, each by its smallest node; throws
     /// std::out_of_range.
-    Indices boundary(std::size_t i) const {
+    Indices boundary(std::size_t i) const & {
         const gusset_net_complex_view found = view();
         if (i + 1 >= found.boundary_offsets.count) {
             throw std::out_of_range("gusset: no such boundary");
@@ -44,14 +44,19 @@ public:
         const uint32_t *ends = found.boundary_offsets.data + i;
         return {found.boundary_nodes.data + ends[0], ends[1] - ends[0]};
     }
+    Indices boundary(std::size_t i) const && = delete;
     /// Edges of no face: two vertices each, as for the other edges.
-    Indices wires() const { return detail::indices(view().wires); }
+    Indices wires() const & { return detail::indices(view().wires); }
+    Indices wires() const && = delete;
     /// Edges of three faces and more.
-    Indices branches() const { return detail::indices(view().branches); }
+    Indices branches() const & { return detail::indices(view().branches); }
+    Indices branches() const && = delete;
     /// Vertices whose faces are several fans.
-    Indices pinches() const { return detail::indices(view().pinches); }
+    Indices pinches() const & { return detail::indices(view().pinches); }
+    Indices pinches() const && = delete;
     /// Edges that two faces run along the same way.
-    Indices conflicts() const { return detail::indices(view().conflicts); }
+    Indices conflicts() const & { return detail::indices(view().conflicts); }
+    Indices conflicts() const && = delete;
 
 private:
     bool has(uint32_t property) const { return (view().properties & property) != 0; }
@@ -76,9 +81,11 @@ public:
         return {members.data() + offsets[i], offsets[i + 1] - offsets[i]};
     }
     /// Group i has the nodes from members()[offsets()[i]] to members()[offsets()[i + 1] - 1].
-    Indices offsets() const { return lists()[0]; }
+    Indices offsets() const & { return lists()[0]; }
+    Indices offsets() const && = delete;
     /// The nodes of all groups, one group after the other.
-    Indices members() const { return lists()[1]; }
+    Indices members() const & { return lists()[1]; }
+    Indices members() const && = delete;
 
 private:
     std::array<Indices, 2> lists() const {

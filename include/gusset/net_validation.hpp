@@ -30,22 +30,25 @@ public:
     /// No violations; there may be warnings.
     bool is_valid() const { return view().violation_count == 0; }
     /// Violations first, then warnings.
-    Span<const NetFinding> findings() const {
+    Span<const NetFinding> findings() const & {
         const gusset_net_validation_view found = view();
         return {found.findings, found.count};
     }
+    Span<const NetFinding> findings() const && = delete;
     /// The errors.
-    Span<const NetFinding> violations() const {
+    Span<const NetFinding> violations() const & {
         const gusset_net_validation_view found = view();
         return {found.findings, found.violation_count};
     }
+    Span<const NetFinding> violations() const && = delete;
     /// The warnings.
-    Span<const NetFinding> warnings() const {
+    Span<const NetFinding> warnings() const & {
         const gusset_net_validation_view found = view();
         // Without findings the pointer may not be added to.
         const NetFinding *first = found.count == 0 ? nullptr : found.findings + found.violation_count;
         return {first, found.count - found.violation_count};
     }
+    Span<const NetFinding> warnings() const && = delete;
 
 private:
     gusset_net_validation_view view() const { return detail::lent(gusset_net_validation_get_view, validation_.get()); }

@@ -152,7 +152,8 @@ public:
     /// The number of outlines.
     std::size_t size() const { return view().outline_count; }
     /// The curve of outline k.
-    OutlineCurve curve(std::size_t k = 0) const { return curve_of(view(), k); }
+    OutlineCurve curve(std::size_t k = 0) const & { return curve_of(view(), k); }
+    OutlineCurve curve(std::size_t k = 0) const && = delete;
     /// The curve of outline k of a view.
     static OutlineCurve curve_of(const gusset_outline_view &all, std::size_t k) {
         if (k >= all.outline_count) {
@@ -175,17 +176,20 @@ public:
         return detail::lent(gusset_outline_get_report, outline_.get(), k);
     }
     /// GUSSET_POINT_... of each point.
-    Span<const uint8_t> statuses() const {
+    Span<const uint8_t> statuses() const & {
         const gusset_outline_view all = view();
         return {all.statuses, all.point_count};
     }
+    Span<const uint8_t> statuses() const && = delete;
     /// The segment of its curve that each point lies on.
-    Indices segments() const { return detail::indices(view().segments); }
+    Indices segments() const & { return detail::indices(view().segments); }
+    Indices segments() const && = delete;
     /// The parameter of each point there.
-    Span<const double> parameters() const {
+    Span<const double> parameters() const & {
         const gusset_outline_view all = view();
         return {all.parameters, all.point_count};
     }
+    Span<const double> parameters() const && = delete;
     const gusset_outline *get() const noexcept { return outline_.get(); }
 
 private:
@@ -204,20 +208,23 @@ public:
         sections_.reset(context.result(gusset_sections_create, &outlines.get(), &given));
     }
     /// The control point of each section.
-    Points controls() const {
+    Points controls() const & {
         const gusset_sections_view all = view();
         return detail::points(all.controls, all.count);
     }
+    Points controls() const && = delete;
     /// The parameter of each point on its section.
-    Span<const double> parameters() const {
+    Span<const double> parameters() const & {
         const gusset_sections_view all = view();
         return {all.parameters, all.count};
     }
+    Span<const double> parameters() const && = delete;
     /// GUSSET_POINT_... of each point.
-    Span<const uint8_t> statuses() const {
+    Span<const uint8_t> statuses() const & {
         const gusset_sections_view all = view();
         return {all.statuses, all.count};
     }
+    Span<const uint8_t> statuses() const && = delete;
 
 private:
     gusset_sections_view view() const { return detail::lent(gusset_sections_get_view, sections_.get()); }

@@ -43,15 +43,20 @@ public:
         weld_.reset(context.result(gusset_weld_create, &mesh.get(), &given));
     }
 
-    MeshView mesh() const { return MeshView(detail::lent(gusset_weld_get_mesh, weld_.get())); }
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_weld_get_mesh, weld_.get())); }
+    MeshView mesh() const && = delete;
     /// Of each old vertex its index in the result, or none.
-    Indices vertex_map() const { return detail::indices(view().vertex_map); }
+    Indices vertex_map() const & { return detail::indices(view().vertex_map); }
+    Indices vertex_map() const && = delete;
     /// Of each old face its index in the result, or none.
-    Indices face_map() const { return detail::indices(view().face_map); }
+    Indices face_map() const & { return detail::indices(view().face_map); }
+    Indices face_map() const && = delete;
     /// Half-edges of the old mesh: free edges that lie on another and are not sewn to it.
-    Indices left_edges() const { return detail::indices(view().left_edges); }
+    Indices left_edges() const & { return detail::indices(view().left_edges); }
+    Indices left_edges() const && = delete;
     /// Vertices of the old mesh that lie together with another and are not welded to it.
-    Indices left_vertices() const { return detail::indices(view().left_vertices); }
+    Indices left_vertices() const & { return detail::indices(view().left_vertices); }
+    Indices left_vertices() const && = delete;
     /// The number of vertices welded to one of a smaller index.
     uint32_t welded_vertices() const { return view().welded_vertices; }
     /// The number of edges sewn from two free edges.
@@ -76,12 +81,14 @@ public:
         orient_.reset(context.result(gusset_orient_create, &mesh.get(), &given));
     }
 
-    MeshView mesh() const { return MeshView(detail::lent(gusset_orient_get_mesh, orient_.get())); }
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_orient_get_mesh, orient_.get())); }
+    MeshView mesh() const && = delete;
     /// Of each face, 1 if it was turned over.
-    Span<const uint8_t> turned() const {
+    Span<const uint8_t> turned() const & {
         const gusset_orient_view found = view();
         return {found.turned, found.face_count};
     }
+    Span<const uint8_t> turned() const && = delete;
     /// The number of faces turned over.
     uint32_t turned_faces() const { return view().turned_faces; }
     /// The number of components.
@@ -89,9 +96,11 @@ public:
     /// The number of closed components that were turned to face outwards.
     uint32_t inverted_components() const { return view().inverted_components; }
     /// The smallest face of each one-sided component.
-    Indices one_sided_faces() const { return detail::indices(view().one_sided_faces); }
+    Indices one_sided_faces() const & { return detail::indices(view().one_sided_faces); }
+    Indices one_sided_faces() const && = delete;
     /// For each one-sided component a half-edge where two faces disagree.
-    Indices one_sided_half_edges() const { return detail::indices(view().one_sided_half_edges); }
+    Indices one_sided_half_edges() const & { return detail::indices(view().one_sided_half_edges); }
+    Indices one_sided_half_edges() const && = delete;
 
 private:
     gusset_orient_view view() const { return detail::lent(gusset_orient_get_view, orient_.get()); }

@@ -38,8 +38,7 @@ public:
     template <class Container>
     NodesView(std::size_t rows, std::size_t columns, const Container &points, const SheetOptions &options = {}) {
         using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
-        using T = std::decay_t<decltype(std::declval<const Point &>()[0])>;
-        static_assert(sizeof(Point) >= 3 * sizeof(T), "three coordinates");
+        using T = typename detail::PointTraits3<Point>::Scalar;
         if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
             throw std::invalid_argument("gusset: the number of points is not rows * columns");
         }

@@ -110,6 +110,25 @@ struct IsSpan<Span<T>> : std::true_type {};
 template <class T>
 inline constexpr bool is_span = IsSpan<std::remove_cv_t<T>>::value;
 
+/// The type of the coordinates of a point of the host's, whose first bytes they must be: a point
+/// that has them elsewhere, as std::vector<double>, also has memory to free.
+template <class Point>
+struct PointTraits {
+    using Scalar = std::decay_t<decltype(std::declval<const Point &>()[0])>;
+    static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "points of float or double");
+    static_assert(std::is_trivially_destructible_v<Point> && !is_span<Point>, "points that hold their coordinates");
+};
+/// The same for points in space.
+template <class Point>
+struct PointTraits3 : PointTraits<Point> {
+    static_assert(sizeof(Point) >= 3 * sizeof(typename PointTraits<Point>::Scalar), "three coordinates");
+};
+
+/// Whether an argument is a container that is gone with the expression.
+template <class Argument>
+inline constexpr bool is_temporary =
+    !std::is_lvalue_reference_v<Argument> && !std::is_trivially_destructible_v<std::remove_reference_t<Argument>>;
+
 inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
 inline Points points(const double *data, std::size_t count) {
     static_assert(sizeof(Point3) == 3 * sizeof(double), "packed");

@@ -94,35 +94,44 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
 /// stitch() and stitch_within().
 class Stitch {
 public:
-    MeshView mesh() const { return MeshView(detail::lent(gusset_stitch_get_mesh, stitch_.get())); }
-    MeshView strip() const { return MeshView(detail::lent(gusset_stitch_get_strip, stitch_.get())); }
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_stitch_get_mesh, stitch_.get())); }
+    MeshView mesh() const && = delete;
+    MeshView strip() const & { return MeshView(detail::lent(gusset_stitch_get_strip, stitch_.get())); }
+    MeshView strip() const && = delete;
 
     gusset_quality_report quality() const { return detail::lent(gusset_stitch_get_quality, stitch_.get()); }
 
     /// Of each old vertex of mesh 0 or 1 its index in the result.
-    Indices vertex_map(int mesh) const { return detail::indices(view().vertex_map[mesh != 0]); }
+    Indices vertex_map(int mesh) const & { return detail::indices(view().vertex_map[mesh != 0]); }
+    Indices vertex_map(int mesh) const && = delete;
     /// Of each old face of mesh 0 or 1 its index in the result.
-    Indices face_map(int mesh) const { return detail::indices(view().face_map[mesh != 0]); }
+    Indices face_map(int mesh) const & { return detail::indices(view().face_map[mesh != 0]); }
+    Indices face_map(int mesh) const && = delete;
     /// The vertices of a rim in the result, from the first meridian on.
-    Indices rim(int mesh) const { return detail::indices(view().rim[mesh != 0]); }
+    Indices rim(int mesh) const & { return detail::indices(view().rim[mesh != 0]); }
+    Indices rim(int mesh) const && = delete;
     /// Pairs of places on the rims, i and j interleaved.
-    Indices meridians() const { return detail::indices(view().meridians); }
+    Indices meridians() const & { return detail::indices(view().meridians); }
+    Indices meridians() const && = delete;
     /// The strip's faces in the result: the first, and their number.
     std::pair<std::size_t, std::size_t> strip_faces() const {
         const gusset_stitch_view found = view();
         return {found.strip_face_first, found.strip_face_count};
     }
     /// The paper's matrix P, row by row: row_count() + 2 rows with one vertex for each meridian.
-    Indices matrix() const { return detail::indices(view().matrix); }
+    Indices matrix() const & { return detail::indices(view().matrix); }
+    Indices matrix() const && = delete;
     /// The number of interior rows.
     uint32_t row_count() const { return view().row_count; }
     /// Of each new vertex its two parents, interleaved.
-    Indices parents() const { return detail::indices(view().parents); }
+    Indices parents() const & { return detail::indices(view().parents); }
+    Indices parents() const && = delete;
     /// Of each new vertex the weight of its second parent.
-    Span<const double> weights() const {
+    Span<const double> weights() const & {
         const gusset_stitch_view found = view();
         return {found.weights, found.parents.count / 2};
     }
+    Span<const double> weights() const && = delete;
     /// The strip is a closed band between whole loops.
     bool is_closed_band() const { return view().closed != 0; }
     /// Pairs of faces of mesh() that intersect each other, interleaved; empty if they were not

@@ -50,9 +50,11 @@ public:
     /// The points that the first meridian joins.
     std::array<uint32_t, 2> start() const { return {view().start[0], view().start[1]}; }
     /// Pairs of places counted from there, interleaved.
-    Indices meridians() const { return detail::indices(view().meridians); }
+    Indices meridians() const & { return detail::indices(view().meridians); }
+    Indices meridians() const && = delete;
     /// Three corners each: points of a, then points of b.
-    Indices triangles() const { return detail::indices(view().triangles); }
+    Indices triangles() const & { return detail::indices(view().triangles); }
+    Indices triangles() const && = delete;
 
 private:
     gusset_strip_view view() const { return detail::lent(gusset_strip_get_view, strip_.get()); }

@@ -22,23 +22,30 @@ public:
         winged_.reset(context.result(gusset_winged_create, &mesh.get(), &given));
     }
     /// The edges; see gusset_winged_edge.
-    Span<const gusset_winged_edge> edges() const {
+    Span<const gusset_winged_edge> edges() const & {
         const gusset_winged_view found = view();
         return {found.edges, found.edge_count};
     }
+    Span<const gusset_winged_edge> edges() const && = delete;
     /// Of each half-edge its edge.
-    Indices edge_of_half_edge() const { return detail::indices(view().edge_of_half_edge); }
+    Indices edge_of_half_edge() const & { return detail::indices(view().edge_of_half_edge); }
+    Indices edge_of_half_edge() const && = delete;
     /// Of each face its first edge.
-    Indices edge_of_face() const { return detail::indices(view().edge_of_face); }
+    Indices edge_of_face() const & { return detail::indices(view().edge_of_face); }
+    Indices edge_of_face() const && = delete;
     /// Of each vertex an edge at it, or UINT32_MAX.
-    Indices edge_of_vertex() const { return detail::indices(view().edge_of_vertex); }
+    Indices edge_of_vertex() const & { return detail::indices(view().edge_of_vertex); }
+    Indices edge_of_vertex() const && = delete;
     /// Loops of free edges, found on the tables: loop i has the vertices from loop_offsets()[i] to
     /// loop_offsets()[i + 1].
-    Indices loop_vertices() const { return detail::indices(view().loop_vertices); }
+    Indices loop_vertices() const & { return detail::indices(view().loop_vertices); }
+    Indices loop_vertices() const && = delete;
     /// The edges along the loops: edge i starts at vertex i.
-    Indices loop_edges() const { return detail::indices(view().loop_edges); }
+    Indices loop_edges() const & { return detail::indices(view().loop_edges); }
+    Indices loop_edges() const && = delete;
     /// The first vertex of each loop, then the number of vertices.
-    Indices loop_offsets() const { return detail::indices(view().loop_offsets); }
+    Indices loop_offsets() const & { return detail::indices(view().loop_offsets); }
+    Indices loop_offsets() const && = delete;
 
 private:
     gusset_winged_view view() const { return detail::lent(gusset_winged_get_view, winged_.get()); }
