@@ -1,7 +1,7 @@
 /* gusset: joins surfaces that come in pieces. Generated from src/ffi by cbindgen; do not edit.
  *
  * Every function is reentrant, and takes NULL for a context: then there is no account of an error, no
- * progress, and no cancelling. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,
+ * progress, and no cancelling. Those that set something of a context or get its report need one. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,
  * strides in bytes, angles in radians, lengths in the unit of the positions, indices from 0.
  * Structs that begin with struct_size: set it to sizeof the struct, all other fields to 0 for the defaults:
  *     gusset_stitch_options options = {0};
@@ -507,7 +507,7 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
- * Every edge has exactly two faces.
+ * There are edges, and every one has exactly two faces.
  */
 #define GUSSET_MESH_CLOSED 1
 
@@ -741,7 +741,8 @@
 #define GUSSET_EXTENT_AUTO 2
 
 /**
- * The arcs given in arc_a and arc_b.
+ * The arcs given in arc_a and arc_b. Of a loop that is not given, place 0 is where
+ * gusset_boundary_get_loop has it.
  */
 #define GUSSET_EXTENT_ARCS 3
 
@@ -1353,7 +1354,8 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
 
 /**
  * Called with remarks that are no failures, on the thread that made the call; message is valid
- * during the callback only. The same rules as for progress.
+ * during the callback only. The same rules as for progress. So far gusset_stitch_create alone has
+ * one: that the second piece was turned over.
  */
 typedef void (*gusset_log_fn)(void *user, const char *message);
 
@@ -1673,8 +1675,8 @@ typedef struct gusset_outline_options {
      */
     double repeat_tolerance;
     /**
-     * Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for
-     * none.
+     * Points where the polygon turns by more than this angle, in radians, are corners; at least 0,
+     * and 0, pi or more, also INFINITY, for none.
      */
     double corner_angle;
     /**
@@ -2640,7 +2642,8 @@ typedef struct gusset_check_view {
      */
     uint32_t vertex_count;
     /**
-     * Distinct edges: pairs of different vertices that are consecutive in some face.
+     * Distinct edges: pairs of different vertices that are consecutive in some face that is not
+     * degenerate. Degenerate faces have no edges.
      */
     uint32_t edge_count;
     /**
@@ -2660,7 +2663,7 @@ typedef struct gusset_check_view {
      */
     uint32_t properties;
     /**
-     * Used vertices - edges + faces.
+     * Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
      */
     int64_t euler;
     /**
@@ -2929,8 +2932,8 @@ typedef struct gusset_stitch_view {
      * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is
      * (data[2 k], data[2 k + 1]). They go from (0, 0) to (N, M) for whole rims of N and M
      * vertices, where place N is place 0 again, and to (N - 1, M - 1) for arcs; count is twice the
-     * number of meridians. From one to the next i advances by 1, or j, or, by the rule by index,
-     * both.
+     * number of meridians. From one to the next i advances by 1, or j, or both: by the rule
+     * by index and with GUSSET_MERIDIANS_QUAD.
      */
     struct gusset_indices meridians;
     /**
@@ -3196,7 +3199,8 @@ typedef struct gusset_winged_view {
  * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
  * so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
  * is three numbers; matrices kept by columns have a row_stride of one number and a column_stride
- * of a column.
+ * of a column. Normals are those of columns and then rows: opposite to those of a sheet of the
+ * same nodes.
  */
 typedef struct gusset_net_view {
     /**
@@ -4538,19 +4542,20 @@ typedef uint32_t gusset_scheme;
  */
 typedef struct gusset_line {
     /**
-     * x, y, z of the point where t is 0; finite.
+     * x, y, z of the point where t is 0; from -1e150 to 1e150.
      */
     double origin[3];
     /**
-     * x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
+     * x, y, z of the direction; of a length whose square neither vanishes nor overflows, such as
+     * any from 1e-150 to 1e150. t counts lengths of it.
      */
     double direction[3];
     /**
-     * The least t: -INFINITY for lines, 0 for rays and segments.
+     * The least t: -INFINITY for lines, 0 for rays and segments; not INFINITY.
      */
     double from;
     /**
-     * The greatest t: INFINITY for lines and rays; not below `from`.
+     * The greatest t: INFINITY for lines and rays; not below `from`, and not -INFINITY.
      */
     double to;
 } gusset_line;
@@ -5058,7 +5063,8 @@ typedef struct gusset_surface_sheet_report {
 
 /**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
- * bytes, one after the other.
+ * bytes, one after the other. Normals are those of u (from row to row) and then v: opposite to
+ * those of a net of the same nodes.
  */
 typedef struct gusset_nodes {
     /**
@@ -6036,7 +6042,7 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_OFFSET 4
 
 /**
- * A place in the loop given.
+ * A place in the loop given; the report's input is the number of the loop.
  */
 #define GUSSET_ELEMENT_LOOP_PLACE 5
 
@@ -6051,7 +6057,7 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_POINT 7
 
 /**
- * A constraint on an outline.
+ * A constraint on an outline: its place, or its tangent.
  */
 #define GUSSET_ELEMENT_CONSTRAINT 8
 
@@ -6315,6 +6321,7 @@ GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
  *
  * @param context the context.
  * @complexity O(1).
+ * @threads From any thread.
  * @since 0.1
  */
 GUSSET_API void gusset_context_reset(const struct gusset_context *context);
@@ -6364,15 +6371,16 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param points x, y of each control point, or x, y, z, packed.
- * @param point_count at least 1.
+ * @param point_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
  * @param dimension 2 or 3.
  * @param ends 0, then the place of the last control point of each segment, rising; the last is
  *     point_count - 1.
  * @param end_count the number of segments and 1.
  * @param closed 1 if the last control point is the first one again, else 0.
  * @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
- *     CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: MISALIGNED_ARGUMENT, NULL_ARGUMENT, BAD_OFFSETS, OUT_OF_RANGE
+ *     (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW,
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(points).
  * @since 0.1
  */
@@ -6443,6 +6451,7 @@ gusset_status gusset_curve_part_create(const struct gusset_context *context,
  * @param after 0 for the part before it, 1 for the part after it.
  * @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_curve_part_create.
+ * @complexity O(points).
  * @since 0.1
  */
 GUSSET_API
@@ -6760,6 +6769,7 @@ gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *c
  * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
  *     gusset_curve_intersect_plane_create.
+ * @complexity O(points), and O(degree^2) a crossing.
  * @since 0.1
  */
 GUSSET_API
@@ -6862,8 +6872,8 @@ gusset_status gusset_curve_derivatives(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param places the places.
- * @param count see out.
+ * @param places count of them, at any alignment.
+ * @param count see places.
  * @param[out] out receives 3 count numbers.
  * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
  * @since 0.1
@@ -6882,8 +6892,8 @@ gusset_status gusset_curve_tangents(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param places the places.
- * @param count see out.
+ * @param places count of them, at any alignment.
+ * @param count see places.
  * @param[out] out receives count numbers.
  * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
  * @since 0.1
@@ -6938,8 +6948,8 @@ gusset_status gusset_curve_length(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param places the places.
- * @param count see out.
+ * @param places count of them, at any alignment.
+ * @param count see places.
  * @param[out] out receives count numbers.
  * @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
  * @complexity O(points) in all.
@@ -7181,8 +7191,9 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
  * @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
  *     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
- *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
- *     joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs that names no loops that
+ *     can be joined, or of excluded that names no loops: the value is its number), TOO_LARGE,
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
  *     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
  *     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
@@ -7239,9 +7250,9 @@ gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
  * Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise
  * from outside, the surface is on the left and the hole on the right of someone who walks along
  * the loop on the outside. Every loop passes each of its vertices once: where the boundary touches
- * itself it is cut into several loops. Loops come in the order of their smallest half-edges. A
- * loop has at least one edge with exactly one face: walks along edges with three or more faces
- * alone are left out. A face of fewer than three sides of different ends has no border; its
+ * itself it is cut into several loops. Loops come in the order of their smallest half-edges. Walks
+ * along edges with three or more faces alone are left out; a loop that is cut out of another walk
+ * may have no edge with exactly one face. A face of fewer than three sides of different ends has no border; its
  * neighbours are taken to touch each other. A loop may have two vertices. Odd places are no
  * errors: see the flags of each loop, and gusset_boundary_get_defects.
  *
@@ -7464,8 +7475,8 @@ gusset_status gusset_meridians_index(uint32_t n,
  * @param loop_count see loops.
  * @param options NULL for the defaults.
  * @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
- *     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
+ *     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
  *     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
  *     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a
@@ -7710,8 +7721,8 @@ gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
  * @param count_b see points_a.
  * @param options NULL for the defaults (open polylines).
  * @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
- *     UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
+ *     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
  * @complexity Time and memory of the meridians of gusset_stitch_create, and O(N + M).
  * @source Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
  * @since 0.1
@@ -7873,9 +7884,9 @@ gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
  *     node with one that is NaN or infinite is missing.
  * @param gluing NULL for a sheet.
  * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE,
- *     SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
- *     with the cell, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
+ *     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with
+ *     the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
  * @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
  * @source Deryagin, "Model of the tetragonal regular network".
  * @since 0.1
@@ -7894,7 +7905,7 @@ gusset_status gusset_net_create(const struct gusset_context *context,
  * @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
  *     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
  *     and unmoved until the net is destroyed.
- * @param gluing the gluing.
+ * @param gluing NULL for a sheet.
  * @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
  *     NULL_ARGUMENT, OVERLAP.
@@ -7914,7 +7925,7 @@ gusset_status gusset_net_borrow_create(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net unchanged.
  * @param[out] copy receives it.
- * @return GUSSET_OK, or an error: OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
  * @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
  *     of the two is changed.
  * @since 0.1
@@ -7935,7 +7946,8 @@ gusset_status gusset_net_clone_create(const struct gusset_context *context,
  * @param net the net.
  * @param scalar GUSSET_F32 or GUSSET_F64.
  * @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ *     OUT_OF_MEMORY.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -7997,8 +8009,8 @@ gusset_status gusset_net_edit(const struct gusset_context *context,
  * @param net the net.
  * @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
  *     type: double to float is rounded.
- * @return GUSSET_OK, or an error: SIDES_DIFFER (other rows or columns), UNKNOWN_VALUE, BAD_STRIDE,
- *     SIZE_OVERFLOW.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
+ *     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -8387,10 +8399,11 @@ gusset_status gusset_net_snap(const struct gusset_context *context,
  * @param[in,out] net the net.
  * @param gluings count of them, done as a whole or not at all; at any alignment.
  * @param count see gluings.
- * @return GUSSET_OK, or an error: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above
- *     15), NO_SUCH_ELEMENT (the link, node or cell), BAD_SEAM (its place among the gluings),
- *     CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
- *     local gluing, which no surface allows), OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (kind, mask,
+ *     reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or cell),
+ *     BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite
+ *     corners would be glued: the nineteenth local gluing, which no surface allows),
+ *     OUT_OF_MEMORY.
  * @complexity O(nodes + glued pairs).
  * @source Deryagin, "Local gluings of nodes".
  * @since 0.1
@@ -8619,8 +8632,8 @@ gusset_status gusset_net_get_topology(const struct gusset_net *net,
  * @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
  * @param capacity see matrix.
  * @param[out] written receives that number. NULL and 0 ask for it.
- * @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number),
- *     OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+ *     written but the number), OUT_OF_MEMORY.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -8638,7 +8651,8 @@ gusset_status gusset_net_get_matrix(const struct gusset_net *net,
  * @param[out] seams room for capacity of them.
  * @param capacity see seams.
  * @param[out] written receives their number. NULL and 0 ask for it.
- * @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number).
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+ *     written but the number).
  * @complexity O(seams).
  * @since 0.1
  */
@@ -8764,7 +8778,8 @@ gusset_status gusset_net_set_bridge(const struct gusset_context *context,
  * Measures a net: area, volume, box.
  *
  * Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
- * for the bilinear patches of the cells (divergence theorem).
+ * for the bilinear patches of the cells (divergence theorem). Where squares or cubes of coordinates
+ * overflow, beyond about 1e100, results are infinite or NaN.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
@@ -9149,8 +9164,8 @@ gusset_status gusset_scene_add_net(const struct gusset_context *context,
  * @param[in,out] scene the scene.
  * @param entry its index.
  * @param net the net.
- * @return GUSSET_OK, or an error: NO_SUCH_ELEMENT with the entry (also for a group),
- *     OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the
+ *     entry (also for a group), OUT_OF_MEMORY.
  * @complexity O(1), and O(nodes) for a net in the caller's memory.
  * @since 0.1
  */
@@ -9425,8 +9440,9 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
  * @param net the net.
  * @param options NULL for 14 bits a coordinate.
  * @param[out] stream receives the bytes, for gusset_stream_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_RANGE (bits; QUANTISED: a coordinate above
- *     a quarter of the largest double), OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+ *     (bits; QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY,
+ *     CANCELLED.
  * @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
  *     of them.
  * @since 0.1
@@ -9491,7 +9507,8 @@ gusset_status gusset_stream_inspect(const struct gusset_context *context,
  * @param data all its bytes, at any alignment.
  * @param size how many.
  * @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes), with blocks decoded by the context's threads.
  * @since 0.1
  */
@@ -9530,7 +9547,8 @@ gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
  * @param size how many.
  * @param[out] rows_done receives how many rows are complete, those of all blocks so far; NULL if
  *     it is not wanted.
- * @return GUSSET_OK, or an error: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
+ *     TOO_LARGE, OUT_OF_MEMORY.
  * @complexity O(bytes + nodes of the blocks that they complete).
  * @since 0.1
  */
@@ -9549,7 +9567,8 @@ gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param decoder the decoder.
  * @param[out] net receives it.
- * @return GUSSET_OK, or an error: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL if there are
+ *     fewer rows, OUT_OF_MEMORY.
  * @complexity O(nodes).
  * @since 0.1
  */
@@ -9566,8 +9585,8 @@ gusset_status gusset_stream_decoder_preview_create(const struct gusset_context *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] decoder the decoder.
  * @param[out] net receives it.
- * @return GUSSET_OK, or an error: BAD_STREAM if the stream is not complete, or what pushing failed
- *     with.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM if the stream is
+ *     not complete, or what pushing failed with.
  * @complexity O(1).
  * @since 0.1
  */
@@ -9971,6 +9990,7 @@ gusset_status gusset_curve_near_misses_create(const struct gusset_context *conte
  * @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
  *     a line that is not finite or has no direction.
+ * @complexity Bounded work for each segment whose box meets the line.
  * @since 0.1
  */
 GUSSET_API
@@ -10146,8 +10166,8 @@ GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
  * @param[out] points room for count answers, in the order of the queries; none is found on
  *     failure: no flags, and infinite distances.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE,
- *     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE,
- *     OUT_OF_MEMORY, CANCELLED.
+ *     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit; a query with a
+ *     coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
  *     work; threads.
  * @source Leus, "Carcasses on smooth surfaces", task a, by branch and bound.
@@ -10174,12 +10194,12 @@ gusset_status gusset_surface_nearest(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
- * @param query x, y, z, at any alignment.
+ * @param query x, y, z, up to 1e150, at any alignment.
  * @param options NULL for the defaults: all.
  * @param[out] points receives the result, the nearest first, for gusset_surface_points_destroy;
  *     NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE,
- *     OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
+ *     OUT_OF_RANGE (limit; a coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(cells within the limit); with max_count, those no farther than the last.
  * @since 0.1
  */
@@ -10219,13 +10239,13 @@ GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *poin
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.
- * @param query x, y, z, at any alignment.
+ * @param query x, y, z, up to 1e150, at any alignment.
  * @param radius at least 0; INFINITY: all cells.
  * @param[out] region receives all cells that have such a point, and no others but such as come
  *     within the tolerance of the radius or could not be decided in bounded work; for
  *     gusset_surface_region_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
- *     (radius), OUT_OF_MEMORY, CANCELLED.
+ *     (radius; a coordinate beyond 1e150), OUT_OF_MEMORY, CANCELLED.
  * @complexity O(cells found, and one bit a cell).
  * @since 0.1
  */

@@ -31,8 +31,10 @@ pub enum Element {
     Vertex,
     /// A point of a loop.
     LoopPoint(Side),
-    /// A point of an outline or a curve, counted over all of them, or a tangent there.
+    /// A point of an outline or a curve, counted over all of them.
     Point,
+    /// A constraint on an outline.
+    Constraint,
     /// A query point.
     Query,
     /// A place on a surface.
@@ -56,6 +58,7 @@ impl fmt::Display for Element {
             Element::LoopPoint(Side::A) => "loop A, point",
             Element::LoopPoint(Side::B) => "loop B, point",
             Element::Point => "point",
+            Element::Constraint => "constraint",
             Element::Query => "query",
             Element::Place => "place",
             Element::Node => "node",
@@ -88,7 +91,7 @@ impl fmt::Display for Number<'_> {
 #[non_exhaustive]
 pub enum Error {
     /// A count is above the limit of this version.
-    #[error("{count} {what}: this version takes at most {limit}")]
+    #[error("there are {count} {what}, and at most {limit} are taken")]
     TooLarge {
         /// What is counted.
         what: &'static str,
@@ -142,10 +145,13 @@ pub enum Error {
         corner: u32,
         vertex: u32,
     },
-    /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point or a
-    /// tangent there, a node.
+    /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point, the
+    /// tangent of a constraint, a node.
     #[error("{element} {index} has a coordinate that is {value}")]
     NotFinite { element: Element, index: u64, value: f64 },
+    /// An element has a coordinate whose square would overflow.
+    #[error("{element} {index} has a coordinate beyond 1e150: {}", Number(.value))]
+    CoordinateTooLarge { element: Element, index: u64, value: f64 },
     /// A section of a frame has another number of points than the first one.
     #[error("section {section} has {count} points and the first one {expected}")]
     SectionsDiffer {
@@ -202,8 +208,16 @@ pub enum Error {
         side: Side,
         /// The place in the loop where the edge starts.
         place: u32,
-        /// The vertex at that place (it may be out of range, which is one way not to be on a free
-        /// edge).
+        /// The vertex at that place.
+        vertex: u32,
+    },
+    /// A loop passes a vertex that does not exist.
+    #[error("loop {number}, place {place}: there is no vertex {vertex}")]
+    LoopIndexOutOfRange {
+        /// The number of the loop among those given.
+        number: u32,
+        /// The place in the loop.
+        place: u32,
         vertex: u32,
     },
     /// Both loops pass the same vertex of the same mesh.
@@ -321,8 +335,8 @@ pub enum Error {
     /// added or left out evenly.
     #[error("the net is glued elsewhere than along whole sides, or has bridges")]
     GluedInside,
-    /// A line is not finite, has no direction, or ends before it begins.
-    #[error("line {line} is not finite, has no direction, or ends before it begins: {}", Number(.value))]
+    /// A line has an origin beyond 1e150, has no direction, or has no points between its ends.
+    #[error("line {line} begins beyond 1e150, has no direction, or no points between its ends: {}", Number(.value))]
     BadLine {
         line: u64,
         /// The number that is wrong.

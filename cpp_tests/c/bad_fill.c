@@ -86,6 +86,17 @@ static void results(void) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_mesh(fill, &out));
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_quality(fill, &quality));
     gusset_fill_destroy(fill);
+
+    /* A vertex that the mesh does not have. */
+    {
+        const uint32_t missing[3] = {1, 2, 99};
+        gusset_error_report report = {sizeof report, 0, 0, 0, 0, 0, 0};
+        loops[1].data = missing, loops[1].count = 3;
+        EXPECT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, gusset_fill_create(context, &mesh, loops, 2, NULL, &fill));
+        EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+        CHECK(fill == NULL && report.element == GUSSET_ELEMENT_LOOP_PLACE && report.index == 2 && report.value == 99 &&
+              report.input == 1);
+    }
 }
 
 int main(void) {

@@ -239,6 +239,10 @@ static void stitch_pointers(void) {
     OPTION(options.extent = GUSSET_EXTENT_ARCS, GUSSET_ERROR_OUT_OF_RANGE);
     OPTION((options.extent = GUSSET_EXTENT_ARCS, options.arc_a[0] = 4, options.arc_a[1] = options.arc_b[1] = 1),
            GUSSET_ERROR_OUT_OF_RANGE);
+    CHECK(strstr(gusset_context_get_message(context), "arc_a is out of range: 4") != NULL);
+    /* The sentence is about the last call. */
+    EXPECT(GUSSET_OK, gusset_context_set_threads(context, 0));
+    CHECK(gusset_context_get_message(context)[0] == '\0');
     OPTION((options.extent = GUSSET_EXTENT_ARCS, options.arc_a[1] = 1, options.arc_b[1] = UINT32_MAX),
            GUSSET_ERROR_OUT_OF_RANGE);
     OPTION((options.extent = GUSSET_EXTENT_ARCS, options.arc_a[1] = options.arc_b[1] = 2, options.twist = 1),
@@ -382,7 +386,7 @@ static void loops(void) {
     loop.count = 4, places[2] = 0;
     unstitchable(&up, NULL, &down, &loop, NULL, GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, 1, 1);
     places[2] = UINT32_MAX;
-    unstitchable(&up, &loop, &down, NULL, NULL, GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, 1, 0);
+    unstitchable(&up, &loop, &down, NULL, NULL, GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_LOOP_PLACE, 2, 0);
 
     turned.face_corners = turned_faces;
     unstitchable(&up, NULL, &turned, NULL, &refuse, GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, 0, 1);

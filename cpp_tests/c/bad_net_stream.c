@@ -139,12 +139,15 @@ static void wrong_options(const gusset_net *net) {
 }
 
 static void in_pieces(const gusset_net *net) {
-    const gusset_stream_options made = options(GUSSET_STREAM_LOSSLESS);
+    gusset_stream_options made = options(GUSSET_STREAM_LOSSLESS);
     gusset_stream *stream = NULL;
     gusset_stream_decoder *decoder = NULL, *small = NULL;
     gusset_net *back = NULL;
     const void *data = NULL;
     size_t size = 0, at, rows = 99;
+    made.per_axis = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_encode_create(context, net, &made, &stream));
+    made.per_axis = 0;
     EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, &made, &stream));
     EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_create(context, 0, NULL));

@@ -216,6 +216,21 @@ static void results(void) {
     gusset_outline_destroy(outline);
 
     outlines = given(square, 4);
+    /* Options that no curve may have, sections may not have either. */
+    for (int k = 0; k < 6; ++k) {
+        gusset_outline_options wrong = {0};
+        gusset_outline *none = NULL;
+        wrong.struct_size = sizeof wrong;
+        if (k == 0) wrong.parameter_limit = 0.6;
+        if (k == 1) wrong.parameter_limit = NAN;
+        if (k == 2) wrong.corner_angle = -1;
+        if (k == 3) wrong.tolerance = -1;
+        if (k == 4) wrong.step_divisor = 1;
+        if (k == 5) wrong.repeats = GUSSET_REPEATS_GIVEN, wrong.repeat_tolerance = 2;
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_outline_create(context, &outlines, &wrong, &none));
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sections_create(context, &outlines, &wrong, &sections));
+        CHECK(sections == NULL);
+    }
     EXPECT(GUSSET_OK, gusset_sections_create(context, &outlines, NULL, &sections));
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sections_get_view(sections, &sections_parts));
     sections_parts.struct_size = sizeof sections_parts;

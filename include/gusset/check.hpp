@@ -13,7 +13,7 @@ public:
         check_.reset(context.result(gusset_check_create, &mesh.get()));
     }
     gusset_check_view view() const { return detail::lent(gusset_check_get_view, check_.get()); }
-    /// Every edge has two faces or more.
+    /// There are edges, and every one has exactly two faces.
     bool is_closed() const { return has(GUSSET_MESH_CLOSED); }
     /// No edge has three faces, no vertex is a bow-tie.
     bool is_manifold() const { return has(GUSSET_MESH_MANIFOLD); }

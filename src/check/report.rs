@@ -19,7 +19,8 @@ use glam::DVec3;
 pub struct Check {
     /// Vertices, unused ones too.
     pub vertices: u32,
-    /// Distinct edges: pairs of different vertices that are consecutive in some face.
+    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not
+    /// degenerate. Degenerate faces have no edges.
     pub edges: u32,
     /// Faces.
     pub faces: u32,
@@ -27,9 +28,9 @@ pub struct Check {
     pub components: u32,
     /// Walks round the boundary, fan by fan.
     pub boundary_walks: u32,
-    /// Used vertices - edges + faces.
+    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
     pub euler: i64,
-    /// Every edge has exactly two faces.
+    /// There are edges, and every one has exactly two faces.
     pub closed: bool,
     /// No non-manifold edge and no non-manifold vertex.
     pub manifold: bool,
@@ -90,7 +91,7 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
 
     found.manifold = found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty();
     found.oriented = found.orientation_conflicts.is_empty();
-    found.closed = found.boundary_edges.is_empty() && found.non_manifold_edges.is_empty();
+    found.closed = found.edges > 0 && found.boundary_edges.is_empty() && found.non_manifold_edges.is_empty();
     let used = i64::from(found.vertices) - found.unused_vertices.len() as i64;
     found.euler = used - i64::from(found.edges) + i64::from(found.faces);
     if found.manifold && found.orientable && found.degenerate_faces.is_empty() {

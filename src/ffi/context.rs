@@ -28,7 +28,8 @@ pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
 /// Called with remarks that are no failures, on the thread that made the call; message is valid
-/// during the callback only. The same rules as for progress.
+/// during the callback only. The same rules as for progress. So far gusset_stitch_create alone has
+/// one: that the second piece was turned over.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
 struct State {
@@ -257,6 +258,7 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusse
     guard(ptr::null(), |_| {
         let mut state = input::reference(context, "context")?.lock()?;
         set(&mut state);
+        state.record(Ok(()));
         Ok(())
     })
 }
@@ -280,6 +282,7 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
 ///
 /// @param context the context.
 /// @complexity O(1).
+/// @threads From any thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {

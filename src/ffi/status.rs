@@ -130,13 +130,13 @@ pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
 pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
 /// An entry of face_offsets.
 pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
-/// A place in the loop given.
+/// A place in the loop given; the report's input is the number of the loop.
 pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
 /// A count of elements or bytes.
 pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
 /// A point of an outline or a curve, counted over all outlines.
 pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
-/// A constraint on an outline.
+/// A constraint on an outline: its place, or its tangent.
 pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
 /// One of the places on a curve or a surface that were given.
 pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
@@ -226,6 +226,7 @@ impl From<Element> for gusset_element {
             Element::LoopPoint(_) => GUSSET_ELEMENT_LOOP_PLACE,
             Element::Point | Element::Query => GUSSET_ELEMENT_POINT,
             Element::Place => GUSSET_ELEMENT_PLACE,
+            Element::Constraint => GUSSET_ELEMENT_CONSTRAINT,
             Element::Node => GUSSET_ELEMENT_NODE,
             Element::Link => GUSSET_ELEMENT_LINK,
             Element::Cell => GUSSET_ELEMENT_CELL,
@@ -255,6 +256,9 @@ impl From<Error> for Failure {
                 at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner, vertex.into())
             }
             NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
+            CoordinateTooLarge { element, index, value } => {
+                Failure::at(GUSSET_ERROR_OUT_OF_RANGE, element.into(), index, value)
+            }
             NoSuch { element, index } => Failure::at(GUSSET_ERROR_NO_SUCH_ELEMENT, element.into(), index, 0.0),
             SectionsDiffer { section, count, .. } => {
                 at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())
@@ -276,6 +280,10 @@ impl From<Error> for Failure {
             LoopEdgeNotFree { place, vertex, .. } => {
                 at(GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             }
+            LoopIndexOutOfRange { number, place, vertex } => Failure {
+                input: number,
+                ..at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
+            },
             LoopsShareVertex { vertex } => at(GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, vertex, 0.0),
             PlanesUndecided { .. } => plain(GUSSET_ERROR_PLANES_UNDECIDED, 0.0),
             LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face, 0.0),
@@ -306,7 +314,7 @@ impl From<Error> for Failure {
             OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Cancelled => plain(GUSSET_ERROR_CANCELLED, 0.0),
         };
-        let input = u32::from(error.side() == Some(Side::B));
+        let input = error.side().map_or(failure.input, |side| u32::from(side == Side::B));
         Failure { message: error.to_string().into(), input, ..failure }
     }
 }

@@ -6,7 +6,7 @@ use crate::boundary::{Boundary, Loop, LoopFlags};
 use crate::error::Result;
 use crate::geom::{Aabb, scale::distance};
 use crate::mesh::MeshView;
-use crate::stitch::FreeEdges;
+use crate::stitch::{FreeEdges, check_loop};
 use std::collections::BTreeSet;
 
 /// A loop, and whether it is to be filled.
@@ -59,7 +59,8 @@ pub(super) fn given_loops(
     let edges = FreeEdges::of(boundary)?;
     let mut used = BTreeSet::new();
     let mut candidates = alloc::with_capacity(loops.len())?;
-    for given in loops {
+    for (number, given) in (0..).zip(loops) {
+        check_loop(mesh, number, given)?;
         let mut vertices = alloc::copied(given)?;
         let mut status = given_status(&edges, &vertices)?;
         if status == HoleStatus::Filled {

@@ -58,7 +58,8 @@ pub(super) fn arcs(
         Extent::Arcs(arcs) => {
             for (arc, rim, option) in [(arcs[0], a, "arc_a"), (arcs[1], b, "arc_b")] {
                 let n = rim.vertices.len();
-                Error::require(arc.first < n && (1..=n).contains(&arc.count), option, arc.count as f64)?;
+                Error::require(arc.first < n, option, arc.first as f64)?;
+                Error::require((1..=n).contains(&arc.count), option, arc.count as f64)?;
             }
             Ok(Some(arcs))
         }

@@ -47,7 +47,7 @@ mod strip;
 
 pub(crate) use combine::part_alone;
 pub(crate) use grid::FaceList;
-pub(crate) use rim::FreeEdges;
+pub(crate) use rim::{FreeEdges, check_loop};
 
 pub use extent::Extent;
 pub use join::stitch;

@@ -44,6 +44,7 @@ impl Rim {
 
     /// A loop given by the caller, in either direction.
     pub(super) fn given(mesh: &MeshView<'_>, edges: &FreeEdges, vertices: &[u32], side: Side) -> Result<Rim> {
+        check_loop(mesh, side as u32, vertices)?;
         let count = vertices.len();
         if count < 3 {
             return Err(Error::LoopTooShort { side, count: count as u32 });
@@ -199,6 +200,15 @@ pub(super) fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
     let mut sorted = alloc::copied(&a.vertices)?;
     sorted.sort_unstable();
     Ok(b.vertices.iter().copied().filter(|v| sorted.binary_search(v).is_ok()).min())
+}
+
+/// [`Error::LoopIndexOutOfRange`] unless a mesh has all vertices of a loop of the caller's; `number`:
+/// that of the loop.
+pub(crate) fn check_loop(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
+    match (0..).zip(vertices).find(|&(_, &vertex)| vertex as usize >= mesh.positions().len()) {
+        Some((place, &vertex)) => Err(Error::LoopIndexOutOfRange { number, place, vertex }),
+        None => Ok(()),
+    }
 }
 
 /// The edges with exactly one face, found by their ends in the direction of that face.

@@ -21,6 +21,8 @@ fn samples_of_a_circle() {
     assert_eq!(curve.sampled(Spacing::Step(step), &Job::default()).unwrap().points.len(), 10);
     assert_eq!(curve.sampled(Spacing::Step(step * 1.01), &Job::default()).unwrap().points.len(), 10);
     assert_eq!(curve.sampled(Spacing::Step(100.0), &Job::default()).unwrap().points.len(), 1);
+    let endless = curve.sampled(Spacing::Step(f64::INFINITY), &Job::default()).unwrap_err();
+    assert_eq!(endless, Error::OptionOutOfRange { option: "step", value: f64::INFINITY });
     let open = parabola(0.0, 1.0);
     assert_eq!(open.view().sampled(Spacing::Count(5), &Job::default()).unwrap().places[4], at(0, 1.0));
     let length = open.view().length().unwrap();

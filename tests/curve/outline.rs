@@ -433,6 +433,9 @@ fn what_is_no_outline_is_refused() {
         assert!(matches!(refused(outlines(&points, None, constraints), plain), Error::BadConstraint { .. }));
     }
     let good = &points[..2];
+    let nowhere = [corner(0), Constraint { point: 1, kind: PointConstraint::Tangent(DVec3::NAN) }];
+    let error = refused(outlines(good, None, &nowhere), plain);
+    assert!(matches!(error, Error::NotFinite { element: Element::Constraint, index: 1, .. }), "{error}");
     for (option, options) in [
         ("alpha", Options { method: Method::Alpha(1.5), ..plain }),
         ("alpha", Options { method: Method::Alpha(f64::NAN), ..plain }),

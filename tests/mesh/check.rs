@@ -151,3 +151,9 @@ proptest! {
         prop_assert_eq!(&c.bow_ties, &ties);
     }
 }
+
+#[test]
+fn degenerate_faces_have_no_edges_and_close_nothing() {
+    let c = checked(&Soup::flat(3, &[&[0, 1, 1]]));
+    assert_eq!((c.edges, c.degenerate_faces.as_slice(), c.closed), (0, &[0][..], false));
+}

@@ -356,6 +356,11 @@ fn loops_that_are_left_say_why() {
     assert_eq!(filled.mesh.face_count(), soup.faces().count());
     assert_eq!(&filled.rims[filled.holes[1].rim.clone()], bad[1]);
 
+    // A vertex that does not exist is no reason to leave a loop, but a mistake.
+    let missing: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 1000]];
+    let refused = fill_holes(&soup.view(), Some(&missing), &Options::default(), &Job::default()).unwrap_err();
+    assert_eq!(refused, Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 1000 });
+
     // Two faces that disagree; three faces at an edge.
     let mixed = Soup::flat(4, &[&[0, 1, 2], &[1, 2, 3]]);
     assert_eq!(statuses(&fill(&mixed, &Options::default())), [HoleStatus::NotOriented]);

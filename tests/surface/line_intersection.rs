@@ -108,6 +108,8 @@ fn lines_that_are_none() {
         Line::new(DVec3::splat(f64::NAN), DVec3::X),
         Line::new(DVec3::ZERO, DVec3::INFINITY),
         Line { from: 1.0, to: 0.0, ..Line::new(DVec3::ZERO, DVec3::X) },
+        Line { from: f64::INFINITY, ..Line::new(DVec3::ZERO, DVec3::X) },
+        Line { to: f64::NEG_INFINITY, ..Line::new(DVec3::ZERO, DVec3::X) },
     ] {
         assert!(surface.line(&line, HitSelection::All).is_err());
     }

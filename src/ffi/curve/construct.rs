@@ -84,6 +84,7 @@ pub unsafe extern "C" fn gusset_curve_part_create(
 /// @param after 0 for the part before it, 1 for the part after it.
 /// @param[out] part receives the result, for gusset_curve_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_curve_part_create.
+/// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

@@ -131,6 +131,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
 /// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: CURVE_NOT_PLANE, and those of
 ///     gusset_curve_intersect_plane_create.
+/// @complexity O(points), and O(degree^2) a crossing.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

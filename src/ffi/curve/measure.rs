@@ -82,8 +82,8 @@ pub unsafe extern "C" fn gusset_curve_derivatives(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param places the places.
-/// @param count see out.
+/// @param places count of them, at any alignment.
+/// @param count see places.
 /// @param[out] out receives 3 count numbers.
 /// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
 /// @since 0.1
@@ -104,8 +104,8 @@ pub unsafe extern "C" fn gusset_curve_tangents(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param places the places.
-/// @param count see out.
+/// @param places count of them, at any alignment.
+/// @param count see places.
 /// @param[out] out receives count numbers.
 /// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
 /// @since 0.1
@@ -176,8 +176,8 @@ pub unsafe extern "C" fn gusset_curve_length(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param places the places.
-/// @param count see out.
+/// @param places count of them, at any alignment.
+/// @param count see places.
 /// @param[out] out receives count numbers.
 /// @return GUSSET_OK, or an error: those of gusset_curve_derivatives.
 /// @complexity O(points) in all.

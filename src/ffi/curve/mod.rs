@@ -10,6 +10,7 @@ pub mod outline_options;
 
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
+use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_OFFSETS;
 use crate::outline::{Curve, CurveView, Place, Points};
 
 /// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used
@@ -96,15 +97,16 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points x, y of each control point, or x, y, z, packed.
-/// @param point_count at least 1.
+/// @param point_count at most 2^30; 0 for a curve without segments, whose ends are 0 alone.
 /// @param dimension 2 or 3.
 /// @param ends 0, then the place of the last control point of each segment, rising; the last is
 ///     point_count - 1.
 /// @param end_count the number of segments and 1.
 /// @param closed 1 if the last control point is the first one again, else 0.
 /// @param[out] curve receives the copy, for gusset_curve_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
-///     CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @return GUSSET_OK, or an error: MISALIGNED_ARGUMENT, NULL_ARGUMENT, BAD_OFFSETS, OUT_OF_RANGE
+///     (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW,
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(points).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -121,6 +123,10 @@ pub unsafe extern "C" fn gusset_curve_create(
 ) -> gusset_status {
     create(context, curve, "curve", |_| {
         let points = self::points(points, point_count, dimension as usize)?;
+        if end_count == 0 || end_count > point_count.max(1) {
+            let message = format!("{point_count} points have 1 to as many ends, and not {end_count}");
+            return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
+        }
         let ends = input::list(ends, end_count, "ends")?;
         Ok(gusset_curve(CurveView::new(&points, &ends, flag(closed, "closed")?)?.to_owned()?))
     })

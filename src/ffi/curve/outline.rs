@@ -1,7 +1,7 @@
 //! C interface: identification of outlines: input, and the resulting curves.
 
 use crate::ffi::curve::gusset_curve;
-use crate::ffi::curve::outline_options::{gusset_outline_options, method};
+use crate::ffi::curve::outline_options::gusset_outline_options;
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
 use crate::outline::{
@@ -352,10 +352,11 @@ pub unsafe extern "C" fn gusset_sections_create(
     sections: *mut *mut gusset_sections,
 ) -> gusset_status {
     create(context, sections, "sections", |job| {
-        let options = input::read(options, true, "options")?;
-        options.checked()?;
+        let options = input::read(options, true, "options")?.checked()?;
+        // As for the curves, of which sections read the method alone.
+        options.check()?;
         let given = Given::read(outlines)?;
-        Ok(gusset_sections(self::sections(&given.outlines(), method(&options)?, job)?))
+        Ok(gusset_sections(self::sections(&given.outlines(), options.method, job)?))
     })
 }
 

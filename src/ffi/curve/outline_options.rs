@@ -144,8 +144,8 @@ pub struct gusset_outline_options {
     /// Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0,
     /// below 1.
     pub repeat_tolerance: f64,
-    /// Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for
-    /// none.
+    /// Points where the polygon turns by more than this angle, in radians, are corners; at least 0,
+    /// and 0, pi or more, also INFINITY, for none.
     pub corner_angle: f64,
     /// Iterations end when nothing moves farther, below 1; 0 for 1e-12.
     pub tolerance: f64,

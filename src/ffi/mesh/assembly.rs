@@ -314,8 +314,9 @@ impl gusset_assembly {
 /// @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
 ///     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
-///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
-///     joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs that names no loops that
+///     can be joined, or of excluded that names no loops: the value is its number), TOO_LARGE,
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
 ///     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
 ///     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for

@@ -4,7 +4,7 @@ use crate::check::{Check, check};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 
-/// Every edge has exactly two faces.
+/// There are edges, and every one has exactly two faces.
 pub const GUSSET_MESH_CLOSED: u32 = 1;
 /// No non-manifold edge and no non-manifold vertex.
 pub const GUSSET_MESH_MANIFOLD: u32 = 2;
@@ -25,7 +25,8 @@ pub struct gusset_check_view {
     pub struct_size: usize,
     /// Vertices, unused ones too.
     pub vertex_count: u32,
-    /// Distinct edges: pairs of different vertices that are consecutive in some face.
+    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not
+    /// degenerate. Degenerate faces have no edges.
     pub edge_count: u32,
     /// Faces.
     pub face_count: u32,
@@ -35,7 +36,7 @@ pub struct gusset_check_view {
     pub boundary_walk_count: u32,
     /// GUSSET_MESH_... bits.
     pub properties: u32,
-    /// Used vertices - edges + faces.
+    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
     pub euler: i64,
     /// The number of handles of all components together; -1 if the mesh is not manifold or not
     /// orientable, or has a degenerate face.

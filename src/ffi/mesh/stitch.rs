@@ -27,8 +27,8 @@ pub struct gusset_stitch_view {
     /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is
     /// (data[2 k], data[2 k + 1]). They go from (0, 0) to (N, M) for whole rims of N and M
     /// vertices, where place N is place 0 again, and to (N - 1, M - 1) for arcs; count is twice the
-    /// number of meridians. From one to the next i advances by 1, or j, or, by the rule by index,
-    /// both.
+    /// number of meridians. From one to the next i advances by 1, or j, or both: by the rule
+    /// by index and with GUSSET_MERIDIANS_QUAD.
     pub meridians: gusset_indices,
     /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices
     /// of the result.

@@ -73,7 +73,8 @@ pub const GUSSET_EXTENT_OPEN_ARCS: u32 = 1;
 /// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of
 /// their centres, or if the planes cannot tell; else open arcs.
 pub const GUSSET_EXTENT_AUTO: u32 = 2;
-/// The arcs given in arc_a and arc_b.
+/// The arcs given in arc_a and arc_b. Of a loop that is not given, place 0 is where
+/// gusset_boundary_get_loop has it.
 pub const GUSSET_EXTENT_ARCS: u32 = 3;
 
 /// Of several runs of facing vertices, on each loop the one with the closest pair.

@@ -70,8 +70,8 @@ impl gusset_strip_options {
 /// @param count_b see points_a.
 /// @param options NULL for the defaults (open polylines).
 /// @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
-///     UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
+///     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
 /// @complexity Time and memory of the meridians of gusset_stitch_create, and O(N + M).
 /// @source Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
 /// @since 0.1

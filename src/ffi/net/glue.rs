@@ -133,10 +133,11 @@ fn number(found: Option<GluingType>) -> gusset_gluing_type {
 /// @param[in,out] net the net.
 /// @param gluings count of them, done as a whole or not at all; at any alignment.
 /// @param count see gluings.
-/// @return GUSSET_OK, or an error: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above
-///     15), NO_SUCH_ELEMENT (the link, node or cell), BAD_SEAM (its place among the gluings),
-///     CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
-///     local gluing, which no surface allows), OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (kind, mask,
+///     reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or cell),
+///     BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite
+///     corners would be glued: the nineteenth local gluing, which no surface allows),
+///     OUT_OF_MEMORY.
 /// @complexity O(nodes + glued pairs).
 /// @source Deryagin, "Local gluings of nodes".
 /// @since 0.1

@@ -221,8 +221,8 @@ pub unsafe extern "C" fn gusset_net_get_topology(
 /// @param[out] matrix room for capacity bytes, of which 2 * rows * columns are written.
 /// @param capacity see matrix.
 /// @param[out] written receives that number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number),
-///     OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+///     written but the number), OUT_OF_MEMORY.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -250,7 +250,8 @@ pub unsafe extern "C" fn gusset_net_get_matrix(
 /// @param[out] seams room for capacity of them.
 /// @param capacity see seams.
 /// @param[out] written receives their number. NULL and 0 ask for it.
-/// @return GUSSET_OK, or an error: BUFFER_TOO_SMALL (nothing is written but the number).
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is
+///     written but the number).
 /// @complexity O(seams).
 /// @since 0.1
 #[unsafe(no_mangle)]

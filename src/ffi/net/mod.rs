@@ -30,7 +30,8 @@ pub(crate) use net_handle::{edit, read, reglue};
 /// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
 /// so for Y and Z. Points that lie as x, y, z one after the other are matrices whose column_stride
 /// is three numbers; matrices kept by columns have a row_stride of one number and a column_stride
-/// of a column.
+/// of a column. Normals are those of columns and then rows: opposite to those of a sheet of the
+/// same nodes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
@@ -168,9 +169,9 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 ///     node with one that is NaN or infinite is missing.
 /// @param gluing NULL for a sheet.
 /// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE,
-///     SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
-///     with the cell, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
+///     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with
+///     the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
 /// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
 /// @source Deryagin, "Model of the tetragonal regular network".
 /// @since 0.1
@@ -191,7 +192,7 @@ pub unsafe extern "C" fn gusset_net_create(
 /// @param arrays as for gusset_net_create, but aligned to their scalar type, without gaps in rows,
 ///     row_stride a multiple of the scalar's size; the three must not overlap, and must stay valid
 ///     and unmoved until the net is destroyed.
-/// @param gluing the gluing.
+/// @param gluing NULL for a sheet.
 /// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
 ///     NULL_ARGUMENT, OVERLAP.
@@ -236,7 +237,7 @@ fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net unchanged.
 /// @param[out] copy receives it.
-/// @return GUSSET_OK, or an error: OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(nodes), or O(1) where nobody can tell the difference: memory is shared until one
 ///     of the two is changed.
 /// @since 0.1
@@ -259,7 +260,8 @@ pub unsafe extern "C" fn gusset_net_clone_create(
 /// @param net the net.
 /// @param scalar GUSSET_F32 or GUSSET_F64.
 /// @param[out] converted receives it, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     OUT_OF_MEMORY.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -357,8 +359,8 @@ pub unsafe extern "C" fn gusset_net_edit(
 /// @param net the net.
 /// @param arrays where they go, of the net's rows and columns, in any layout and of either scalar
 ///     type: double to float is rounded.
-/// @return GUSSET_OK, or an error: SIDES_DIFFER (other rows or columns), UNKNOWN_VALUE, BAD_STRIDE,
-///     SIZE_OVERFLOW.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIDES_DIFFER (other rows or
+///     columns), UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -166,8 +166,8 @@ pub unsafe extern "C" fn gusset_scene_add_net(
 /// @param[in,out] scene the scene.
 /// @param entry its index.
 /// @param net the net.
-/// @return GUSSET_OK, or an error: NO_SUCH_ELEMENT with the entry (also for a group),
-///     OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the
+///     entry (also for a group), OUT_OF_MEMORY.
 /// @complexity O(1), and O(nodes) for a net in the caller's memory.
 /// @since 0.1
 #[unsafe(no_mangle)]

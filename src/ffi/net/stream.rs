@@ -83,6 +83,9 @@ impl gusset_stream_options {
             (other, _) => return Err(Failure::unknown("mode", other.into())),
         };
         let per_axis = flag(self.per_axis, "per_axis")?;
+        if per_axis && !matches!(mode, Mode::Quantised { .. }) {
+            return Err(Failure::unknown("per_axis", self.per_axis.into()));
+        }
         Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
     }
 }
@@ -98,8 +101,9 @@ impl gusset_stream_options {
 /// @param net the net.
 /// @param options NULL for 14 bits a coordinate.
 /// @param[out] stream receives the bytes, for gusset_stream_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: UNKNOWN_VALUE, OUT_OF_RANGE (bits; QUANTISED: a coordinate above
-///     a quarter of the largest double), OUT_OF_MEMORY, CANCELLED.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE
+///     (bits; QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY,
+///     CANCELLED.
 /// @complexity O(nodes), with blocks coded by the context's threads; the same bytes for any number
 ///     of them.
 /// @since 0.1
@@ -200,7 +204,8 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 /// @param data all its bytes, at any alignment.
 /// @param size how many.
 /// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes), with blocks decoded by the context's threads.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -246,7 +251,8 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
 /// @param size how many.
 /// @param[out] rows_done receives how many rows are complete, those of all blocks so far; NULL if
 ///     it is not wanted.
-/// @return GUSSET_OK, or an error: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
+///     TOO_LARGE, OUT_OF_MEMORY.
 /// @complexity O(bytes + nodes of the blocks that they complete).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -270,7 +276,8 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param decoder the decoder.
 /// @param[out] net receives it.
-/// @return GUSSET_OK, or an error: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL if there are
+///     fewer rows, OUT_OF_MEMORY.
 /// @complexity O(nodes).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -289,8 +296,8 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] decoder the decoder.
 /// @param[out] net receives it.
-/// @return GUSSET_OK, or an error: BAD_STREAM if the stream is not complete, or what pushing failed
-///     with.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM if the stream is
+///     not complete, or what pushing failed with.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]

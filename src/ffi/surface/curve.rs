@@ -118,6 +118,7 @@ pub unsafe extern "C" fn gusset_curve_near_misses_create(
 /// @param[out] places receives the result, for gusset_places_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_curve_near_misses_create; also OUT_OF_RANGE for
 ///     a line that is not finite or has no direction.
+/// @complexity Bounded work for each segment whose box meets the line.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

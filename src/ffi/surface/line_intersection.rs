@@ -10,13 +10,14 @@ use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line};
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_line {
-    /// x, y, z of the point where t is 0; finite.
+    /// x, y, z of the point where t is 0; from -1e150 to 1e150.
     pub origin: [f64; 3],
-    /// x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
+    /// x, y, z of the direction; of a length whose square neither vanishes nor overflows, such as
+    /// any from 1e-150 to 1e150. t counts lengths of it.
     pub direction: [f64; 3],
-    /// The least t: -INFINITY for lines, 0 for rays and segments.
+    /// The least t: -INFINITY for lines, 0 for rays and segments; not INFINITY.
     pub from: f64,
-    /// The greatest t: INFINITY for lines and rays; not below `from`.
+    /// The greatest t: INFINITY for lines and rays; not below `from`, and not -INFINITY.
     pub to: f64,
 }
 

@@ -183,8 +183,8 @@ pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<V
 /// @param[out] points room for count answers, in the order of the queries; none is found on
 ///     failure: no flags, and infinite distances.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE,
-///     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE,
-///     OUT_OF_MEMORY, CANCELLED.
+///     SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit; a query with a
+///     coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(log nodes) a query but for queries near centres of curvature, which take bounded
 ///     work; threads.
 /// @source Leus, "Carcasses on smooth surfaces", task a, by branch and bound.
@@ -220,12 +220,12 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.
-/// @param query x, y, z, at any alignment.
+/// @param query x, y, z, up to 1e150, at any alignment.
 /// @param options NULL for the defaults: all.
 /// @param[out] points receives the result, the nearest first, for gusset_surface_points_destroy;
 ///     NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE,
-///     OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
+///     OUT_OF_RANGE (limit; a coordinate beyond 1e150), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(cells within the limit); with max_count, those no farther than the last.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -281,13 +281,13 @@ pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surfa
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.
-/// @param query x, y, z, at any alignment.
+/// @param query x, y, z, up to 1e150, at any alignment.
 /// @param radius at least 0; INFINITY: all cells.
 /// @param[out] region receives all cells that have such a point, and no others but such as come
 ///     within the tolerance of the radius or could not be decided in bounded work; for
 ///     gusset_surface_region_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
-///     (radius), OUT_OF_MEMORY, CANCELLED.
+///     (radius; a coordinate beyond 1e150), OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(cells found, and one bit a cell).
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -21,7 +21,8 @@ pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
 
 /// Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride
-/// bytes, one after the other.
+/// bytes, one after the other. Normals are those of u (from row to row) and then v: opposite to
+/// those of a net of the same nodes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_nodes {

@@ -166,7 +166,7 @@ impl Default for Options {
 impl Options {
     /// # Errors
     /// [`Error::OptionOutOfRange`].
-    pub(super) fn check(&self) -> Result<()> {
+    pub(crate) fn check(&self) -> Result<()> {
         let alpha = self.method.alpha().unwrap_or(0.5);
         let fraction = |value: f64| (0.0..1.0).contains(&value);
         let ranges = [

@@ -1,9 +1,8 @@
 //! The input of an identification: points as they lie in the host's memory, outlines of them, and
 //! constraints.
 
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::geom::strided::Strided;
-use crate::outline::curve::check_finite;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
@@ -139,7 +138,7 @@ impl Outlines<'_> {
                 return Err(Error::BadConstraint { constraint: k as u32, point: constraint.point });
             }
             if let PointConstraint::Tangent(tangent) = constraint.kind {
-                check_finite(constraint.point as usize, tangent)?;
+                Error::check_finite(Element::Constraint, k as u64, tangent)?;
             }
         }
         Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))

@@ -54,7 +54,8 @@ impl CurveView<'_> {
             Spacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
             Spacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
         };
-        Error::require(value >= least, option, value)?;
+        let is_bounded = value.is_finite() || !matches!(spacing, Spacing::Step(_));
+        Error::require(value >= least && is_bounded, option, value)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }

@@ -12,7 +12,7 @@ pub(in crate::surface) const MAX_COORDINATE: f64 = 1e150;
 pub struct Line {
     /// Where t is 0; coordinates up to 1e150.
     pub origin: DVec3,
-    /// Of a length whose square neither vanishes nor overflows: from 1e-150 to 1e150.
+    /// Of a length whose square neither vanishes nor overflows, such as any from 1e-150 to 1e150.
     pub direction: DVec3,
     /// The least t: -infinity for lines, 0 for rays and segments.
     pub from: f64,
@@ -44,7 +44,8 @@ impl Line {
         let square = self.direction.length_squared();
         let is_usable = square >= f64::MIN_POSITIVE && square.is_finite();
         Error::require(is_usable, "direction", self.direction.abs().max_element())?;
-        Error::require(self.from <= self.to, "from", self.from)
+        let is_somewhere = self.from < f64::INFINITY && self.to > f64::NEG_INFINITY;
+        Error::require(self.from <= self.to && is_somewhere, "from", self.from)
     }
 
     /// The unit vector along it and the length of the direction, whatever its size.

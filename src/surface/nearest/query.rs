@@ -3,11 +3,12 @@
 use crate::surface::line_intersection::MAX_COORDINATE;
 use crate::surface::prelude::*;
 
-/// [`Error::NotFinite`] with the number of a query point that has a coordinate that is NaN, or so
-/// great that its square would overflow.
+/// [`Error::NotFinite`] and [`Error::CoordinateTooLarge`] with the number of a query point whose
+/// coordinates are no numbers, or so great that their squares would overflow.
 pub(super) fn check_query(query: DVec3, index: u64) -> Result<()> {
-    match query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > MAX_COORDINATE) {
-        Some(value) => Err(Error::NotFinite { element: Element::Query, index, value }),
+    Error::check_finite(Element::Query, index, query)?;
+    match query.to_array().into_iter().find(|x| x.abs() > MAX_COORDINATE) {
+        Some(value) => Err(Error::CoordinateTooLarge { element: Element::Query, index, value }),
         None => Ok(()),
     }
 }
