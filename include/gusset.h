@@ -6108,7 +6108,7 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_BYTE 19
 
 /**
- * One of the operations, fields, gluings, lines, pieces, pairs, sheets or curves that were given.
+ * One of the operations, fields, gluings, lines, loops, pieces, sheets or curves that were given.
  */
 #define GUSSET_ELEMENT_ITEM 21
 
@@ -6733,9 +6733,9 @@ gusset_status gusset_frame_slice_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_get_section(const struct gusset_outline *outline,
-                                         size_t index,
-                                         struct gusset_section_report *measure);
+gusset_status gusset_outline_measure(const struct gusset_outline *outline,
+                                     size_t index,
+                                     struct gusset_section_report *measure);
 
 /**
  * Where a curve crosses or touches a plane.

@@ -193,7 +193,7 @@ pub enum Error {
     #[error("the inputs have coordinates of different types, where the result would round those of one: convert it")]
     MixedScalars,
     /// There is no boundary loop that could be stitched.
-    #[error("mesh {side} has no boundary loop that can be stitched")]
+    #[error("there is no boundary loop {side} that can be stitched")]
     NoLoop { side: Side },
     /// A loop of fewer than three vertices.
     #[error("loop {side} has {count} vertices; it needs three")]
@@ -249,7 +249,7 @@ pub enum Error {
         vertex: u32,
     },
     /// A net of fewer than two rows or columns.
-    #[error("{rows} rows and {columns} columns of nodes: a net has two of each at least")]
+    #[error("{rows} rows and {columns} columns of nodes: a net has two of each at least, a closed surface four")]
     NetTooSmall { rows: u64, columns: u64 },
     /// A gluing makes both pairs of opposite corners of a cell one each: no surface does that.
     #[error("cell {cell}: both pairs of opposite corners would be glued, which no surface allows")]
@@ -261,7 +261,7 @@ pub enum Error {
     #[error("seam {seam} is empty, leaves the net, or repeats one pair of nodes")]
     BadSeam { seam: u32 },
     /// An element that does not exist, or that is of another kind.
-    #[error("there is no {element} {index}")]
+    #[error("there is no {element} {index}{}", if *.element == Element::Entry { " of this kind" } else { "" })]
     NoSuch { element: Element, index: u64 },
     /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse
     /// to equalise them.

@@ -209,6 +209,7 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, gusset_assembly_create(misaligned(), pieces, 2, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 0, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(NULL, 0, NULL, &done));
+    CHECK(strcmp(gusset_context_get_message(context), "there are no pieces") == 0);
     FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, SIZE_MAX, NULL, &done));
     pieces[0].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));

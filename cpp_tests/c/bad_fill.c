@@ -91,6 +91,11 @@ static void results(void) {
     {
         const uint32_t missing[3] = {1, 2, 99};
         gusset_error_report report = {sizeof report, 0, 0, 0, 0, 0, 0};
+        loops[1].data = NULL, loops[1].count = 3;
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, &mesh, loops, 2, NULL, &fill));
+        EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+        CHECK(report.element == GUSSET_ELEMENT_ITEM && report.index == 1);
+        CHECK(strcmp(gusset_context_get_message(context), "the data of a loop is NULL") == 0);
         loops[1].data = missing, loops[1].count = 3;
         EXPECT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, gusset_fill_create(context, &mesh, loops, 2, NULL, &fill));
         EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));

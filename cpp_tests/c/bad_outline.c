@@ -323,16 +323,16 @@ static void frames(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_get_curves(frame, misaligned(), NULL));
     EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, NULL, NULL));
     EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, &across, &along));
-    EXPECT(GUSSET_OK, gusset_outline_get_section(across, 1, &measure));
+    EXPECT(GUSSET_OK, gusset_outline_measure(across, 1, &measure));
     CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
-    EXPECT(GUSSET_OK, gusset_outline_get_section(along, 3, &measure));
+    EXPECT(GUSSET_OK, gusset_outline_measure(along, 3, &measure));
     CHECK(measure.girth == 1.0 && measure.area == 0.0);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_section(along, 4, &measure));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_section(along, 3, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_section(NULL, 3, &measure));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_measure(along, 4, &measure));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(along, 3, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(NULL, 3, &measure));
 
     EXPECT(GUSSET_OK, gusset_frame_slice_create(context, frame, middle, up, &section));
-    EXPECT(GUSSET_OK, gusset_outline_get_section(section, 0, &measure));
+    EXPECT(GUSSET_OK, gusset_outline_measure(section, 0, &measure));
     CHECK(fabs(measure.centre[2] - 0.5) < 1e-15);
     gusset_outline_destroy(section);
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_slice_create(context, frame, middle, nothing, &section));

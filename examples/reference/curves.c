@@ -31,7 +31,7 @@ static gusset_curve *a_curve_through_points(void) {
     HOLDS(parts.outline_count == 1 && parts.statuses[0] == GUSSET_POINT_OK);
     MUST(gusset_outline_get_report(outline, 0, &report));
     HOLDS(report.fit == GUSSET_FIT_OK && report.max_residual < 1e-12 && about(report.size, 2.0));
-    MUST(gusset_outline_get_section(outline, 0, &measure));
+    MUST(gusset_outline_measure(outline, 0, &measure));
     HOLDS(fabs(measure.girth - 2.0 * pi) < 0.05 && fabs(measure.area - pi) < 0.05);
     /* A copy that outlives the outline. */
     MUST(gusset_outline_curve_create(NULL, outline, 0, &curve));
@@ -87,7 +87,7 @@ static void a_body_and_a_new_section(void) {
     MUST(gusset_outline_get_view(along, &columns));
     HOLDS(columns.outline_count == 8);
     MUST(gusset_frame_slice_create(NULL, frame, middle, upwards, &slice));
-    MUST(gusset_outline_get_section(slice, 0, &measure));
+    MUST(gusset_outline_measure(slice, 0, &measure));
     HOLDS(about(measure.centre[2], 0.5) && fabs(measure.girth - 2.0 * pi) < 0.1);
     gusset_outline_destroy(slice);
     gusset_frame_destroy(frame);

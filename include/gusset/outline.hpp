@@ -169,7 +169,7 @@ public:
     }
     /// Girth, area and centre of outline k.
     gusset_section_report measure(std::size_t k = 0) const {
-        return detail::lent(gusset_outline_get_section, outline_.get(), k);
+        return detail::lent(gusset_outline_measure, outline_.get(), k);
     }
     /// The report on outline k.
     gusset_outline_report report(std::size_t k = 0) const {

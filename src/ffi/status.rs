@@ -157,7 +157,7 @@ pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
 /// A byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
-/// One of the operations, fields, gluings, lines, pieces, pairs, sheets or curves that were given.
+/// One of the operations, fields, gluings, lines, loops, pieces, sheets or curves that were given.
 pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;

@@ -268,7 +268,7 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_outline_get_section(
+pub unsafe extern "C" fn gusset_outline_measure(
     outline: *const gusset_outline,
     index: usize,
     measure: *mut gusset_section_report,

@@ -176,7 +176,10 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
     if loops.is_null() {
         return if count == 0 { Ok(None) } else { Err(Failure::null("loops")) };
     }
-    let list = |i| mesh::indices(loops.wrapping_add(i), "loops").map(Option::unwrap_or_default);
+    let list = |i| {
+        let found = mesh::indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
+        found.map_err(|failure| failure.of_item(i))
+    };
     alloc::try_collect((0..count).map(list)).map(Some)
 }
 

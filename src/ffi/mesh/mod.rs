@@ -172,7 +172,7 @@ pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Resul
         return Ok(None);
     }
     let given = *input::reference(given, name)?;
-    Error::check_count(name, given.count as u64, MAX_ELEMENTS)?;
+    Error::check_count("indices", given.count as u64, MAX_ELEMENTS)?;
     input::list(given.data, given.count, name).map(Some)
 }
 

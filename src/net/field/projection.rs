@@ -11,7 +11,7 @@ use glam::DVec3;
 /// # Errors
 /// [`Error::OptionOutOfRange`] if a number is not finite.
 pub fn projection(rows: [[f64; 4]; 4]) -> Result<impl Field> {
-    rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "matrix", value))?;
+    rows.as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
     Ok(Partial(move |strength: f64, points: Points<'_>| {
         let map = move |[x, y, z]: [f64; 3]| {
             let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);

@@ -117,7 +117,7 @@ impl Affine {
 
     fn of(linear: DMat3, displacement: DVec3) -> Result<Self> {
         let map = Affine(DAffine3::from_mat3_translation(linear, displacement));
-        map.rows().as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "matrix", value))?;
+        map.rows().as_flattened().iter().try_for_each(|&value| Error::require(value.is_finite(), "values", value))?;
         Ok(map)
     }
 
