@@ -7,6 +7,7 @@ use gusset::Job;
 use gusset::outline::CurveView;
 use gusset::surface::line_intersection::{Hit, HitSelection, Line};
 use gusset::surface::{Grid, Nodes, Place, Scheme, Sheet, Surface};
+use std::f64::consts::TAU;
 
 /// A sheet through points, closed lines of which are repeated to the bit.
 fn sheet_of(
@@ -182,5 +183,34 @@ fn creases_between_sheets() {
             assert_eq!(here.len(), 1, "{hits:?}");
             assert_eq!((here[0].multiplicity, here[0].tangent), expected, "{hits:?}");
         }
+    }
+}
+
+#[test]
+fn tangents_at_sides_cross_a_closed_surface_an_even_number_of_times() {
+    let point = |u: f64, v: f64| {
+        let ring = 2.0 + 0.8 * (TAU * v).cos();
+        DVec3::new(ring * (TAU * u).cos(), ring * (TAU * u).sin(), 0.8 * (TAU * v).sin())
+    };
+    let surface = sheet_of([8, 8], [true, true], Scheme::SixTap, point);
+    let mut random = Random(11);
+    for k in 0..600_u32 {
+        let place = Place { sheet: 0, cell: [k % 8, k / 8 % 8], u: 0.5 * f64::from(k % 3 % 2), v: 0.0 };
+        let (jet, along) = (surface.jet(place), random.point(1.0));
+        // Inside the ring a tangent may be within the tolerance of the surface in several places.
+        if (3..=5).contains(&place.cell[1]) {
+            continue;
+        }
+        let line = Line::new(jet.point, along.x * jet.u + along.y * jet.v);
+        let hits = surface.line(&line, HitSelection::All).unwrap();
+        assert!(multiplicities(&hits).is_multiple_of(2), "{k}: {hits:?}");
+        // What is reported once is not reported again.
+        let length = line.direction.length();
+        for hit in hits.iter().filter(|hit| !hit.tangent) {
+            let within = |touch: &&Hit| touch.tangent && touch.span[0] <= hit.at && hit.at <= touch.span[1];
+            let steep = hit.normal.dot(line.direction).abs() > 1e-3 * length;
+            assert!(steep || !hits.iter().any(|touch| within(&touch)), "{k}: {hits:?}");
+        }
+        assert_eq!(surface.line(&line, HitSelection::First).unwrap()[0].place, hits[0].place);
     }
 }

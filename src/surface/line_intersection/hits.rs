@@ -11,6 +11,9 @@ use std::cmp::Ordering;
 /// takes the root of it: there the parameters are not regular, as at a pole.
 pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 
+/// A line at a greater sine of the angle with the surface passes it.
+const MAX_TOUCH_SINE: f64 = 1e-2;
+
 impl Surface<'_> {
     /// Hits that are nearer to each other than this, in different cells, are one.
     pub(super) fn merge_distance(&self) -> f64 {
@@ -33,7 +36,7 @@ impl Surface<'_> {
         }
         let inwards = |x: f64| x + 1e-3 * (0.5 - x).signum();
         let near = Place { u: inwards(place.u), v: inwards(place.v), ..place };
-        self.normal(near).dot(direction).abs() > 1e-2
+        self.normal(near).dot(direction).abs() > MAX_TOUCH_SINE
     }
 
     /// Makes one hit of those that neighbouring cells have found, tells touching from passing and
@@ -103,7 +106,8 @@ impl Surface<'_> {
         a.point.distance(b.point) <= tolerance && near(a.place) && near(b.place)
     }
 
-    /// Merges unresolved hits that overlap along the line. Simple ones come first then.
+    /// Merges unresolved hits that overlap along the line, and simple ones beside them. Simple ones
+    /// come first then.
     fn merge_overlapping(&self, line: &Line, hits: &mut Vec<Hit>) {
         let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
         hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
@@ -112,13 +116,25 @@ impl Surface<'_> {
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
         let [low, high] = self.bounds();
         let max_miss = self.tolerance().max(4.0 * rounding_error(line, low.midpoint(high), [low, high]));
-        let mut kept = hits.partition_point(|hit| !hit.tangent);
-        let mut from = kept;
+        let simple = hits.partition_point(|hit| !hit.tangent);
+        let (mut kept, mut from) = (simple, simple);
         while from < hits.len() {
             let (mut to, [start, mut end]) = (from + 1, hits[from].span);
             while to < hits.len() && hits[to].span[0] <= end + slack {
                 end = end.max(hits[to].span[1]);
                 to += 1;
+            }
+            // What touches beside a side may seem to pass on the other side of it: a line that is
+            // within a distance m of a surface over a length l is no steeper than 4 m / l there.
+            let steepest = 16.0 * self.merge_distance() / ((end - start) * length);
+            for hit in &mut hits[..simple] {
+                let is_within = hit.at >= start - slack && hit.at <= end + slack;
+                if is_within
+                    && is_near_side(hit.place, 1e-3)
+                    && hit.normal.dot(along).abs() <= steepest.min(MAX_TOUCH_SINE)
+                {
+                    hit.multiplicity = 0;
+                }
             }
             // Where it runs in the surface, the first; else the nearest.
             let first = hits[from];
@@ -139,6 +155,7 @@ impl Surface<'_> {
             from = to;
         }
         hits.truncate(kept);
+        hits.retain(|hit| hit.tangent || hit.multiplicity > 0);
     }
 }
 
