@@ -80,9 +80,11 @@ fn options(given: *const gusset_contour_options) -> Result<(PointSpacing, bool),
 /// cells, along the cross product of the planes' normal and the surface's.
 ///
 /// Every curve is found, also one within a cell, and on a closed surface all are closed; a corner
-/// on a plane counts as above it. Cells where a plane touches or contains the surface, so that
-/// curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
-/// tolerance too.
+/// on a plane counts as above it. So a plane that touches the surface in corners of cells from
+/// below, by its normal, gives no curve there and nothing unresolved, and one that touches it from
+/// above closed curves round the contact, however narrow: along a row of corners, a curve there and
+/// back. Cells where a plane touches or contains the surface elsewhere, so that curves cannot be
+/// told within rounding, are listed as unresolved, and curves no larger than the tolerance too.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.

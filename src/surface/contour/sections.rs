@@ -22,10 +22,12 @@ impl Surface<'_> {
     /// the surface's.
     ///
     /// Every curve is found, also one within a cell; on a closed surface all are closed. A plane
-    /// that passes through a corner is taken as infinitely little below it. Where the plane touches
-    /// the surface or contains a piece of it, so that curves cannot be told within rounding, the
-    /// cells are listed as unresolved; a curve no larger than the tolerance too. Open ends of
-    /// sheets that meet within the tolerance are joined.
+    /// that passes through a corner is taken as infinitely little below it: one that touches the
+    /// surface in corners from below gives nothing there, one that touches it from above closed
+    /// curves round the contact, however narrow. Where the plane touches the surface elsewhere or
+    /// contains a piece of it, so that curves cannot be told within rounding, the cells are listed
+    /// as unresolved; a curve no larger than the tolerance too. Open ends of sheets that meet
+    /// within the tolerance are joined.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for planes that are not finite, have no normal, or do not rise;
