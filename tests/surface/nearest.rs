@@ -285,6 +285,34 @@ fn any_size_anywhere() {
 }
 
 #[test]
+fn squares_below_the_normal_range() {
+    // In single precision the squares of these distances have no more than a few bits, or none.
+    let grid_of = |unit: f64| {
+        let shape = &SHAPES[0];
+        let [h, w] = shape.cells;
+        let nodes = (0..=h).flat_map(|i| (0..=w).map(move |j| [i % h, j % w]));
+        let point = |[i, j]: [usize; 2]| unit * (shape.point)(i as f64 / h as f64, j as f64 / w as f64);
+        let data: Vec<f64> = nodes.flat_map(|node| point(node).to_array()).collect();
+        Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), [true; 2], Scheme::SixTap).unwrap()
+    };
+    let surface_of = |unit: f64| Surface::new(vec![Sheet::Grid(grid_of(unit))], None, &Job::default()).unwrap();
+    let whole = surface_of(1.0);
+    for exponent in 66..80 {
+        // A power of two: nothing else is rounded.
+        let unit = 2f64.powi(-exponent);
+        let surface = surface_of(unit);
+        let mut random = Random(3);
+        for _ in 0..40 {
+            let query = random.point(1.5);
+            let expected = whole.closest(query, f64::INFINITY).unwrap().distance;
+            let found = surface.closest(unit * query, f64::INFINITY).unwrap();
+            assert!((found.distance / unit - expected).abs() < 1e-8, "{exponent}: {query} {expected} {found:?}");
+            assert!(found.bound <= found.distance && found.proven, "{exponent}: {found:?}");
+        }
+    }
+}
+
+#[test]
 fn questions_that_are_none() {
     let surface = Surface::new(vec![Sheet::Grid(grid(&SHAPES[2]))], None, &Job::default()).unwrap();
     let job = Job::default();

@@ -50,6 +50,10 @@ struct StackedBlock {
     column: u32,
 }
 
+/// No less than a sum of three squares in single precision may be off where they are below its
+/// normal range, and the rounding of what it is compared with: each half of the least number.
+const SUBNORMAL_ERROR: f64 = 2.0 * f32::from_bits(1) as f64;
+
 /// The query for tests of boxes in single precision.
 struct SinglePrecisionQuery {
     /// Relative to the index's origin.
@@ -67,16 +71,17 @@ impl SinglePrecisionQuery {
     }
 
     /// The square that those of boxes farther than `limit` exceed. Sums of three squares are right
-    /// to 2^-22.
+    /// to 2^-22, and to [`SUBNORMAL_ERROR`].
     #[inline(always)]
     fn threshold(&self, limit: f64) -> f32 {
         let distance = (limit + self.rounding) * (1.0 + 2e-6);
-        (distance * distance) as f32
+        (distance * distance + SUBNORMAL_ERROR) as f32
     }
 
     /// The distance that the square of a bound proves.
     fn distance(&self, bound: f32) -> f64 {
-        (f64::from(bound).sqrt() * (1.0 - 2e-6) - self.rounding).max(0.0)
+        let square = (f64::from(bound) - SUBNORMAL_ERROR).max(0.0);
+        (square.sqrt() * (1.0 - 2e-6) - self.rounding).max(0.0)
     }
 }
 
