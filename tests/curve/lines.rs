@@ -59,3 +59,22 @@ fn touches_that_rounding_turned_either_way() {
     let found = zeros(&graph(&y));
     assert!(found.len() == 2 && (found[0] - 0.334_875_299_67).abs() < 1e-7, "{found:?}");
 }
+
+/// A line or a plane is the same whichever of its points is given, however far away.
+#[test]
+fn a_far_point_of_the_line_changes_nothing() {
+    let segment = [DVec3::new(0.0, 3e-4, 0.0), DVec3::new(1.0, 3e-4, 0.0)];
+    let arch = graph(&[-0.25, 1.0, -0.25]);
+    let (arch_ends, ends) = ([0, 2], [0, 1]);
+    let arch = CurveView::new(&arch, &arch_ends, false).unwrap();
+    let near = arch.intersect_line(DVec3::ZERO, DVec3::new(4.0, 3.0, 0.0)).unwrap();
+    assert_eq!(near.places.len(), 2);
+    for far in [1.0, 1e6, 1e9, 1e12, 1e15, 2f64.powi(80), 2f64.powi(200)] {
+        let curve = CurveView::new(&segment, &ends, false).unwrap();
+        let found = curve.intersect_line(DVec3::new(far, 0.0, 0.0), DVec3::X).unwrap();
+        assert!(found.places.is_empty() && found.inside.is_empty(), "{far}: {found:?}");
+        // Aslant, with a point that is exactly on the line.
+        let found = arch.intersect_line(far.floor() * DVec3::new(4.0, 3.0, 0.0), DVec3::new(4.0, 3.0, 0.0)).unwrap();
+        assert_eq!(found, near, "{far}");
+    }
+}

@@ -19,7 +19,7 @@ pub(crate) struct UnitFrame {
 
 /// The power of 2 that brings `x` to 1/2 or more but below 1, or as near to that as a normal number
 /// can.
-fn power_to_one(x: f64) -> f64 {
+pub(crate) fn power_to_one(x: f64) -> f64 {
     let (_, exponent) = libm::frexp(x);
     libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))
 }
@@ -37,6 +37,16 @@ impl UnitFrame {
     /// A point in the frame; the components of those that the frame was made for are at most 1.
     pub(crate) fn point(&self, p: DVec3) -> DVec3 {
         (p * self.coarse - self.origin) * self.fine
+    }
+
+    /// A point in the frame as [`point`](Self::point) rounds it, and what rounding took off.
+    pub(crate) fn point_with_remainder(&self, p: DVec3) -> [DVec3; 2] {
+        let (given, origin) = (p * self.coarse, self.origin);
+        let rounded = given - origin;
+        // Knuth's TwoSum.
+        let back = rounded - given;
+        let remainder = (given - (rounded - back)) - (origin + back);
+        [rounded * self.fine, remainder * self.fine]
     }
 
     pub(crate) fn points(&self, points: &[DVec3]) -> Result<Vec<DVec3>> {

@@ -4,7 +4,7 @@
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::roots;
-use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::unit_frame::{UnitFrame, power_to_one};
 use crate::outline::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use glam::DVec3;
 
@@ -37,21 +37,20 @@ impl CurveView<'_> {
         let largest = normal.abs().max_element();
         Error::require(largest > 0.0, "normal", largest)?;
         let frame = UnitFrame::of(self.points());
+        let level = level(&frame, point, normal);
         let normal = (normal / largest).normalize();
-        let level = normal.dot(frame.point(point));
         let mut found = PlaneIntersections::default();
         // Farther than any point of the curve; not a number where the plane is too far for the
         // frame.
         if level.abs() > 2.0 || level.is_nan() {
             return Ok(found);
         }
-        let rounding = MAX_TOUCH_DISTANCE.max(4.0 * f64::EPSILON * frame.point(point).length());
         for (k, controls) in self.segments().enumerate() {
             let mut heights = [0.0; MAX_DEGREE + 1];
             for (height, &p) in heights.iter_mut().zip(controls) {
                 *height = normal.dot(frame.point(p)) - level;
             }
-            let at = roots(&heights[..controls.len()], rounding);
+            let at = roots(&heights[..controls.len()], MAX_TOUCH_DISTANCE);
             if at.everywhere {
                 alloc::push(&mut found.inside, k as u32)?;
             }
@@ -78,6 +77,30 @@ impl CurveView<'_> {
         }
         self.intersect_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
     }
+}
+
+/// The distance of a plane from the origin of a frame, along its normal, to rounding however far
+/// its point is: the terms of normal . (point - origin) may cancel by any number of digits, so they
+/// are summed without error (Dekker's products, Shewchuk's expansions, 1997).
+fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
+    let normal = normal * power_to_one(normal.abs().max_element());
+    let (mut sum, mut len) = ([0.0; 12], 0);
+    for part in frame.point_with_remainder(point) {
+        for axis in 0..3 {
+            let product = normal[axis] * part[axis];
+            for mut term in [normal[axis].mul_add(part[axis], -product), product] {
+                for digits in &mut sum[..len] {
+                    let rounded = term + *digits;
+                    let back = rounded - term;
+                    *digits = (term - (rounded - back)) + (*digits - back);
+                    term = rounded;
+                }
+                sum[len] = term;
+                len += 1;
+            }
+        }
+    }
+    sum.iter().sum::<f64>() / normal.length()
 }
 
 impl PlaneIntersections {
