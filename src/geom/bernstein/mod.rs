@@ -20,5 +20,7 @@ pub(crate) use casteljau::{
     basis, basis_with_slopes, blossom, derive, elevate, evaluate, evaluate_with_slope, halves, reduce, restrict, split,
     value_and_slope_by_differences,
 };
-pub(crate) use polynomial::{MAX_COEFFICIENTS, MAX_DEGREE, add_product, binomial_row, integral, integral_of_product};
+pub(crate) use polynomial::{
+    MAX_COEFFICIENTS, MAX_DEGREE, add_product, binomial_row, integral, integral_of_product, value_and_slope,
+};
 pub(crate) use roots::{Roots, bisect, bracketed_root, roots, sign_changes};

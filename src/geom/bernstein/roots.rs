@@ -9,8 +9,8 @@
 //! 0. So the rule is asked of f - noise and of f + noise: where the coefficients of neither change
 //! sign more than once, f is within the noise on one interval at most, and otherwise the halving
 //! goes on, however the signs of f itself may be. Intervals where all coefficients are within the
-//! noise and the roots next to them become one root: where the polynomial, or else one of its first
-//! two derivatives, changes its sign, or else the middle. So a root of multiplicity m is found
+//! noise and the roots that adjoin them become one root: where the polynomial, or else one of its
+//! first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is found
 //! once; places that come closer to 0 than the noise without reaching it count as double roots.
 
 use super::casteljau::{derive, halve};
@@ -96,6 +96,10 @@ impl AsMut<[f64]> for Coefficients {
 /// Intervals are not halved beyond this width.
 const MIN_WIDTH: f64 = 1.0 / (1u64 << 48) as f64;
 
+/// Halvings for one polynomial. Its roots need fewer; values that rounding moves to and fro across
+/// the noise would need any number.
+const MAX_HALVINGS: u32 = 20_000;
+
 /// The roots of the polynomial with these coefficients, at least one and at most
 /// [`MAX_COEFFICIENTS`]; values up to `noise`, in absolute terms, are taken for 0. O(n^2) for each
 /// halving; a simple root takes about log2 of 1 over its distance from the next one, a root of
@@ -122,7 +126,8 @@ pub(crate) fn roots(c: &[f64], noise: f64) -> Roots {
     {
         return found;
     }
-    let mut search = RootIsolation { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0 };
+    let mut search =
+        RootIsolation { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0, halvings_left: MAX_HALVINGS };
     bisect(&mut Coefficients::of(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
     for &(low, high) in &search.clusters[..search.len] {
         found.push(search.centre(low, high));
@@ -178,6 +183,7 @@ struct RootIsolation<'a> {
     /// From where to where the polynomial is as good as 0: a point for most roots.
     clusters: [(f64, f64); MAX_COEFFICIENTS],
     len: usize,
+    halvings_left: u32,
 }
 
 impl RootIsolation<'_> {
@@ -191,10 +197,13 @@ impl RootIsolation<'_> {
         }
         let changes = |level: f64| sign_changes(c.iter().map(|&x| x > level));
         if changes(noise).max(changes(-noise)) > 1 {
-            if high - low <= MIN_WIDTH {
+            let decides = high - low <= MIN_WIDTH || self.halvings_left == 0;
+            if decides {
                 self.add(low, high);
+            } else {
+                self.halvings_left -= 1;
             }
-            return high - low > MIN_WIDTH;
+            return !decides;
         }
         // Where the polynomial is within the noise is one interval at most: about a crossing, or at
         // an end.
@@ -210,13 +219,12 @@ impl RootIsolation<'_> {
         false
     }
 
-    /// Adds a root, or an interval of them, after all others; one that the noise does not separate
-    /// from the last is the same.
+    /// Adds a root, or an interval of them, after all others. Where the polynomial is within the
+    /// noise at the end of one interval, it is so at the start of the next: both are the same root.
     fn add(&mut self, low: f64, high: f64) {
         if self.len > 0 {
             let last = &mut self.clusters[self.len - 1];
-            let between = value_and_slope(self.c, 0.5 * (last.1 + low)).0;
-            if low <= last.1 || between.abs() <= self.noise {
+            if low <= last.1 {
                 last.1 = last.1.max(high);
                 return;
             }

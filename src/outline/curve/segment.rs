@@ -1,6 +1,6 @@
 //! One Bézier segment by its control points: points, derivatives, parts.
 
-use crate::geom::bernstein::{self, MAX_COEFFICIENTS, Roots, add_product, roots};
+use crate::geom::bernstein::{self, MAX_COEFFICIENTS, Roots, add_product, roots, value_and_slope};
 use glam::DVec3;
 use std::ops::{Deref, DerefMut};
 
@@ -62,26 +62,65 @@ pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
     controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
 }
 
-/// The parameters at which the distance from `q` is stationary: the roots of (C - q) . C', of
-/// degree 2 n - 1. Multiple ones are no minima that matter: what rounding may have made counts as
-/// 0.
-pub(crate) fn stationary_points(controls: &[DVec3], q: DVec3) -> Roots {
-    let n = controls.len() - 1;
-    let mut product = [0.0; MAX_COEFFICIENTS];
-    let product = &mut product[..2 * n];
-    for axis in 0..3 {
-        let (mut place, mut step) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE]);
-        for (to, p) in place.iter_mut().zip(controls) {
-            *to = p[axis] - q[axis];
-        }
-        for (to, pair) in step.iter_mut().zip(controls.windows(2)) {
-            *to = pair[1][axis] - pair[0][axis];
-        }
-        add_product(&place[..=n], &step[..n], 1.0, product);
-    }
-    let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    roots(product, 4.0 * f64::EPSILON * largest)
+/// (C - q) . C' / n of a segment C of degree n, half the derivative of the squared distance from
+/// `q` but for that factor: a polynomial of degree 2 n - 1.
+pub(crate) struct DistanceSlope {
+    coefficients: [f64; MAX_COEFFICIENTS],
+    len: usize,
+    /// What rounding may have made of 0.
+    rounding_error: f64,
 }
+
+impl DistanceSlope {
+    pub(crate) fn new(controls: &[DVec3], q: DVec3) -> Self {
+        let n = controls.len() - 1;
+        let mut coefficients = [0.0; MAX_COEFFICIENTS];
+        let product = &mut coefficients[..2 * n];
+        for axis in 0..3 {
+            let (mut place, mut step) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE]);
+            for (to, p) in place.iter_mut().zip(controls) {
+                *to = p[axis] - q[axis];
+            }
+            for (to, pair) in step.iter_mut().zip(controls.windows(2)) {
+                *to = pair[1][axis] - pair[0][axis];
+            }
+            add_product(&place[..=n], &step[..n], 1.0, product);
+        }
+        let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        DistanceSlope { coefficients, len: 2 * n, rounding_error: 4.0 * f64::EPSILON * largest }
+    }
+
+    fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..self.len]
+    }
+
+    /// Where the distance is stationary; of an interval where that cannot be told from rounding,
+    /// one place.
+    pub(crate) fn roots(&self) -> Roots {
+        roots(self.coefficients(), self.rounding_error)
+    }
+
+    /// The interval round a root where the slope cannot be told from 0, or up to twice as much to
+    /// either side; `None` for a root that stands out. Near a singular point, where C' is small
+    /// too, it may be long and the distance least anywhere in it.
+    pub(crate) fn flat_interval(&self, root: f64) -> Option<[f64; 2]> {
+        let slope = |t: f64| value_and_slope(self.coefficients(), t);
+        if slope(root).1.abs() * MAX_ROOT_ERROR > self.rounding_error {
+            return None;
+        }
+        let end = |sign: f64| {
+            let mut step = MAX_ROOT_ERROR;
+            while step < 1.0 && slope((root + sign * step).clamp(0.0, 1.0)).0.abs() <= self.rounding_error {
+                step *= 2.0;
+            }
+            (root + sign * step).clamp(0.0, 1.0)
+        };
+        Some([end(-1.0), end(1.0)])
+    }
+}
+
+/// Roots that rounding moves farther do not stand out.
+const MAX_ROOT_ERROR: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// The control points of a segment of any degree, kept in place: no allocation.
 #[derive(Clone, Copy)]

@@ -4,7 +4,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::{Roots, bracketed_root};
 use crate::job::Job;
-use crate::outline::curve::segment::{self, SegmentBuffer, stationary_points};
+use crate::outline::curve::segment::{self, DistanceSlope, SegmentBuffer};
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place};
 use glam::DVec3;
@@ -127,7 +127,7 @@ impl Arc {
     fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
         let mut velocity = frame.segment(controls);
         velocity.derive();
-        let turns = if velocity.len() > 2 { stationary_points(&velocity, DVec3::ZERO) } else { Roots::new() };
+        let turns = if velocity.len() > 2 { DistanceSlope::new(&velocity, DVec3::ZERO).roots() } else { Roots::new() };
         Arc { velocity, turns }
     }
 

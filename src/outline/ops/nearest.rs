@@ -1,15 +1,16 @@
 //! The point of a curve that is nearest to a given one.
 //!
 //! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for
-//! the quadratic a cubic with a closed form. Segments whose boxes are farther than the best so far
-//! are passed over, so the result is the nearest point of all.
+//! the quadratic a cubic with a closed form. Near a singular point C' vanishes too, and rounding
+//! hides the root in an interval: there the distance itself is minimised. Segments whose boxes are
+//! farther than the best so far are passed over, so the result is the nearest point of all.
 
 use super::cubic;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
-use crate::outline::curve::segment::{self, stationary_points};
+use crate::outline::curve::segment::{self, DistanceSlope};
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place, check_finite};
 use crate::par;
@@ -207,34 +208,112 @@ impl<'a> CurveSetSearch<'a> {
 
 /// The parameter of the nearest point of one segment, and the square of its distance.
 pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
-    let mut best = (0.0, controls[0].distance_squared(q));
-    let mut offer = |t: f64| {
-        let distance = segment::point(controls, t).distance_squared(q);
-        if distance < best.1 {
-            best = (t, distance);
-        }
-    };
-    offer(1.0);
-    match *controls {
-        [a, b] => {
-            let along = b - a;
-            let t = (q - a).dot(along) / along.length_squared();
-            if t > 0.0 && t < 1.0 {
-                offer(t);
-            }
-            return best;
-        }
-        [a, b, c] => {
-            // C - q = w t^2 + 2 u t + r: half of its product with its derivative is this cubic.
-            let (r, u, w) = (a - q, b - a, (c - b) - (b - a));
-            let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
-            if let Some((found, count)) = cubic {
-                found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t));
-                return best;
-            }
-        }
-        _ => {}
+    let mut best = Best { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
+    best.offer(1.0);
+    best.offer_inner();
+    (best.t, best.squared)
+}
+
+/// Samples of an interval where the slope of the distance is rounding; the least one and its
+/// neighbours bracket a least distance.
+const FLAT_SAMPLES: usize = 32;
+/// By how much a place of such an interval must be nearer than others, relative to the square.
+const MIN_GAIN: f64 = 1e-12;
+
+/// The nearest point of a segment so far.
+struct Best<'a> {
+    controls: &'a [DVec3],
+    q: DVec3,
+    t: f64,
+    squared: f64,
+}
+
+impl Best<'_> {
+    fn squared_distance(&self, t: f64) -> f64 {
+        segment::point(self.controls, t).distance_squared(self.q)
     }
-    stationary_points(controls, q).as_slice().iter().for_each(|&t| offer(t));
-    best
+
+    fn offer(&mut self, t: f64) {
+        let squared = self.squared_distance(t);
+        if squared < self.squared {
+            (self.t, self.squared) = (t, squared);
+        }
+    }
+
+    /// Offers the places between the ends where the distance is stationary.
+    fn offer_inner(&mut self) {
+        match *self.controls {
+            [a, b] => {
+                let along = b - a;
+                let t = (self.q - a).dot(along) / along.length_squared();
+                if t > 0.0 && t < 1.0 {
+                    self.offer(t);
+                }
+                return;
+            }
+            [a, b, c] => {
+                // C - q = w t^2 + 2 u t + r: half of its product with its derivative is this cubic.
+                let (r, u, w) = (a - self.q, b - a, (c - b) - (b - a));
+                let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
+                if let Some((found, count)) = cubic {
+                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer(t));
+                    return;
+                }
+            }
+            _ => {}
+        }
+        let slope = DistanceSlope::new(self.controls, self.q);
+        let roots = slope.roots();
+        roots.as_slice().iter().for_each(|&t| self.offer(t));
+        let size = self.controls.iter().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
+        let mut searched = 0.0;
+        for &t in roots.as_slice() {
+            // What is on the curve within rounding, no place is nearer to.
+            if t >= searched && self.squared > (4.0 * f64::EPSILON * size).powi(2) {
+                if let Some(flat) = slope.flat_interval(t) {
+                    self.search(flat);
+                    searched = flat[1];
+                }
+            }
+        }
+    }
+
+    /// Minimises the distance itself over an interval, by samples and the golden section round
+    /// those that are least among their neighbours.
+    fn search(&mut self, [low, high]: [f64; 2]) {
+        let at = |k: usize| low + (high - low) * (k.min(FLAT_SAMPLES) as f64 / FLAT_SAMPLES as f64);
+        let squares: [f64; FLAT_SAMPLES + 1] = std::array::from_fn(|k| self.squared_distance(at(k)));
+        for k in 0..=FLAT_SAMPLES {
+            let (before, after) = (k.saturating_sub(1), (k + 1).min(FLAT_SAMPLES));
+            if squares[k] <= squares[before] && squares[k] <= squares[after] {
+                let t = golden_section([at(before), at(after)], |t| self.squared_distance(t));
+                for t in [t, at(k)] {
+                    let squared = self.squared_distance(t);
+                    if squared < self.squared * (1.0 - MIN_GAIN) {
+                        (self.t, self.squared) = (t, squared);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where a function with one minimum between two ends is least.
+fn golden_section([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    const RATIO: f64 = 0.618_033_988_749_894_9;
+    let (mut x, mut y) = (high - RATIO * (high - low), low + RATIO * (high - low));
+    let (mut fx, mut fy) = (f(x), f(y));
+    // 0.618^80 < 2^-53.
+    for _ in 0..80 {
+        if fx <= fy {
+            (high, y, fy) = (y, x, fx);
+            x = high - RATIO * (high - low);
+            fx = f(x);
+        } else {
+            (low, x, fx) = (x, y, fy);
+            y = low + RATIO * (high - low);
+            fy = f(y);
+        }
+    }
+    0.5 * (low + high)
 }
