@@ -124,15 +124,15 @@ pub(crate) struct UnresolvedCluster {
 const GROWTH: f64 = 1.000_001;
 
 impl UnresolvedBox {
-    fn touches(&self, other: &UnresolvedBox) -> bool {
+    pub(crate) fn touches(&self, other: &UnresolvedBox) -> bool {
         let gap = (self.middle - other.middle).abs() - GROWTH * (self.half + other.half);
         gap.max_element() <= 0.0
     }
 }
 
-/// Adds the clusters of boxes, by their first box. O(n log n + pairs that overlap along the first
-/// parameter).
-pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedCluster>) -> Result<()> {
+/// Adds the clusters of boxes, by their first box, and returns the place of each box's cluster among
+/// them. O(n log n + pairs that overlap along the first parameter).
+pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedCluster>) -> Result<Vec<u32>> {
     // A sweep along the first parameter finds the pairs; each tree of the forest has its first box
     // as its root.
     let ends = |k: u32| {
@@ -154,8 +154,7 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
         }
         active.push(k);
     }
-    // By index: `cluster_of` holds where in `clusters` the root of a box is.
-    let cluster_of = &mut order;
+    let mut cluster_of = order;
     for (k, part) in boxes.iter().enumerate() {
         let (low, high) = (part.middle - part.half, part.middle + part.half);
         let root = sets.find(k as u32) as usize;
@@ -163,14 +162,15 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
             cluster_of[k] = clusters.len() as u32;
             alloc::push(clusters, UnresolvedCluster { best: *part, low, high })?;
         } else {
-            let cluster = &mut clusters[cluster_of[root] as usize];
+            cluster_of[k] = cluster_of[root];
+            let cluster = &mut clusters[cluster_of[k] as usize];
             if part.residual < cluster.best.residual {
                 cluster.best = *part;
             }
             (cluster.low, cluster.high) = (cluster.low.min(low), cluster.high.max(high));
         }
     }
-    Ok(())
+    Ok(cluster_of)
 }
 
 #[cfg(test)]
@@ -258,7 +258,7 @@ mod tests {
             part(2.0, 1.0, 5.0),
         ];
         let mut clusters = Vec::new();
-        cluster(&boxes, &mut clusters).unwrap();
+        assert_eq!(cluster(&boxes, &mut clusters).unwrap(), [0, 1, 0, 0, 0, 0]);
         assert_eq!(clusters.len(), 2);
         assert_eq!((clusters[0].best.middle, clusters[0].best.residual), (boxes[2].middle, 1.0));
         assert_eq!((clusters[0].low, clusters[0].high), (DVec3::new(-0.5, -0.5, 0.0), DVec3::new(2.5, 2.5, 0.0)));

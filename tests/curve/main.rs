@@ -4,6 +4,7 @@ mod construct;
 mod curves;
 mod intersect;
 mod lines;
+mod near;
 mod ops;
 mod outline;
 mod outline_data;

@@ -12,7 +12,7 @@
 //!   least distance. All by bounds over the control points.
 //!
 //! Parts that run beside each other have no such proof: those left at the least size are clustered
-//! into overlaps, if they are near enough.
+//! into overlaps, if the distance is least there and near enough.
 //!
 //! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved; the
 //! bounds of slopes and Hessian are ours. Cost: at most [`MAX_PAIRS`] pairs of parts for two
@@ -64,12 +64,39 @@ const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
 const MAX_PAIRS: usize = 20_000;
 /// Places whose parameters differ by less are one.
 const SAME_PARAMETER: f64 = 1e-7;
+/// Descents along one valley end no farther apart than this, in the parameters.
+const SAME_VALLEY: f64 = 1e-5;
+/// Slopes below this, relative to the size of the segment and the distance, are rounding.
+const SLOPE_ROUNDING: f64 = 1e-12;
+/// The slope, relative likewise, below which a descent has come to rest: along a valley the distance
+/// itself is rounding sooner than its slope.
+const MAX_SLOPE: f64 = 1e-6;
+/// The least determinant of the Hessian, relative to the product of its diagonal, where the distance
+/// has one least place and not a flat valley of them.
+const MIN_BEND: f64 = 1e-12;
 
 /// A least distance, in the frame; the places as numbers, segment and parameter added.
 #[derive(Clone, Copy)]
 struct Minimum {
     at: DVec2,
     distance: f64,
+}
+
+/// A cluster of unresolved pairs: the least distance that it leads down to, and its box, as numbers.
+struct Valley {
+    minimum: Minimum,
+    low: DVec2,
+    high: DVec2,
+    /// Whether the least distance is among the pairs.
+    has_minimum: bool,
+}
+
+/// Where a descent ended.
+struct Descent {
+    at: DVec2,
+    /// From the second point to the first.
+    gap: DVec3,
+    gradient: DVec2,
 }
 
 impl CurveView<'_> {
@@ -188,58 +215,129 @@ impl NearMissSearch<'_> {
     /// enough.
     fn add_local_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
         let [low, high] = corners(&pair);
-        let (at, gradient) = minimise_distance(whole, 0.5 * (low + high), low, high);
-        let gap = segment::point(whole[0], at.x) - segment::point(whole[1], at.y);
-        for k in 0..2 {
+        let descent = minimise_distance(whole, 0.5 * (low + high), low, high);
+        let distance = descent.gap.length();
+        if distance <= self.within && !self.goes_on_beyond(whole, numbers, &descent, low, high) {
+            alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + descent.at, distance })?;
+        }
+        Ok(())
+    }
+
+    /// Whether a descent ended where the box does and the distance of the curves falls on beyond.
+    fn goes_on_beyond(
+        &self,
+        whole: [&[DVec3]; 2],
+        numbers: [usize; 2],
+        &Descent { at, gap, gradient }: &Descent,
+        low: DVec2,
+        high: DVec2,
+    ) -> bool {
+        (0..2).any(|k| {
             let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
             let falls = if at_low { gradient[k] } else { -gradient[k] };
-            let size = || Aabb::of(whole[k]).size().max_element();
-            if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= 1e-12 * size() * gap.length() {
-                continue;
+            let slope_rounding = || SLOPE_ROUNDING * Aabb::of(whole[k]).size().max_element() * gap.length();
+            if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= slope_rounding() {
+                return false;
             }
             // At an inner end of a part the next part has it; at a joint the next segment, if it
             // goes down there.
             let at_joint = at[k] == 0.0 || at[k] == 1.0;
             let sign = if k == 0 { 1.0 } else { -1.0 };
             let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
-            if !at_joint || leg_beyond(&self.sides[k], numbers[k], at_high).is_some_and(goes_on) {
-                return Ok(());
+            !at_joint || leg_beyond(&self.sides[k], numbers[k], at_high).is_some_and(goes_on)
+        })
+    }
+
+    /// The least distance to which an unresolved pair leads, wherever it is on the two segments;
+    /// `None` if the distance falls on beyond them, or the descent did not come to rest.
+    fn minimum_below(&mut self, start: &UnresolvedBox) -> Option<Minimum> {
+        let middle = start.middle.truncate();
+        let numbers = [0, 1].map(|k| (middle[k].max(0.0) as usize).min(self.sides[k].len() - 1));
+        let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
+        let (low, high) = (DVec2::ZERO, DVec2::ONE);
+        let descent = minimise_distance(whole, middle - number_of(numbers), low, high);
+        let distance = descent.gap.length();
+        if self.goes_on_beyond(whole, numbers, &descent, low, high) {
+            return None;
+        }
+        let at_rest = distance <= ROUNDING
+            || (0..2).all(|k| {
+                let size = Aabb::of(whole[k]).size().max_element();
+                let inside = descent.at[k] > 0.0 && descent.at[k] < 1.0;
+                !inside || descent.gradient[k].abs() <= MAX_SLOPE * size * distance
+            });
+        self.undecided |= !at_rest && distance <= self.within;
+        at_rest.then_some(Minimum { at: number_of(numbers) + descent.at, distance })
+    }
+
+    /// Whether the distance rises to all sides of a least one by more than rounding, within the
+    /// segments.
+    fn stands_out(&self, minimum: &Minimum) -> bool {
+        let numbers = [0, 1].map(|k| (minimum.at[k] as usize).min(self.sides[k].len() - 1));
+        let at = minimum.at - number_of(numbers);
+        let [a, b] = [0, 1].map(|k| jet::<3>(self.sides[k].segment(numbers[k]), at[k]));
+        let gap = a[0] - b[0];
+        let (x, y) = (a[1].length_squared() + gap.dot(a[2]), b[1].length_squared() - gap.dot(b[2]));
+        let mixed = a[1].dot(b[1]);
+        x > 0.0 && y > 0.0 && x * y - mixed * mixed > MIN_BEND * x * y
+    }
+
+    /// Adds the clusters of unresolved pairs as overlaps, with their least distances: descents begin
+    /// at every pair that is nearer than those that touch it. Clusters that lead down to the same
+    /// place are parts of one valley, and one overlap; where that place is in none of them, they are
+    /// slopes towards a place that was proved.
+    fn add_overlaps(&mut self, place: impl Fn(usize, f64) -> Place, overlaps: &mut Vec<Overlap>) -> Result<()> {
+        let mut unresolved = std::mem::take(&mut self.unresolved);
+        unresolved.sort_by(|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
+        let mut clusters = Vec::new();
+        let cluster_of = cluster(&unresolved, &mut clusters)?;
+        let mut valleys = Vec::new();
+        for (k, start) in unresolved.iter().enumerate() {
+            if !is_lowest(&unresolved, k) {
+                continue;
+            }
+            if let Some(minimum) = self.minimum_below(start)
+                && minimum.distance <= self.within
+            {
+                let UnresolvedCluster { best, low, high } = clusters[cluster_of[k] as usize];
+                // Along a flat valley rounding makes many, of which the cluster's best is one.
+                if best.middle != start.middle && !self.stands_out(&minimum) {
+                    continue;
+                }
+                let (low, high, reach) = (low.truncate(), high.truncate(), 2.0 * start.half.truncate());
+                let inside = minimum.at.cmpge(low - reach).all() && minimum.at.cmple(high + reach).all();
+                alloc::push(&mut valleys, Valley { minimum, low, high, has_minimum: inside })?;
             }
         }
-        if gap.length() > self.within {
-            return Ok(());
+        valleys.sort_by(|x, y| by_places(x.minimum.at.into(), y.minimum.at.into()));
+        let same = |x: &Valley, y: &Valley| (x.minimum.at - y.minimum.at).abs().max_element() <= SAME_VALLEY;
+        for valley in valleys.chunk_by(same) {
+            if let Some(holder) = valley.iter().find(|part| part.has_minimum) {
+                alloc::push(&mut self.minima, holder.minimum)?;
+                let low = valley.iter().fold(holder.low, |low, part| low.min(part.low));
+                let high = valley.iter().fold(holder.high, |high, part| high.max(part.high));
+                let ends = |k: usize| [place(k, low[k]), place(k, high[k])];
+                alloc::push(overlaps, Overlap { a: ends(0), b: ends(1) })?;
+            }
         }
-        alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance: gap.length() })
+        overlaps.sort_by(|x, y| {
+            let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
+            by_places(start(x), start(y))
+        });
+        overlaps.dedup();
+        Ok(())
     }
 
     /// Clusters the unresolved pairs, sorts, and merges repeats.
     fn finish(mut self, frame: &UnitFrame) -> Result<NearMisses> {
-        let mut found = NearMisses { undecided: self.undecided, ..NearMisses::default() };
+        let mut found = NearMisses::default();
         let sides = self.sides;
         let place = |k: usize, at: f64| {
             let segment = (at.max(0.0) as usize).min(sides[k].len() - 1);
             Place { segment: segment as u32, t: (at - segment as f64).clamp(0.0, 1.0) }
         };
-        self.unresolved.sort_by(|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
-        let mut clusters = Vec::new();
-        cluster(&self.unresolved, &mut clusters)?;
-        for UnresolvedCluster { best, low, high } in clusters {
-            let places = [place(0, best.middle.x), place(1, best.middle.y)];
-            let numbers = places.map(|place| place.segment as usize);
-            let whole = [0, 1].map(|k| sides[k].segment(numbers[k]));
-            let start = DVec2::new(places[0].t, places[1].t);
-            let reach = 2.0 * best.half.truncate();
-            let (at, _) =
-                minimise_distance(whole, start, (start - reach).max(DVec2::ZERO), (start + reach).min(DVec2::ONE));
-            let distance = segment::point(whole[0], at.x).distance(segment::point(whole[1], at.y));
-            if distance <= self.within {
-                alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance })?;
-                let ends = |k: usize| [place(k, low[k]), place(k, high[k])];
-                alloc::push(&mut found.overlaps, Overlap { a: ends(0), b: ends(1) })?;
-            } else if best.residual <= self.within {
-                found.undecided = true;
-            }
-        }
+        self.add_overlaps(place, &mut found.overlaps)?;
+        found.undecided = self.undecided;
         let periods = sides.map(|curve| curve.period());
         sort_distinct(&mut self.minima, |found| found.at.to_array(), periods, SAME_PARAMETER);
         found.places = alloc::collect(self.minima.iter().map(|found| {
@@ -258,6 +356,17 @@ fn corners([p, q]: &[Part; 2]) -> [DVec2; 2] {
 /// The numbers of two segments, for places as numbers.
 fn number_of(numbers: [usize; 2]) -> DVec2 {
     DVec2::new(numbers[0] as f64, numbers[1] as f64)
+}
+
+/// Whether no pair that touches one, of pairs sorted by their places, is nearer; of equally near
+/// ones the first counts as nearer.
+fn is_lowest(pairs: &[UnresolvedBox], k: usize) -> bool {
+    let own = &pairs[k];
+    let reach = own.half.x + MIN_PART_LENGTH;
+    let near = |other: &&UnresolvedBox| (other.middle.x - own.middle.x).abs() <= reach;
+    let (mut before, mut after) = (pairs[..k].iter().rev().take_while(near), pairs[k + 1..].iter().take_while(near));
+    !before.any(|other| other.residual <= own.residual && other.touches(own))
+        && !after.any(|other| other.residual < own.residual && other.touches(own))
 }
 
 /// The mean of the derivative of an order over a part, n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n
@@ -322,9 +431,8 @@ fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     (convex || at_end).then_some(1)
 }
 
-/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton; the place and
-/// the gradient there.
-fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, DVec2) {
+/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton.
+fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> Descent {
     let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
     let (mut a, mut b) = jets(at);
@@ -354,8 +462,23 @@ fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2
             let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
             lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))
         };
-        let steps = [full, gauss.map(|x| 1.000_001 * x), gauss.map(|x| 1.2 * x)].into_iter().filter_map(solve);
-        let next = steps.filter(|step| step.is_finite()).flat_map(shorter).find_map(|there| {
+        // A step that leaves the box ends where its model is least on the side that it leaves by: a
+        // narrow valley that runs on beyond leads there and not to the nearest point of the box.
+        let along_sides = |step: DVec2, [x, y]: [f64; 2]| {
+            let ahead = at - step;
+            let end = ahead.clamp(low, high);
+            let moved = end - at;
+            let sides = [
+                DVec2::new(end.x, at.y - (gradient.y + mixed * moved.x) / y),
+                DVec2::new(at.x - (gradient.x + mixed * moved.y) / x, end.y),
+            ];
+            (0..2).filter(move |&k| end[k] != ahead[k]).map(move |k| sides[k].clamp(low, high))
+        };
+        let free = !held(0) && !held(1);
+        let models = [full, gauss.map(|x| 1.000_001 * x), gauss.map(|x| 1.2 * x)];
+        let steps = models.into_iter().filter_map(|model| Some((solve(model)?, model)));
+        let places = steps.flat_map(|(step, model)| along_sides(step, model).filter(|_| free).chain(shorter(step)));
+        let next = places.filter(|there| there.is_finite()).find_map(|there| {
             let (p, q) = jets(there);
             let down = there != at && p[0].distance_squared(q[0]) < gap.length_squared();
             down.then_some((there, p, q))
@@ -363,5 +486,5 @@ fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2
         let Some((there, p, q)) = next else { break };
         (at, a, b) = (there, p, q);
     }
-    (at, slope(&a, &b))
+    Descent { at, gap: a[0] - b[0], gradient: slope(&a, &b) }
 }
