@@ -6367,7 +6367,7 @@ gusset_status gusset_context_get_report(const struct gusset_context *context,
 /**
  * Makes a curve from its control points.
  *
- * Degrees are 1 to 64.
+ * Degrees are 1 to 64; coordinates any finite numbers.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param points x, y of each control point, or x, y, z, packed.
@@ -6911,7 +6911,8 @@ gusset_status gusset_curve_curvatures(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
- * @param points x, y, z of each, packed, count of them.
+ * @param points x, y, z of each, packed, count of them; any finite numbers. A distance above the
+ *     largest number is infinite.
  * @param count see points.
  * @param[out] out receives count results.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE,

@@ -128,7 +128,8 @@ pub unsafe extern "C" fn gusset_curve_curvatures(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
-/// @param points x, y, z of each, packed, count of them.
+/// @param points x, y, z of each, packed, count of them; any finite numbers. A distance above the
+///     largest number is infinite.
 /// @param count see points.
 /// @param[out] out receives count results.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE,

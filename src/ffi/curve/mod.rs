@@ -93,7 +93,7 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 
 /// Makes a curve from its control points.
 ///
-/// Degrees are 1 to 64.
+/// Degrees are 1 to 64; coordinates any finite numbers.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points x, y of each control point, or x, y, z, packed.
