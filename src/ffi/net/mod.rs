@@ -172,7 +172,8 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NET_TOO_SMALL, TOO_LARGE,
 ///     UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with
 ///     the seam, CROSSING_CELL with the cell, OUT_OF_MEMORY.
-/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it all.
+/// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 where sides do not say it
+/// all.
 /// @source Deryagin, "Model of the tetragonal regular network".
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -196,7 +197,8 @@ pub unsafe extern "C" fn gusset_net_create(
 /// @param[out] net receives the result, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_net_create; also MISALIGNED_ARGUMENT,
 ///     NULL_ARGUMENT, OVERLAP.
-/// @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a node, or 1/4 byte.
+/// @complexity O(nodes + pairs of seams) if there are a matrix or seams, else O(1); no memory a
+/// node, or 1/4 byte.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

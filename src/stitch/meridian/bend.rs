@@ -23,8 +23,8 @@ pub(super) type Normals = [DVec3; 2];
 
 impl<'a> Bends<'a> {
     /// `tie`: see [`tie_break`].
-    pub(super) fn new(rails: &RimPair<'a>, tie: f64) -> Self {
-        let &RimPair { a, b, sides, .. } = rails;
+    pub(super) fn new(rims: &RimPair<'a>, tie: f64) -> Self {
+        let &RimPair { a, b, sides, .. } = rims;
         Bends { a, b, sides, tie }
     }
 
@@ -60,8 +60,8 @@ impl<'a> Bends<'a> {
 
 /// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and
 /// round-off would choose: on the paper's own strip they come to 2^-20 of the meridians' lengths.
-pub(super) fn tie_break(rails: &RimPair<'_>, paper: &[Pair]) -> f64 {
-    let squared = |&[i, j]: &Pair| rails.a[i as usize].distance_squared(rails.b[j as usize]);
+pub(super) fn tie_break(rims: &RimPair<'_>, paper: &[Pair]) -> f64 {
+    let squared = |&[i, j]: &Pair| rims.a[i as usize].distance_squared(rims.b[j as usize]);
     let (lengths, squares) =
         paper.iter().map(squared).fold((0.0, 0.0), |(lengths, squares), s| (lengths + s.sqrt(), squares + s));
     if squares > 0.0 { 0.5f64.powi(20) * lengths / squares } else { 0.0 }

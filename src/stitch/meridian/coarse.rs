@@ -28,27 +28,27 @@ const MAX_HALF_BAND: usize = 512;
 const NODES_PER_BORDER_NODE: usize = 128;
 
 /// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice
-/// of some rails, the given ones thinned out. Time and memory: the search of about
+/// of some rims, the given ones thinned out. Time and memory: the search of about
 /// (2 HALF_BAND + 1) (N + M) nodes, and half as many, and so on.
 pub(super) fn coarse_to_fine(
-    rails: &RimPair<'_>,
+    rims: &RimPair<'_>,
     search: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
-    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+    let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     if (n + 1) * (m + 1) <= MAX_COARSEST_NODES || (n < MIN_SEGMENTS && m < MIN_SEGMENTS) {
-        return search(rails, &Band::full(n, m)?, job);
+        return search(rims, &Band::full(n, m)?, job);
     }
-    let (kept_a, kept_b) = (thinned(rails.a)?, thinned(rails.b)?);
+    let (kept_a, kept_b) = (thinned(rims.a)?, thinned(rims.b)?);
     let points = |all: &[DVec3], kept: &[u32]| alloc::collect(kept.iter().map(|&i| all[i as usize]));
-    let (a, b) = (points(rails.a, &kept_a)?, points(rails.b, &kept_b)?);
-    let sides = match rails.sides {
+    let (a, b) = (points(rims.a, &kept_a)?, points(rims.b, &kept_b)?);
+    let sides = match rims.sides {
         Some([side_a, side_b]) => Some([thinned_sides(side_a, &kept_a)?, thinned_sides(side_b, &kept_b)?]),
         None => None,
     };
     // A forbidden meridian forbids nothing in the large.
     let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
-    let coarse = RimPair { a: &a, b: &b, closed: rails.closed, forbidden: &[], sides };
+    let coarse = RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], sides };
     let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
@@ -57,7 +57,7 @@ pub(super) fn coarse_to_fine(
     let (mut width, mut done) = (HALF_BAND, 0.4);
     loop {
         let until = (1.0 + done) / 2.0;
-        let found = search(rails, &band, &job.part(done, until))?;
+        let found = search(rims, &band, &job.part(done, until))?;
         (width, done) = (4 * width, until);
         match found {
             // Where the path runs along the border of the band, a better one may be beyond.
@@ -74,7 +74,7 @@ pub(super) fn coarse_to_fine(
                 }
             }
             // Where forbidden meridians close the band, the way is farther out.
-            None if !rails.forbidden.is_empty() && width < 4 * n.max(m) => band = Band::around(&path, n, m, width)?,
+            None if !rims.forbidden.is_empty() && width < 4 * n.max(m) => band = Band::around(&path, n, m, width)?,
             None => return Ok(None),
         }
     }

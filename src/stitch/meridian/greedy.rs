@@ -8,20 +8,20 @@ use glam::DVec3;
 
 /// Both rims are laid out on a segment by their arc lengths, and walked at the same pace: the next
 /// step is on the rim whose next vertex comes first, on A if both come at once. O(N + M).
-pub(super) fn by_arc_length(rails: &RimPair<'_>) -> Result<Vec<Pair>> {
-    let (along_a, along_b) = (parameters(rails.a)?, parameters(rails.b)?);
-    walk(rails, |i, j| along_a[i + 1] <= along_b[j + 1])
+pub(super) fn by_arc_length(rims: &RimPair<'_>) -> Result<Vec<Pair>> {
+    let (along_a, along_b) = (parameters(rims.a)?, parameters(rims.b)?);
+    walk(rims, |i, j| along_a[i + 1] <= along_b[j + 1])
 }
 
 /// The next step is the one to the shorter meridian, on A if both are equal. O(N + M).
-pub(super) fn greedily(rails: &RimPair<'_>) -> Result<Vec<Pair>> {
-    let (a, b) = (rails.a, rails.b);
-    walk(rails, |i, j| a[i + 1].distance_squared(b[j]) <= a[i].distance_squared(b[j + 1]))
+pub(super) fn greedily(rims: &RimPair<'_>) -> Result<Vec<Pair>> {
+    let (a, b) = (rims.a, rims.b);
+    walk(rims, |i, j| a[i + 1].distance_squared(b[j]) <= a[i].distance_squared(b[j + 1]))
 }
 
 /// Walks from (0, 0) to (N, M); `on_a` chooses while there is a choice.
-fn walk(rails: &RimPair<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<Pair>> {
-    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+fn walk(rims: &RimPair<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<Pair>> {
+    let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     let mut pairs = alloc::with_capacity(n + m + 1)?;
     let (mut i, mut j) = (0, 0);
     pairs.push([0, 0]);

@@ -30,16 +30,16 @@ const STEP_BOTH: u8 = 2;
 ///
 /// Time: the number of nodes in the band. Extra memory: one byte a node for at most 2^26 nodes, and
 /// 8 bytes a node of the first row of each further block of so many.
-pub(super) fn cheapest(rails: &RimPair<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
+pub(super) fn cheapest(rims: &RimPair<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (band.last_row(), band.last_column());
     let blocks = band.blocks(MAX_ARRIVALS)?;
     let largest = blocks.iter().map(|rows| band.nodes(rows.clone())).max().unwrap_or(0);
     let mut arrivals = alloc::filled(0u8, largest)?;
     let mut table = Table {
-        rails,
+        rims,
         metric,
         band,
-        line: Line::new(rails.b)?,
+        line: Line::new(rims.b)?,
         steps: StepCosts::new(m + 1)?,
         cost: alloc::filled(f64::INFINITY, m + 1)?,
     };
@@ -84,7 +84,7 @@ pub(super) fn cheapest(rails: &RimPair<'_>, metric: Metric, band: &Band, job: &J
 }
 
 struct Table<'a> {
-    rails: &'a RimPair<'a>,
+    rims: &'a RimPair<'a>,
     metric: Metric,
     band: &'a Band,
     line: Line,
@@ -96,8 +96,8 @@ struct Table<'a> {
 impl Table<'_> {
     fn measure(&mut self, i: usize) {
         let columns = self.band.columns(i);
-        self.metric.measure(self.rails.a, &self.line, i, columns.clone(), &mut self.steps);
-        for &[_, j] in self.rails.forbidden_in_row(i) {
+        self.metric.measure(self.rims.a, &self.line, i, columns.clone(), &mut self.steps);
+        for &[_, j] in self.rims.forbidden_in_row(i) {
             self.steps.a[j as usize] = f64::INFINITY;
             self.steps.b[j as usize] = f64::INFINITY;
         }
@@ -106,7 +106,7 @@ impl Table<'_> {
     /// Row 0: the start, and the way along B from it.
     fn first_row(&mut self) {
         self.measure(0);
-        let mut left = if self.rails.is_forbidden([0, 0]) { f64::INFINITY } else { 0.0 };
+        let mut left = if self.rims.is_forbidden([0, 0]) { f64::INFINITY } else { 0.0 };
         self.cost[0] = left;
         for j in 1..=*self.band.columns(0).end() {
             left += self.steps.b[j];

@@ -98,58 +98,58 @@ pub(crate) struct MeridianChoice {
 /// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None`
 /// if there are none. The rule by index minds neither.
 pub(crate) fn meridians(
-    rails: &RimPair<'_>,
+    rims: &RimPair<'_>,
     choice: Meridians,
     search: Search,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let (a, b) = (rails.a, rails.b);
+    let (a, b) = (rims.a, rims.b);
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
     let area = Metric::area(a, b, &paper);
     let chosen = |metric: Metric, pairs: Vec<Pair>| MeridianChoice { cost: metric.of_path(a, b, &pairs), pairs };
     let simple = match choice {
         Meridians::Index => return Ok(Some(chosen(area, paper))),
-        Meridians::ArcLength => greedy::by_arc_length(rails)?,
-        Meridians::Greedy => greedy::greedily(rails)?,
-        Meridians::MinArea => return additive(rails, area, search, job),
-        Meridians::MinDiagonal => return additive(rails, Metric::Diagonal, search, job),
-        Meridians::Quad => return additive(rails, Metric::Quad, search, job),
-        Meridians::Smooth => return smooth(rails, &paper, search, job),
+        Meridians::ArcLength => greedy::by_arc_length(rims)?,
+        Meridians::Greedy => greedy::greedily(rims)?,
+        Meridians::MinArea => return additive(rims, area, search, job),
+        Meridians::MinDiagonal => return additive(rims, Metric::Diagonal, search, job),
+        Meridians::Quad => return additive(rims, Metric::Quad, search, job),
+        Meridians::Smooth => return smooth(rims, &paper, search, job),
     };
-    if is_simple(rails, &simple) && !simple.iter().any(|&pair| rails.is_forbidden(pair)) {
+    if is_simple(rims, &simple) && !simple.iter().any(|&pair| rims.is_forbidden(pair)) {
         return Ok(Some(chosen(Metric::Diagonal, simple)));
     }
-    additive(rails, Metric::Diagonal, search, job)
+    additive(rims, Metric::Diagonal, search, job)
 }
 
 /// The cheapest path for a metric that depends on each step alone.
-fn additive(rails: &RimPair<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
-    let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest(
-        rails,
+fn additive(rims: &RimPair<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+    let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest(
+        rims,
         metric,
         band,
         &job.part(0.0, 0.5),
     )? {
         // The best of all paths is usually proper, and then the best of the proper ones.
-        Some(path) if !is_simple(rails, &path) => {
-            Ok(cheapest(rails, &Cost::StepCosts(metric), band, true, &job.part(0.5, 1.0))?.map(|(_, path)| path))
+        Some(path) if !is_simple(rims, &path) => {
+            Ok(cheapest(rims, &Cost::StepCosts(metric), band, true, &job.part(0.5, 1.0))?.map(|(_, path)| path))
         }
         found => Ok(found),
     };
-    let pairs = search_lattice(rails, search, &find, job)?;
-    Ok(pairs.map(|pairs| MeridianChoice { cost: metric.of_path(rails.a, rails.b, &pairs), pairs }))
+    let pairs = search_lattice(rims, search, &find, job)?;
+    Ok(pairs.map(|pairs| MeridianChoice { cost: metric.of_path(rims.a, rims.b, &pairs), pairs }))
 }
 
 /// The path of the least bends.
-fn smooth(rails: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
     let cost = std::cell::Cell::new(f64::INFINITY);
-    let tie = tie_break(rails, paper);
-    let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| {
+    let tie = tie_break(rims, paper);
+    let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| {
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        let bends = Bends::new(rails, tie);
+        let bends = Bends::new(rims, tie);
         // As with the others: the best of all paths is usually proper.
-        let found = match cheapest(rails, &Cost::Bends(&bends), band, false, &first)? {
-            Some((_, path)) if !is_simple(rails, &path) => cheapest(rails, &Cost::Bends(&bends), band, true, &second)?,
+        let found = match cheapest(rims, &Cost::Bends(&bends), band, false, &first)? {
+            Some((_, path)) if !is_simple(rims, &path) => cheapest(rims, &Cost::Bends(&bends), band, true, &second)?,
             found => found,
         };
         Ok(found.map(|(least, path)| {
@@ -157,20 +157,20 @@ fn smooth(rails: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) ->
             path
         }))
     };
-    let pairs = search_lattice(rails, search, &find, job)?;
+    let pairs = search_lattice(rims, search, &find, job)?;
     Ok(pairs.map(|pairs| MeridianChoice { cost: cost.get(), pairs }))
 }
 
 /// Searches the whole lattice, or coarse to fine.
 fn search_lattice(
-    rails: &RimPair<'_>,
+    rims: &RimPair<'_>,
     search: Search,
     find: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
-    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+    let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     if search == Search::Auto && (n + 1) * (m + 1) > MAX_EXACT_NODES {
-        return coarse::coarse_to_fine(rails, find, job);
+        return coarse::coarse_to_fine(rims, find, job);
     }
-    find(rails, &Band::full(n, m)?, job)
+    find(rims, &Band::full(n, m)?, job)
 }

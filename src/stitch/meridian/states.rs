@@ -53,8 +53,8 @@ type Costs = [f64; STATES];
 const UNREACHABLE: Costs = [f64::INFINITY; STATES];
 
 /// The bits that a step into (i, j) sets; `LAST_B` is forgotten with each step.
-fn advance(rails: &RimPair<'_>, by: Step, i: usize, j: usize, bends: bool) -> usize {
-    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+fn advance(rims: &RimPair<'_>, by: Step, i: usize, j: usize, bends: bool) -> usize {
+    let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     let (i_before, j_before) = (i - usize::from(by != Step::B), j - usize::from(by != Step::A));
     let within_b = by != Step::B && j_before < m && j > 0;
     let within_a = by != Step::A && i_before < n && i > 0;
@@ -63,7 +63,7 @@ fn advance(rails: &RimPair<'_>, by: Step, i: usize, j: usize, bends: bool) -> us
 }
 
 /// True if no meridian of the path is used twice. A path between open rims has none.
-pub(super) fn is_simple(rails: &RimPair<'_>, path: &[Pair]) -> bool {
+pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
     let mut state = 0;
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -72,9 +72,9 @@ pub(super) fn is_simple(rails: &RimPair<'_>, path: &[Pair]) -> bool {
             (_, true) => Step::A,
             _ => Step::Both,
         };
-        state |= advance(rails, by, i2 as usize, j2 as usize, false);
+        state |= advance(rims, by, i2 as usize, j2 as usize, false);
     }
-    !rails.closed || state == WITHIN_A | WITHIN_B
+    !rims.closed || state == WITHIN_A | WITHIN_B
 }
 
 /// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as
@@ -84,31 +84,31 @@ pub(super) fn is_simple(rails: &RimPair<'_>, path: &[Pair]) -> bool {
 /// paths, twice as many for bends), twice for bends between closed rims. Extra memory: 8 bytes a
 /// node.
 pub(super) fn cheapest(
-    rails: &RimPair<'_>,
+    rims: &RimPair<'_>,
     cost: &Cost<'_>,
     band: &Band,
     simple: bool,
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
-    let simple = simple && rails.closed;
+    let simple = simple && rims.closed;
     let bends = matches!(cost, Cost::Bends(_));
     let exists = |state: &usize| (simple || state & 3 == 0) && (bends || state & LAST_B == 0);
     let states: Vec<usize> = (0..STATES).filter(exists).collect();
     let (n, m) = (band.last_row(), band.last_column());
     let mut search = Search {
-        rails,
+        rims,
         cost,
         states: &states,
         kept: if simple { STATES - 1 } else { LAST_B },
         band,
-        line: Line::new(rails.b)?,
+        line: Line::new(rims.b)?,
         steps: StepCosts::new(m + 1)?,
         row: alloc::filled(UNREACHABLE, m + 1)?,
         normals: alloc::filled([DVec3::ZERO; 2], if bends { m + 1 } else { 0 })?,
         arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
     };
     let firsts: &[Option<Step>] = match cost {
-        Cost::Bends(_) if rails.closed => &[Some(Step::A), Some(Step::B)],
+        Cost::Bends(_) if rims.closed => &[Some(Step::A), Some(Step::B)],
         _ => &[None],
     };
     let mut best: Option<(f64, Vec<Pair>)> = None;
@@ -131,7 +131,7 @@ pub(super) fn cheapest(
 }
 
 struct Search<'a> {
-    rails: &'a RimPair<'a>,
+    rims: &'a RimPair<'a>,
     cost: &'a Cost<'a>,
     /// The states that there are, and their bits.
     states: &'a [usize],
@@ -169,7 +169,7 @@ impl Search<'_> {
         let columns = self.band.columns(i);
         let low = *columns.start();
         if let Cost::StepCosts(metric) = self.cost {
-            metric.measure(self.rails.a, &self.line, i, columns.clone(), &mut self.steps);
+            metric.measure(self.rims.a, &self.line, i, columns.clone(), &mut self.steps);
         }
         let both = matches!(self.cost, Cost::StepCosts(metric) if metric.steps_on_both());
         let shifted = i > 0 && low > *self.band.columns(i - 1).start();
@@ -201,7 +201,7 @@ impl Search<'_> {
                         old.map(|p| along + if is_first { 0.0 } else { bends.across(i, j, p, normal) })
                     }
                 };
-                let reached = advance(self.rails, by, i, j, matches!(self.cost, Cost::Bends(_)));
+                let reached = advance(self.rims, by, i, j, matches!(self.cost, Cost::Bends(_)));
                 for &state in self.states {
                     let total = costs[state] + steps[usize::from(state & LAST_B > 0)];
                     let to = (state & !LAST_B | reached) & self.kept;
@@ -211,7 +211,7 @@ impl Search<'_> {
                     }
                 }
             }
-            if self.rails.is_forbidden([i as u32, j as u32]) {
+            if self.rims.is_forbidden([i as u32, j as u32]) {
                 here = UNREACHABLE;
             }
             self.arrivals[start + j - low] = how;

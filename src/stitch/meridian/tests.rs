@@ -9,11 +9,11 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 /// The edges that a path uses, those of a closed polyline's end being those of its start.
-fn edges(rails: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
-    let (n, m) = (rails.a.len(), rails.b.len());
-    let (n, m) = if rails.closed { (n - 1, m - 1) } else { (n, m) };
+fn edges(rims: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
+    let (n, m) = (rims.a.len(), rims.b.len());
+    let (n, m) = if rims.closed { (n - 1, m - 1) } else { (n, m) };
     let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
-    if rails.closed {
+    if rims.closed {
         // The last meridian is the first, by definition.
         edges.pop();
     }
@@ -21,19 +21,19 @@ fn edges(rails: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
     edges
 }
 
-fn is_good(rails: &RimPair<'_>, path: &[Pair]) -> bool {
-    edges(rails, path).windows(2).all(|pair| pair[0] != pair[1])
-        && !path.iter().any(|pair| rails.forbidden.contains(pair))
+fn is_good(rims: &RimPair<'_>, path: &[Pair]) -> bool {
+    edges(rims, path).windows(2).all(|pair| pair[0] != pair[1])
+        && !path.iter().any(|pair| rims.forbidden.contains(pair))
 }
 
 /// Every good path, by recursion.
-fn all_paths(rails: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
-    let end = [rails.a.len() as u32 - 1, rails.b.len() as u32 - 1];
+fn all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
+    let end = [rims.a.len() as u32 - 1, rims.b.len() as u32 - 1];
     let mut paths = vec![vec![[0, 0]]];
     while let Some(path) = paths.pop() {
         let [i, j] = *path.last().unwrap();
         if [i, j] == end {
-            if is_good(rails, &path) {
+            if is_good(rims, &path) {
                 visit(&path);
             }
             continue;
@@ -47,15 +47,15 @@ fn all_paths(rails: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pa
 }
 
 /// The bends of a strip, triangle by triangle.
-fn bends(rails: &RimPair<'_>, path: &[Pair]) -> f64 {
-    let (a, b) = (|i: u32| rails.a[i as usize], |j: u32| rails.b[j as usize]);
+fn bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
+    let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
     let mut sum = 0.0;
     let mut normals = Vec::new();
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
         let third = if i2 > i { a(i) } else { b(j) };
         let normal = (third - a(i2)).cross(b(j2) - a(i2)).normalize_or_zero();
-        if let Some([along_a, along_b]) = rails.sides {
+        if let Some([along_a, along_b]) = rims.sides {
             let (edge, side) =
                 if i2 > i { (a(i2) - a(i), along_a[i as usize]) } else { (b(j2) - b(j), along_b[j as usize]) };
             sum += edge.length() * (1.0 - normal.dot(side));
@@ -66,14 +66,14 @@ fn bends(rails: &RimPair<'_>, path: &[Pair]) -> f64 {
         let [i, j] = path[k + 1];
         sum += a(i).distance(b(j)) * (1.0 - pair[0].dot(pair[1]));
     }
-    if rails.closed {
+    if rims.closed {
         sum += a(0).distance(b(0)) * (1.0 - normals[0].dot(normals[normals.len() - 1]));
     }
     sum
 }
 
-fn check(rails: &RimPair<'_>) {
-    let (a, b) = (rails.a, rails.b);
+fn check(rims: &RimPair<'_>) {
+    let (a, b) = (rims.a, rims.b);
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let length = |&[i, j]: &Pair| a[i as usize].distance(b[j as usize]);
     let squares = |path: &[Pair]| path[1..].iter().map(|pair| length(pair).powi(2)).sum::<f64>();
@@ -82,13 +82,13 @@ fn check(rails: &RimPair<'_>) {
     let cases: [(Meridians, &[[u32; 2]], Measure<'_>); 4] = [
         (Meridians::MinArea, triangles, &|path| strip_area(a, b, path)),
         (Meridians::MinDiagonal, triangles, &|path| path[1..].iter().map(length).sum()),
-        (Meridians::Smooth, triangles, &|path| bends(rails, path)),
+        (Meridians::Smooth, triangles, &|path| bends(rims, path)),
         (Meridians::Quad, &[[1, 0], [0, 1], [1, 1]], &squares),
     ];
     for (choice, steps, measure) in cases {
         let mut least = f64::INFINITY;
         let mut slack = 0.0;
-        all_paths(rails, steps, |path| {
+        all_paths(rims, steps, |path| {
             if measure(path) < least {
                 least = measure(path);
                 // The tie break weighs as much as this for the best path.
@@ -104,10 +104,10 @@ fn check(rails: &RimPair<'_>) {
                 };
             }
         });
-        match meridians(rails, choice, Search::Auto, &Job::default()).unwrap() {
+        match meridians(rims, choice, Search::Auto, &Job::default()).unwrap() {
             None => assert_eq!(least, f64::INFINITY, "{choice:?}"),
             Some(chosen) => {
-                assert!(is_good(rails, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
+                assert!(is_good(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
                 assert_eq!(
                     (chosen.pairs[0], chosen.pairs.last()),
                     ([0, 0], Some(&[a.len() as u32 - 1, b.len() as u32 - 1]))
@@ -119,8 +119,8 @@ fn check(rails: &RimPair<'_>) {
         }
     }
     for choice in [Meridians::ArcLength, Meridians::Greedy] {
-        if let Some(chosen) = meridians(rails, choice, Search::Auto, &Job::default()).unwrap() {
-            assert!(is_good(rails, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
+        if let Some(chosen) = meridians(rims, choice, Search::Auto, &Job::default()).unwrap() {
+            assert!(is_good(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
         }
     }
 }
@@ -183,17 +183,17 @@ proptest! {
             }
         }
         let band = Band::around(&middle, n, m, width).unwrap();
-        let rails = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None };
+        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None };
         let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
-            all_paths(&rails, steps, |path| {
+            all_paths(&rims, steps, |path| {
                 if within(path) {
                     least = least.min(metric.of_path(&a, &b, path));
                 }
             });
-            let plain = lattice::cheapest(&rails, metric, &band, &Job::default()).unwrap().unwrap();
-            let (_, by_states) = cheapest(&rails, &Cost::StepCosts(metric), &band, false, &Job::default()).unwrap().unwrap();
+            let plain = lattice::cheapest(&rims, metric, &band, &Job::default()).unwrap().unwrap();
+            let (_, by_states) = cheapest(&rims, &Cost::StepCosts(metric), &band, false, &Job::default()).unwrap().unwrap();
             for path in [plain, by_states] {
                 let cost = metric.of_path(&a, &b, &path);
                 prop_assert!(within(&path) && (cost - least).abs() < 1e-12, "{metric:?} {cost} {least} {path:?}");
@@ -268,14 +268,14 @@ proptest! {
 /// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most,
 /// over all costs of steps.
 fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
-    let rails = RimPair { a, b, closed: true, forbidden, sides: None };
+    let rims = RimPair { a, b, closed: true, forbidden, sides: None };
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
     for metric in [Metric::area(a, b, &paper), Metric::Diagonal, Metric::Quad] {
         let job = Job::default();
-        let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rails, metric, band, job);
-        let coarse = coarse::coarse_to_fine(&rails, &find, &job).unwrap().unwrap();
-        let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
+        let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rims, metric, band, job);
+        let coarse = coarse::coarse_to_fine(&rims, &find, &job).unwrap().unwrap();
+        let exact = find(&rims, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
         assert!(coarse.iter().all(|node| !forbidden.contains(node)));
         let (coarse, exact) = (metric.of_path(a, b, &coarse), metric.of_path(a, b, &exact));
         assert!(coarse >= exact * (1.0 - 1e-12), "{metric:?} {coarse} {exact}");
@@ -292,9 +292,9 @@ fn a_plane_ring_gets_short_meridians() {
         (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
     };
     let (a, b) = (circle(48, 2.0), circle(32, 1.7));
-    let rails = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None };
+    let rims = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None };
     for choice in [Meridians::MinArea, Meridians::Smooth] {
-        let chosen = meridians(&rails, choice, Search::Auto, &Job::default()).unwrap().unwrap();
+        let chosen = meridians(&rims, choice, Search::Auto, &Job::default()).unwrap().unwrap();
         let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
         let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
         // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334

@@ -99,12 +99,12 @@ impl ChildBoxes {
     #[inline(always)]
     pub(crate) fn single_distances_squared(&self, point: [f32; 3]) -> [f32; 4] {
         // Without regard to NaN, unlike `f32::max`, it is one instruction.
-        let greater = |a: f32, b: f32| if a > b { a } else { b };
+        let max = |a: f32, b: f32| if a > b { a } else { b };
         let mut sums = [0.0; 4];
         for (axis, at) in point.into_iter().enumerate() {
             for (child, sum) in sums.iter_mut().enumerate() {
                 let (low, high) = (self.low[axis][child], self.high[axis][child]);
-                let outside = greater(greater(low - at, at - high), 0.0);
+                let outside = max(max(low - at, at - high), 0.0);
                 *sum += outside * outside;
             }
         }

@@ -363,12 +363,12 @@ mod tests {
             assert!((crossing.t - t).abs() < 1e-13 && (crossing.place.x - t).abs() < 1e-13, "{found:?}");
             assert!((crossing.place.y - (0.3 + 0.4 * t)).abs() < 1e-13, "{found:?}");
         }
-        // A curve that swings through the plane z = 0 three times.
+        // A curve that passes through the plane z = 0 three times.
         let flat = sum([0.0; 4], [0.0; 4]);
         let heights = cubic([0.1, 0.4, 0.8]);
-        let swing: [DVec3; 4] =
+        let wave: [DVec3; 4] =
             std::array::from_fn(|k| DVec3::new(0.2 + 0.2 * k as f64, 0.9 - 0.25 * k as f64, heights[k]));
-        let found = solve(&swing, &flat);
+        let found = solve(&wave, &flat);
         assert_eq!((found.simple.len(), found.unresolved.len()), (3, 0), "{found:?}");
         assert!((found.simple[1].t - 0.4).abs() < 1e-13);
         // Past the patch, and away from it.
