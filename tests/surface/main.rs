@@ -28,4 +28,5 @@ mod range;
 mod reference;
 mod shapes;
 mod surface_intersection;
+mod surface_intersection_contact;
 mod surface_intersection_degenerate;

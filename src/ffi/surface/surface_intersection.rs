@@ -63,7 +63,8 @@ fixed! { gusset_cell_pair: 24 }
 /// Points and normals are those of a; the points of b at `others` are the same but for rounding.
 /// Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of
 /// a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves
-/// may end there. Intersections of one surface with itself are not looked for.
+/// may end there; they are joined across such a place where a chord is as near to both surfaces as
+/// elsewhere. Intersections of one surface with itself are not looked for.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param a the one surface.

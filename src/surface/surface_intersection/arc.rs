@@ -15,7 +15,7 @@ use crate::geom::subdivision::BoxTest;
 use glam::{DVec3, DVec4};
 
 /// As much of a cell is rounding where a curve crosses a side.
-const PARAMETER_ROUNDING: f64 = 1e-13;
+pub(super) const PARAMETER_ROUNDING: f64 = 1e-13;
 /// How much nearer than [`ArcSearch::close`] to a side a curve is that runs along it.
 const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
 

@@ -4,7 +4,7 @@
 //! 2. Over a pair the points with A(s, t) = B(u, v) are curves in the four parameters. A box of
 //!    parameters is excluded, or proved to have a graph (`chart`), whose arc is followed from side
 //!    to side (`arc`); else it is halved (`solve`).
-//! 3. Arcs are chained (`chain`).
+//! 3. Arcs are chained (`chain`, `links`), across unresolved places too (`bridge`).
 //!
 //! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
 //! and in a box that has an arc through it, or is shorter than the tolerance, or is reported as
@@ -14,9 +14,11 @@
 //! between the boxes on both sides. Self-intersections of one surface are not looked for.
 
 mod arc;
+mod bridge;
 mod chain;
 mod chart;
 mod equation;
+mod links;
 mod net;
 mod pairs;
 mod refine;
@@ -27,9 +29,11 @@ pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
 use super::{Paths, Place, Sheet, Surface, each_sheet};
-use chain::{Chain, chains};
+use bridge::Surroundings;
+use chain::chains;
 use chart::ParameterBox;
 use glam::{DVec3, DVec4};
+use links::Chain;
 use net::Net;
 use solve::{FoundArcs, PairTask};
 use std::ops::Range;
@@ -70,8 +74,9 @@ impl Surface<'_> {
     /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they
     /// run along N_A x N_B, closed ones closed. Every branch longer than the tolerance is found.
     /// Cells of this surface where the two touch, coincide, or meet in a point only are in
-    /// `unresolved`, and curves may end there. The points are those of this surface; the other
-    /// one's are the same but for rounding.
+    /// `unresolved`, and curves may end there; they are joined across such a place where a chord is
+    /// as near to both surfaces as elsewhere. The points are those of this surface; the other one's
+    /// are the same but for rounding.
     ///
     /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each;
     /// where surfaces coincide there are many. Intersections of a surface with itself are out of
@@ -93,7 +98,7 @@ impl Surface<'_> {
             chord: chord.max(tolerance),
         };
         let pieces = intersection.solve(&job.part(0.2, 0.9))?;
-        let (chains, explained) = chains(&pieces.arcs, &pieces.balls, intersection.tolerance)?;
+        let (chains, explained) = chains(&pieces, &intersection, intersection.tolerance)?;
         let mut paths = intersection.paths(&pieces, &chains, &job.part(0.9, 1.0))?;
         for (ball, _) in pieces.balls.iter().zip(explained).filter(|(_, explained)| !explained) {
             let [place, _] = intersection.places(ball.pair, ball.x);
@@ -115,13 +120,28 @@ struct Intersection<'a> {
     chord: f64,
 }
 
-/// For rows and columns of a sheet, the last cell after which none follows.
-fn ends(sheet: &Sheet<'_>) -> [u32; 2] {
+/// For rows and columns of a sheet, whether another cell is below and above one of them.
+fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
     let (cells, seams) = (sheet.cells(), sheet.seams());
     match sheet {
-        Sheet::Grid(_) => [0, 1].map(|k| if seams[k] { u32::MAX } else { cells[k] as u32 - 1 }),
+        Sheet::Grid(_) => [0, 1].map(|k| [seams[k] || cell[k] > 0, seams[k] || (cell[k] as usize) < cells[k] - 1]),
         // The sides of patches that are given may differ a little: each patch keeps its own.
-        Sheet::Cubic(_) | Sheet::High(_) => [0, 0],
+        Sheet::Cubic(_) | Sheet::High(_) => [[false; 2]; 2],
+    }
+}
+
+impl Surroundings for Intersection<'_> {
+    fn sheets(&self, pair: u32) -> [u32; 2] {
+        self.pairs[pair as usize].sheets
+    }
+
+    fn point(&self, pair: u32, x: DVec4) -> DVec3 {
+        self.surfaces[0].jet(self.places(pair, x)[0]).point
+    }
+
+    fn carry(&self, [from, to]: [DVec3; 2]) -> bool {
+        let near = |point: DVec3| self.surfaces.iter().all(|surface| surface.closest(point, self.chord).is_some());
+        [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }
 }
 
@@ -172,12 +192,19 @@ impl Intersection<'_> {
         for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
             let (one, other) = (self.surfaces[0].sheet(a as usize), self.surfaces[1].sheet(b as usize));
-            let (ends_a, ends_b) = (ends(one), ends(other));
             let task = |k: u32, rounding_error: f64| {
                 let [p, q] = self.pairs[k as usize].cells;
-                let followed = [p[0] < ends_a[0], p[1] < ends_a[1], q[0] < ends_b[0], q[1] < ends_b[1]];
+                let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
                 let tolerance = self.tolerance.max(8.0 * rounding_error);
-                PairTask { pair: k, followed, tolerance, chord: self.chord, max_boxes, last, rounding_error }
+                PairTask {
+                    pair: k,
+                    neighbours: [s, t, u, v],
+                    tolerance,
+                    chord: self.chord,
+                    max_boxes,
+                    last,
+                    rounding_error,
+                }
             };
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
                 self.run(cells_a, cells_b, run, &task, &mut pieces)?;

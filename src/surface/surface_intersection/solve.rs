@@ -6,7 +6,7 @@
 //! within the tolerance of each other all over: they touch there, or coincide. Cost: O(N^2) a test
 //! and O(N^3) a split, `max_boxes` boxes at most.
 
-use super::arc::{ArcSearch, End};
+use super::arc::{ArcSearch, End, PARAMETER_ROUNDING};
 use super::chart::ParameterBox;
 use super::equation::Equation;
 use super::refine::ArcRefinement;
@@ -33,6 +33,17 @@ pub(super) struct Arc {
     /// The first and the last point, and the directions there.
     pub(super) ends: [DVec3; 2],
     pub(super) directions: [DVec3; 2],
+    /// Whether they are on the border of a sheet.
+    pub(super) at_border: [bool; 2],
+    /// Whether it ends where it begins: it goes round a cell that is closed.
+    pub(super) is_closed: bool,
+}
+
+impl Arc {
+    /// How many points it has.
+    pub(super) fn point_count(&self) -> usize {
+        (self.to - self.from) as usize
+    }
 }
 
 /// Where cells touch, or may do: a ball round it.
@@ -84,8 +95,8 @@ impl FoundArcs {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PairTask {
     pub(super) pair: u32,
-    /// By parameter, whether a cell follows above.
-    pub(super) followed: [bool; 4],
+    /// By parameter, whether another cell is below and above.
+    pub(super) neighbours: [[bool; 2]; 4],
     pub(super) tolerance: f64,
     /// The greatest distance of a chord from the curve.
     pub(super) chord: f64,
@@ -98,6 +109,12 @@ pub(super) struct PairTask {
 }
 
 impl PairTask {
+    /// Whether parameters are on a side that no other cell is beyond.
+    fn is_at_border(&self, x: DVec4) -> bool {
+        let beyond = |k: usize| [x[k] <= PARAMETER_ROUNDING, x[k] >= 1.0 - PARAMETER_ROUNDING];
+        (0..4).any(|k| (0..2).any(|side| beyond(k)[side] && !self.neighbours[k][side]))
+    }
+
     /// Adds the arcs of the pair.
     pub(super) fn solve<const N: usize, const M: usize>(
         &self,
@@ -170,7 +187,8 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         match part.prove(&frame, rounding_error) {
             BoxTest::Empty => return Ok(BoxTest::Empty),
             BoxTest::Unique(chart) => {
-                let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error, self.task.followed);
+                let followed = self.task.neighbours.map(|[_, above]| above);
+                let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error, followed);
                 let found = match search.along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
@@ -197,16 +215,28 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let (equation, points) = (self.equation, &mut self.pieces.points);
         let places = ends.map(|end| equation.point(end.x));
-        if places[0].distance(places[1]) <= 0.5 * self.task.tolerance {
+        let is_near = |point: DVec3| places[0].distance(point) <= 0.5 * self.task.tolerance;
+        let is_closed = is_near(places[1]);
+        // Half way round, if it is no point.
+        let half_way = || equation.solve(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
+        let is_within = |x: DVec4| (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_ROUNDING;
+        let is_away = |x: &DVec4| is_within(*x) && !is_near(equation.point(*x));
+        let away = if is_closed { half_way().filter(is_away) } else { None };
+        if is_closed && away.is_none() {
             return Ok(());
         }
         let from = points.len() as u32;
         alloc::push(points, ends[0].x)?;
         ArcRefinement { equation, free, chord: self.task.chord }.between(ends, places, points)?;
+        if let Some(away) = away.filter(|_| points.len() as u32 == from + 1) {
+            alloc::push(points, away)?;
+        }
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
         let directions = ends.map(|end| end.direction.normalize_or_zero());
-        alloc::push(&mut self.pieces.arcs, Arc { pair: self.task.pair, from, to, ends: places, directions })?;
+        let at_border = ends.map(|end| self.task.is_at_border(end.x));
+        let pair = self.task.pair;
+        alloc::push(&mut self.pieces.arcs, Arc { pair, from, to, ends: places, directions, at_border, is_closed })?;
         Ok(())
     }
 
@@ -233,8 +263,10 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         let ball = UnresolvedBall { pair, x, centre, radius, gap };
         let own = &mut self.pieces.balls[self.first_ball..];
         let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + tolerance;
-        // Of too many apart from each other, the last one takes the rest.
-        let found = own.iter().position(touches).or((own.len() >= MAX_BALLS).then(|| own.len() - 1));
+        // Of too many apart from each other, the nearest one takes another.
+        let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
+        let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));
+        let found = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
         match found {
             Some(k) => {
                 let nearer = if gap < own[k].gap { ball } else { own[k] };

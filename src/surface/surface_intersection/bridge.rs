@@ -1,0 +1,199 @@
+//! What unresolved balls do to chains: scraps in them are left out, and loose ends in them joined.
+//!
+//! Balls stay as they were found: where surfaces touch along a curve there is a row of them, and a
+//! chain that passes the middle of a ring of balls, or ends there, has nothing to do with it. A
+//! ball tells of arcs of its own two sheets only.
+//!
+//! Cost: O(log n) for each ball, end of a chain, and pair of the two that are near each other.
+
+use super::links::{Chain, Links, NONE};
+use super::solve::{FoundArcs, UnresolvedBall};
+use crate::geom::kd_tree::{KdTree, Radius};
+use crate::surface::prelude::*;
+use glam::DVec4;
+
+/// Chains of as many arcs are no scraps.
+const MIN_CHAIN_ARCS: usize = 8;
+/// Ends of chains in a ball: of more, which belong together cannot be told.
+const MAX_ENDS: usize = 64;
+/// What is as many tolerances apart may be one point.
+const POINT_TOLERANCES: f64 = 8.0;
+
+/// The surfaces that are intersected.
+pub(super) trait Surroundings {
+    /// The sheets of a pair of cells.
+    fn sheets(&self, pair: u32) -> [u32; 2];
+    /// The point at parameters of a pair of cells.
+    fn point(&self, pair: u32, x: DVec4) -> DVec3;
+    /// Whether both surfaces are as near to a chord as to those of curves.
+    fn carry(&self, chord: [DVec3; 2]) -> bool;
+}
+
+/// The end of a chain that a bridge may begin at, or end at: those of chain k are 2 k and 2 k + 1.
+#[derive(Clone, Copy)]
+struct LooseEnd {
+    arc: u32,
+    point: DVec3,
+    direction: DVec3,
+    at_border: bool,
+}
+
+/// Arcs and unresolved balls.
+pub(super) struct Bridges<'a, S> {
+    pub(super) pieces: &'a FoundArcs,
+    pub(super) surroundings: &'a S,
+    pub(super) tolerance: f64,
+}
+
+/// The tree of some points.
+fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
+    KdTree::new(points, &Job::default(), "")
+}
+
+fn radius(length: f64) -> Radius {
+    Radius::new(length.max(f64::MIN_POSITIVE))
+}
+
+impl<S: Surroundings> Bridges<'_, S> {
+    /// How far a ball reaches: arcs beside it that are shorter than the tolerance are lost.
+    fn reach(&self, ball: &UnresolvedBall) -> f64 {
+        ball.radius + 4.0 * self.tolerance
+    }
+
+    /// The balls and the points of arcs in them, of the same sheets. `points`: those, and the
+    /// pairs of cells of their arcs.
+    fn members(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
+        let places = alloc::collect(points.iter().map(|&(point, _)| point))?;
+        let tree = tree(&places)?;
+        let mut found = Vec::new();
+        for (k, ball) in self.pieces.balls.iter().enumerate() {
+            let (mut result, sheets) = (Ok(()), self.surroundings.sheets(ball.pair));
+            tree.for_each_within(ball.centre, radius(self.reach(ball)), &mut |_, n| {
+                if self.surroundings.sheets(points[n as usize].1) == sheets && result.is_ok() {
+                    result = alloc::push(&mut found, (k as u32, n));
+                }
+            });
+            result?;
+        }
+        Ok(found)
+    }
+
+    /// Leaves out scraps: short chains all of whose points are in balls, which are reported.
+    pub(super) fn drop_scraps(&self, chains: &[Chain], dropped: &mut [bool]) -> Result<()> {
+        let arcs = &self.pieces.arcs;
+        let short = || chains.iter().filter(|chain| !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS);
+        let mut points = Vec::new();
+        for &arc in short().flat_map(|chain| &chain.arcs) {
+            let arc = arcs[arc as usize];
+            for &x in &self.pieces.points[arc.from as usize..arc.to as usize] {
+                alloc::push(&mut points, (self.surroundings.point(arc.pair, x), arc.pair))?;
+            }
+        }
+        let mut within = alloc::filled(false, points.len())?;
+        self.members(&points)?.into_iter().for_each(|(_, point)| within[point as usize] = true);
+        let mut rest = within.as_slice();
+        for chain in short() {
+            let count = chain.arcs.iter().map(|&arc| arcs[arc as usize].point_count()).sum();
+            let (own, others) = rest.split_at(count);
+            rest = others;
+            if own.iter().all(|&within| within) {
+                chain.arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+            }
+        }
+        Ok(())
+    }
+
+    /// Joins loose ends in a ball, or in two that touch: as straight as can be. Where two branches
+    /// cross, N_A x N_B points to the crossing on the one and away from it on the other, so that a
+    /// path turns from the one into the other.
+    pub(super) fn join(&self, chains: &[Chain], links: &mut Links) -> Result<()> {
+        let ends = self.loose_ends(chains)?;
+        let mut bridges = Vec::new();
+        for [end, start] in self.pairs(&ends)? {
+            let (from, to) = (ends[end as usize], ends[start as usize]);
+            let chord = to.point - from.point;
+            let is_point = chord.length() <= POINT_TOLERANCES * self.tolerance;
+            if (from.at_border || to.at_border) && !is_point {
+                continue;
+            }
+            // The chord of ends that are nearly one point says little.
+            let along = from.direction + to.direction;
+            let straightness = (chord + 4.0 * self.tolerance * along).normalize_or_zero().dot(along);
+            if straightness >= 0.0 {
+                alloc::push(&mut bridges, (-straightness, end, start, is_point))?;
+            }
+        }
+        bridges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        for (_, end, start, is_point) in bridges {
+            let (from, to) = (ends[end as usize], ends[start as usize]);
+            if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.carry([from.point, to.point])) {
+                links.join(from.arc, to.arc);
+            }
+        }
+        Ok(())
+    }
+
+    /// The two ends of each chain: none of closed ones.
+    fn loose_ends(&self, chains: &[Chain]) -> Result<Vec<LooseEnd>> {
+        let open = chains.iter().filter(|chain| !chain.closed);
+        alloc::gather(open.flat_map(|chain| {
+            let ends = [chain.arcs.first(), chain.arcs.last()].into_iter().flatten().enumerate();
+            ends.map(|(k, &arc)| {
+                let found = &self.pieces.arcs[arc as usize];
+                LooseEnd { arc, point: found.ends[k], direction: found.directions[k], at_border: found.at_border[k] }
+            })
+        }))
+    }
+
+    /// Ends and starts of chains that are in one ball, or in two that touch.
+    fn pairs(&self, ends: &[LooseEnd]) -> Result<Vec<[u32; 2]>> {
+        let points = alloc::collect(ends.iter().map(|end| (end.point, self.pieces.arcs[end.arc as usize].pair)))?;
+        let members = self.members(&points)?;
+        let groups: Vec<&[(u32, u32)]> =
+            alloc::gather(members.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() <= MAX_ENDS))?;
+        let ball = |k: usize| &self.pieces.balls[groups[k][0].0 as usize];
+        let centres = alloc::collect((0..groups.len()).map(|k| ball(k).centre))?;
+        let tree = tree(&centres)?;
+        let mut pairs = Vec::new();
+        for (k, group) in groups.iter().enumerate() {
+            let (own, mut result) = (self.reach(ball(k)), Ok(()));
+            // Smaller balls only, and so all within twice the radius.
+            tree.for_each_within(centres[k], radius(2.0 * own), &mut |_, n| {
+                let (n, other) = (n as usize, self.reach(ball(n as usize)));
+                if result.is_ok() && (other, n) <= (own, k) && centres[k].distance(centres[n]) <= own + other {
+                    result = add_pairs(group, groups[n], &mut pairs);
+                }
+            });
+            result?;
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        Ok(pairs)
+    }
+
+    /// For each ball whether it is hardly larger than the tolerance and a chain passes it, as at
+    /// poles: there is nothing more to it.
+    pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
+        let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);
+        let is_small = |ball: &UnresolvedBall| ball.radius <= 4.0 * self.tolerance;
+        let any_small = self.pieces.balls.iter().any(is_small);
+        let joints = alloc::gather(followed.filter(|_| any_small).map(|(arc, _)| arc.ends[1]))?;
+        let tree = tree(&joints)?;
+        let limit = POINT_TOLERANCES * self.tolerance;
+        let passed =
+            |ball: &UnresolvedBall| is_small(ball) && tree.nearest(ball.centre, limit * limit, |_| true).is_some();
+        alloc::collect(self.pieces.balls.iter().map(passed))
+    }
+}
+
+/// Pairs of ends and starts in two balls, which may be one.
+fn add_pairs(group: &[(u32, u32)], other: &[(u32, u32)], pairs: &mut Vec<[u32; 2]>) -> Result<()> {
+    for (&(_, p), &(_, q)) in group.iter().flat_map(|p| other.iter().map(move |q| (p, q))) {
+        match [p % 2, q % 2] {
+            [1, 0] => alloc::push(pairs, [p, q])?,
+            [0, 1] => alloc::push(pairs, [q, p])?,
+            _ => {}
+        }
+    }
+    Ok(())
+}
