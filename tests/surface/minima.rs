@@ -248,3 +248,54 @@ fn queries_whose_squares_overflow() {
     let found = surface.closest(DVec3::splat(1e150), f64::INFINITY).unwrap();
     assert!(found.distance.is_finite() && found.proven, "{found:?}");
 }
+
+/// Rough sheets of 6 x 6 cells: at corners and sides second derivatives jump, of four-point ones
+/// the tangents.
+fn rough(random: &mut Random, scheme: Scheme, height: f64) -> Grid<'static> {
+    let mut data = Vec::new();
+    for k in 0..49 {
+        let shift = random.point(1.0);
+        data.extend([f64::from(k / 7) + 0.2 * shift.x, f64::from(k % 7) + 0.2 * shift.y, height * shift.z]);
+    }
+    Grid::new(Nodes::strided(data, 7, 7, 0, 0).unwrap(), [false; 2], scheme).unwrap()
+}
+
+#[test]
+fn minima_at_corners_and_sides_are_minima_and_all_of_them() {
+    let mut random = Random(2);
+    let mut checked = 0;
+    for (scheme, height) in
+        [(Scheme::SixTap, 1.2), (Scheme::SixTap, 0.05), (Scheme::FourPoint, 1.2), (Scheme::SixTap, 1.2)]
+    {
+        for _ in 0..3 {
+            let grid = rough(&mut random, scheme, height);
+            let surface = surface(&grid);
+            for _ in 0..20 {
+                let shift = random.point(1.0);
+                let query = DVec3::new(3.0 + 3.5 * shift.x, 3.0 + 3.5 * shift.y, 3.0 * shift.z);
+                let distance = |u: f64, v: f64| {
+                    let (u, v) = (u.clamp(0.0, 6.0), v.clamp(0.0, 6.0));
+                    let (i, j) = ((u as usize).min(5), (v as usize).min(5));
+                    grid.patch(i, j).point(u - i as f64, v - j as f64).distance(query)
+                };
+                let minima = surface.local_minima(query, f64::INFINITY, 0, &Job::default()).unwrap();
+                for point in minima.points.iter().filter(|point| point.proven) {
+                    let [i, j] = point.place.cell.map(f64::from);
+                    let (u, v) = (i + point.place.u, j + point.place.v);
+                    let around = (-4..=4).flat_map(|a| (-4..=4).map(move |b| (a, b)));
+                    let lowest = around
+                        .map(|(a, b)| distance(u + 2.5e-5 * f64::from(a), v + 2.5e-5 * f64::from(b)))
+                        .fold(f64::INFINITY, f64::min);
+                    assert!(lowest > point.distance - 1e-8, "{query}: {point:?} {lowest}");
+                    checked += 1;
+                }
+                let force = by_force(&grid, [false; 2], query);
+                for value in force.iter().filter(|_| minima.complete) {
+                    let known = minima.points.iter().any(|point| (point.distance - value).abs() < 1e-6);
+                    assert!(known, "{query}: {value} {:?}", minima.points);
+                }
+            }
+        }
+    }
+    assert!(checked > 500, "{checked}");
+}

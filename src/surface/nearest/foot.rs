@@ -2,7 +2,8 @@
 //!
 //! Minimises |S - q|^2 / 2 over 0 <= u, v <= 1 by projected Newton steps (Bertsekas 1982,
 //! "Projected Newton methods for optimization problems with simple constraints"), Gauss-Newton
-//! steps where the Hessian is not positive definite, and backtracking. Invariant: the distance
+//! steps where the Hessian is not positive definite, steps down the slopes where those overshoot,
+//! and backtracking. Invariant: the distance
 //! falls with each step. Nothing is proved: `bounds` does that. At most [`MAX_STEPS`] steps.
 
 use crate::surface::{Jet, Patch};
@@ -14,6 +15,8 @@ pub(super) const MAX_STEPS: usize = 24;
 pub(super) const MAX_STEPS_ON_PART: usize = 6;
 /// Length in the parameters below which a full step is the last: the next one would be its square.
 const QUADRATIC_STEP: f64 = 1e-7;
+/// Parameters as near to a border are on it.
+const BORDER_ROUNDING: f64 = 1e-13;
 
 /// A point of a patch, with its derivatives there and its distance from the query.
 #[derive(Debug, Clone, Copy)]
@@ -43,8 +46,22 @@ pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DV
         let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
         let free = [0, 1].map(|k| !is_blocked(foot.place[k], gradient[k]));
         let Some(step) = newton_step(gradient, hessian, &foot.jet, free) else { break };
-        let Some((next, length)) = backtrack(patch, query, &foot, step) else { break };
-        let done = length == 1.0 && (next.place - foot.place).abs().max_element() < QUADRATIC_STEP;
+        let (next, done) = match backtrack(patch, query, &foot, step) {
+            Trial::Down { next, whole } => {
+                (next, whole && (next.place - foot.place).abs().max_element() < QUADRATIC_STEP)
+            }
+            Trial::Ended => break,
+            Trial::Overshot => {
+                // Straight down the slopes, each by its own scale.
+                let squares = DVec2::new(foot.jet.u.length_squared(), foot.jet.v.length_squared());
+                let slope = gradient / squares.max(DVec2::splat(f64::MIN_POSITIVE));
+                let slope = DVec2::from_array([0, 1].map(|k| if free[k] { slope[k] } else { 0.0 }));
+                match backtrack(patch, query, &foot, slope) {
+                    Trial::Down { next, .. } => (next, false),
+                    _ => break,
+                }
+            }
+        };
         foot = next;
         if done {
             break;
@@ -53,30 +70,42 @@ pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DV
     foot
 }
 
-/// The first of ever shorter steps that goes down, and its share of the whole step.
-fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: DVec2) -> Option<(Foot, f64)> {
+/// What comes of a step.
+enum Trial {
+    /// The first of ever shorter ones that goes down, and whether it is the whole one.
+    Down { next: Foot, whole: bool },
+    /// The steps are so short that rounding decides.
+    Ended,
+    /// No step goes down.
+    Overshot,
+}
+
+/// Tries a step, and ever shorter ones from the size of the patch on.
+fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: DVec2) -> Trial {
+    let bounded = step.abs().max_element().max(1.0).recip();
     let mut length = 1.0;
-    while length > 1e-3 {
+    while length > 1e-3 * bounded {
         let place = (foot.place - length * step).clamp(DVec2::ZERO, DVec2::ONE);
-        if (place - foot.place).abs().max_element() <= 1e-14 {
-            return None;
+        let moved = (place - foot.place).abs().max_element();
+        if moved <= 1e-14 {
+            return Trial::Ended;
         }
         let next = Foot::at(patch, query, place);
         if next.distance < foot.distance {
-            return Some((next, length));
+            return Trial::Down { next, whole: length == 1.0 };
         }
         // So near the minimum rounding decides.
-        if (place - foot.place).abs().max_element() < QUADRATIC_STEP {
-            return None;
+        if moved < QUADRATIC_STEP {
+            return Trial::Ended;
         }
-        length *= 0.25;
+        length = 0.25 * length.min(bounded);
     }
-    None
+    Trial::Overshot
 }
 
-/// True at a border that the descent would cross.
+/// True at a border that the descent would cross: so near to it that a step there would end at once.
 fn is_blocked(at: f64, slope: f64) -> bool {
-    (at <= 0.0 && slope > 0.0) || (at >= 1.0 && slope < 0.0)
+    (at <= BORDER_ROUNDING && slope > 0.0) || (at >= 1.0 - BORDER_ROUNDING && slope < 0.0)
 }
 
 /// Gradient and Hessian of |S - q|^2 / 2.

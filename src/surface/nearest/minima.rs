@@ -7,11 +7,11 @@
 
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
-use super::foot::{MAX_STEPS, minimise};
 use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
 use super::search::cells_around;
+use super::way_down::{SIDE_ROUNDING, has_way_down};
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::surface::cells::Cells;
 use crate::surface::frontier::{BranchAndBound, Frontier};
@@ -172,7 +172,7 @@ impl MinimaSearch<'_> {
 
     /// True if no cell that meets the point of a minimum of one patch has a way down from there.
     fn is_minimum_around(&self, minimum: &LocalMinimum) -> bool {
-        let on_border = |x: f64| x <= 0.0 || x >= 1.0;
+        let on_border = |x: f64| x <= SIDE_ROUNDING || x >= 1.0 - SIDE_ROUNDING;
         if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
             return true;
         }
@@ -193,9 +193,7 @@ impl MinimaSearch<'_> {
             let found =
                 nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
             let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
-            let foot = minimise(&patch, self.query, there.place, MAX_STEPS);
-            let moved = foot.jet.point.distance(minimum.point) > SAME_POINT * self.tolerance;
-            !(moved && foot.distance < minimum.distance)
+            !has_way_down(&patch, self.query, there.place, SAME_POINT * self.tolerance)
         })
     }
 

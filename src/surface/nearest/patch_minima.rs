@@ -23,6 +23,8 @@ use glam::{DVec2, DVec3};
 const MAX_PARTS_WITHOUT_AREA: usize = 12;
 /// Parts of a side that are examined before the rest is taken as it is.
 const MAX_PARTS_OF_SIDE: usize = 4 * MAX_PARTS;
+/// How far from the minimum a descent may end for rounding of distances, in parameters.
+const MAX_DESCENT_ERROR: f64 = 1e-6;
 /// Least size of a part of a side.
 const MIN_SIDE_PART: f64 = 1e-7;
 
@@ -72,7 +74,7 @@ pub(super) fn interior_minima<const N: usize>(
             continue;
         }
         let on_whole = || Foot::at(patch, query, part.place(foot.place));
-        if hessian.min_eigenvalue().is_some() {
+        if hessian.min_eigenvalue().is_some() && has_ended(&part.patch, &foot, query) {
             if is_stationary(&part.patch, &foot, query) {
                 add(LocalMinimum::new(&on_whole(), part.patch.convexity_distance(query, &foot), true));
             }
@@ -96,12 +98,16 @@ pub(super) fn interior_minima<const N: usize>(
     undecided.into_iter().for_each(add);
 }
 
-/// True if the slopes across borders of the part are 0 but for rounding; inside they are where the
-/// descent ends.
+/// True if a descent has ended where no permitted step goes down, and not short of it.
+fn has_ended<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
+    foot.projected_gradient(query).abs().cmple(slope_rounding(patch, foot, query, MAX_DESCENT_ERROR)).all()
+}
+
+/// True if the slopes across borders of the part are 0 but for rounding, where a descent has ended.
 fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
     let (gradient, _) = gradient_and_hessian(&foot.jet, query);
-    let slack = slope_rounding(patch, foot, query, 1e-12);
-    (0..2).all(|k| (foot.place[k] > 0.0 && foot.place[k] < 1.0) || gradient[k].abs() <= slack[k])
+    let (permitted, slack) = (foot.projected_gradient(query), slope_rounding(patch, foot, query, 1e-12));
+    (0..2).all(|k| permitted[k] != 0.0 || gradient[k].abs() <= slack[k])
 }
 
 /// Bounds of computed slopes of |S - q|^2 / 2 where the true ones are 0, if the place is off by
@@ -110,7 +116,7 @@ fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) ->
 /// The slope (S - q) . S_u is off by |S_u| times the rounding of S - q, and by |S - q| times that
 /// of S_u, which is not small beside S_u where this vanishes, as on a fold. Over a step it grows by
 /// the second derivative, |S_u|^2 + (S - q) . S_uu, of which only the last part is left there.
-fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
+pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
     let size = foot.jet.point.abs().max(query.abs()).max_element();
     let noise = patch.noise();
     let of = |along: DVec3, bend: DVec3| {
