@@ -269,11 +269,12 @@ impl Best<'_> {
         let mut searched = 0.0;
         for &t in roots.as_slice() {
             // What is on the curve within rounding, no place is nearer to.
-            if t >= searched && self.squared > (4.0 * f64::EPSILON * size).powi(2) {
-                if let Some(flat) = slope.flat_interval(t) {
-                    self.search(flat);
-                    searched = flat[1];
-                }
+            if t >= searched
+                && self.squared > (4.0 * f64::EPSILON * size).powi(2)
+                && let Some(flat) = slope.flat_interval(t)
+            {
+                self.search(flat);
+                searched = flat[1];
             }
         }
     }
