@@ -93,7 +93,7 @@ test-units:
 
 # From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
 test-programs: build
-	$(CARGO) test --locked -p gusset-tests --release $(released)
+	$(CARGO) test --locked -p gusset-tests --release $(released) --no-fail-fast
 
 # What is ignored in `make test` because it takes minutes, and the unit tests with all their cases.
 exhaustive:
