@@ -97,7 +97,7 @@ test-programs: build
 
 # What is ignored in `make test` because it takes minutes, and the unit tests with all their cases.
 exhaustive:
-	$(CARGO) test --locked -p gusset --lib --release
+	$(CARGO) test --locked -p gusset --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 
 # The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.

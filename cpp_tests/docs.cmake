@@ -46,7 +46,7 @@ target_link_libraries(guide_plugin PRIVATE ${CMAKE_DL_LIBS})
 add_test(NAME guides/plugin COMMAND guide_plugin ${GUSSET_PREFIX}/lib/libgusset.so)
 set_tests_properties(guides/plugin PROPERTIES PASS_REGULAR_EXPRESSION "weld: .*4 vertices are left of 6")
 
-# With the program, which cpp_tests/cli builds.
+# With the program that `make cli` built.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/cli_guide)
 foreach(side left right)
   file(CREATE_LINK ${CMAKE_BINARY_DIR}/generated/${side}.obj ${CMAKE_BINARY_DIR}/cli_guide/${side}.obj SYMBOLIC)

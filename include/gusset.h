@@ -7253,9 +7253,9 @@ gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
  * the loop on the outside. Every loop passes each of its vertices once: where the boundary touches
  * itself it is cut into several loops. Loops come in the order of their smallest half-edges. Walks
  * along edges with three or more faces alone are left out; a loop that is cut out of another walk
- * may have no edge with exactly one face. A face of fewer than three sides of different ends has no border; its
- * neighbours are taken to touch each other. A loop may have two vertices. Odd places are no
- * errors: see the flags of each loop, and gusset_boundary_get_defects.
+ * may have no edge with exactly one face. A face of fewer than three sides of different ends has no
+ * border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places
+ * are no errors: see the flags of each loop, and gusset_boundary_get_defects.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh the mesh.
@@ -7477,7 +7477,8 @@ gusset_status gusset_meridians_index(uint32_t n,
  * @param options NULL for the defaults.
  * @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
- *     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
  *     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
  *     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a

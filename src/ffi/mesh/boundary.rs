@@ -154,9 +154,9 @@ impl From<&Defect> for gusset_defect {
 /// the loop on the outside. Every loop passes each of its vertices once: where the boundary touches
 /// itself it is cut into several loops. Loops come in the order of their smallest half-edges. Walks
 /// along edges with three or more faces alone are left out; a loop that is cut out of another walk
-/// may have no edge with exactly one face. A face of fewer than three sides of different ends has no border; its
-/// neighbours are taken to touch each other. A loop may have two vertices. Odd places are no
-/// errors: see the flags of each loop, and gusset_boundary_get_defects.
+/// may have no edge with exactly one face. A face of fewer than three sides of different ends has no
+/// border; its neighbours are taken to touch each other. A loop may have two vertices. Odd places
+/// are no errors: see the flags of each loop, and gusset_boundary_get_defects.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh the mesh.

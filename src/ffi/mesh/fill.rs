@@ -202,7 +202,8 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// @param options NULL for the defaults.
 /// @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
-///     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
 ///     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
 ///     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a

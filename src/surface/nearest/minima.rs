@@ -7,11 +7,11 @@
 
 use super::block::{Block, blocks_within};
 use super::closest::Closest;
+use super::descent_direction::{SIDE_ROUNDING, has_descent_direction};
 use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
 use super::search::cells_around;
-use super::way_down::{SIDE_ROUNDING, has_way_down};
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::surface::cells::Cells;
 use crate::surface::frontier::{BranchAndBound, Frontier};
@@ -193,7 +193,7 @@ impl MinimaSearch<'_> {
             let found =
                 nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
             let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
-            !has_way_down(&patch, self.query, there.place, SAME_POINT * self.tolerance)
+            !has_descent_direction(&patch, self.query, there.place, SAME_POINT * self.tolerance)
         })
     }
 

@@ -12,7 +12,7 @@
 //!   `leaf` (the cells of a block);
 //! * `incumbent`: the best answer so far and the upper bound;
 //! * searches, with the tasks of `super::frontier`: `search` (of a surface), `patch_search` (of one
-//!   patch), `patch_minima` (all minima of one patch), with `way_down` (whether a place is none);
+//!   patch), `patch_minima` (all minima of one patch), with `descent_direction` (whether a place is none);
 //! * questions: `closest`, `batch`, `minima`, `region`, with `query` for what may be asked.
 
 mod batch;
@@ -20,6 +20,7 @@ mod block;
 mod bounds;
 mod closest;
 mod corners;
+mod descent_direction;
 mod foot;
 mod incumbent;
 mod leaf;
@@ -30,7 +31,6 @@ mod patch_search;
 mod query;
 mod region;
 mod search;
-mod way_down;
 
 pub use closest::Closest;
 pub use minima::Minima;

@@ -12,11 +12,11 @@ use crate::geom::kd_tree::{KdTree, Radius};
 use crate::surface::prelude::*;
 use glam::DVec4;
 
-/// Chains of as many arcs are no scraps.
+/// Shorter chains may be scraps.
 const MIN_CHAIN_ARCS: usize = 8;
-/// Ends of chains in a ball: of more, which belong together cannot be told.
+/// Ends of chains in a ball: with more of them it is ambiguous which belong together.
 const MAX_ENDS: usize = 64;
-/// What is as many tolerances apart may be one point.
+/// Ends within this many tolerances may be one point.
 const POINT_TOLERANCES: f64 = 8.0;
 
 /// The surfaces that are intersected.
@@ -25,8 +25,8 @@ pub(super) trait Surroundings {
     fn sheets(&self, pair: u32) -> [u32; 2];
     /// The point at parameters of a pair of cells.
     fn point(&self, pair: u32, x: DVec4) -> DVec3;
-    /// Whether both surfaces are as near to a chord as to those of curves.
-    fn carry(&self, chord: [DVec3; 2]) -> bool;
+    /// Whether a chord is as near to both surfaces as those of the curves are.
+    fn contain(&self, chord: [DVec3; 2]) -> bool;
 }
 
 /// The end of a chain that a bridge may begin at, or end at: those of chain k are 2 k and 2 k + 1.
@@ -55,8 +55,9 @@ fn radius(length: f64) -> Radius {
 }
 
 impl<S: Surroundings> Bridges<'_, S> {
-    /// How far a ball reaches: arcs beside it that are shorter than the tolerance are lost.
-    fn reach(&self, ball: &UnresolvedBall) -> f64 {
+    /// The radius within which a ball may have ended a chain: arcs beside it that are shorter than the
+    /// tolerance are lost.
+    fn end_radius(&self, ball: &UnresolvedBall) -> f64 {
         ball.radius + 4.0 * self.tolerance
     }
 
@@ -68,7 +69,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         let mut found = Vec::new();
         for (k, ball) in self.pieces.balls.iter().enumerate() {
             let (mut result, sheets) = (Ok(()), self.surroundings.sheets(ball.pair));
-            tree.for_each_within(ball.centre, radius(self.reach(ball)), &mut |_, n| {
+            tree.for_each_within(ball.centre, radius(self.end_radius(ball)), &mut |_, n| {
                 if self.surroundings.sheets(points[n as usize].1) == sheets && result.is_ok() {
                     result = alloc::push(&mut found, (k as u32, n));
                 }
@@ -126,7 +127,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         bridges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
-            if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.carry([from.point, to.point])) {
+            if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.contain([from.point, to.point])) {
                 links.join(from.arc, to.arc);
             }
         }
@@ -156,10 +157,10 @@ impl<S: Surroundings> Bridges<'_, S> {
         let tree = tree(&centres)?;
         let mut pairs = Vec::new();
         for (k, group) in groups.iter().enumerate() {
-            let (own, mut result) = (self.reach(ball(k)), Ok(()));
+            let (own, mut result) = (self.end_radius(ball(k)), Ok(()));
             // Smaller balls only, and so all within twice the radius.
             tree.for_each_within(centres[k], radius(2.0 * own), &mut |_, n| {
-                let (n, other) = (n as usize, self.reach(ball(n as usize)));
+                let (n, other) = (n as usize, self.end_radius(ball(n as usize)));
                 if result.is_ok() && (other, n) <= (own, k) && centres[k].distance(centres[n]) <= own + other {
                     result = add_pairs(group, groups[n], &mut pairs);
                 }

@@ -139,7 +139,7 @@ impl Surroundings for Intersection<'_> {
         self.surfaces[0].jet(self.places(pair, x)[0]).point
     }
 
-    fn carry(&self, [from, to]: [DVec3; 2]) -> bool {
+    fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
         let near = |point: DVec3| self.surfaces.iter().all(|surface| surface.closest(point, self.chord).is_some());
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }

@@ -1,6 +1,6 @@
-//! Whether the distance falls from a place of a patch, at once: by its slopes in the directions that
+//! Descent directions of the distance at a place of a patch: by its slopes in the directions that
 //! stay in the patch, and by its second derivatives where slopes are 0. A descent would not tell: it
-//! may stop short of the way down, or step over into the basin of another minimum.
+//! may stop short, or step over into the basin of another minimum.
 
 use super::foot::{Foot, MAX_STEPS, gradient_and_hessian, minimise};
 use super::patch_minima::slope_rounding;
@@ -8,15 +8,15 @@ use crate::surface::Patch;
 use crate::surface::prelude::*;
 use glam::DMat2;
 
-/// Places as near to a side, in parameters, are on it.
+/// Places within this distance of a side, in parameters, are on it.
 pub(super) const SIDE_ROUNDING: f64 = 1e-9;
-/// Second derivatives that are as small beside the squares of tangents are 0, and so are sines of
-/// the angle of tangents.
-const SMALL: f64 = 1e-9;
+/// Second derivatives up to this share of the squares of tangents are 0, and so are sines of the
+/// angle between tangents up to it.
+const RELATIVE_ROUNDING: f64 = 1e-9;
 
-/// True if the distance from a query falls from a place of a patch on. Where the parameters are not
-/// regular, if it falls to a place farther than `moved`, as far as a descent shows.
-pub(super) fn has_way_down<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, moved: f64) -> bool {
+/// True if the distance from a query decreases in some direction from a place of a patch. Where the
+/// parameters are not regular: if a descent ends farther from it than `moved`.
+pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, moved: f64) -> bool {
     let snapped = |x: f64| {
         let near_high = if x >= 1.0 - SIDE_ROUNDING { 1.0 } else { x };
         if x <= SIDE_ROUNDING { 0.0 } else { near_high }
@@ -25,7 +25,7 @@ pub(super) fn has_way_down<const N: usize>(patch: &Patch<N>, query: DVec3, place
     let (u, v) = (foot.jet.u, foot.jet.v);
     // On a fold a point tells little of its parameters.
     let is_fold = |along: DVec3, bend: DVec3| along.length_squared() <= patch.noise().powi(2) + moved * bend.length();
-    let are_parallel = u.cross(v).length() <= SMALL * u.length() * v.length();
+    let are_parallel = u.cross(v).length() <= RELATIVE_ROUNDING * u.length() * v.length();
     if is_fold(u, foot.jet.uu) || is_fold(v, foot.jet.vv) || are_parallel {
         let lowest = minimise(patch, query, foot.place, MAX_STEPS);
         return lowest.distance < foot.distance && lowest.jet.point.distance(foot.jet.point) > moved;
@@ -50,7 +50,7 @@ pub(super) fn has_way_down<const N: usize>(patch: &Patch<N>, query: DVec3, place
 /// True if a quadratic form is negative somewhere between the axes on the side of `step`, or along
 /// the one axis that it is on, beyond a small part of the `squares` of both.
 fn is_negative(form: DMat2, step: DVec2, squares: [f64; 2]) -> bool {
-    let (uu, vv) = (form.x_axis.x + SMALL * squares[0], form.y_axis.y + SMALL * squares[1]);
+    let (uu, vv) = (form.x_axis.x + RELATIVE_ROUNDING * squares[0], form.y_axis.y + RELATIVE_ROUNDING * squares[1]);
     let mixed = step.x * step.y * form.x_axis.y;
     (step.x != 0.0 && uu < 0.0) || (step.y != 0.0 && vv < 0.0) || (mixed < 0.0 && mixed * mixed > uu * vv)
 }
