@@ -7,9 +7,10 @@
 use crate::error::Result;
 use crate::job::Job;
 use std::convert::Infallible;
+use std::iter;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
 /// Applies `work` to every item and returns the results in order.
@@ -53,43 +54,52 @@ fn run_ordered<T: Send, R: Send, E>(
 ) -> std::result::Result<Vec<R>, E> {
     let count = items.len();
     let wanted = at_most(count, threads);
-    if wanted <= 1 {
-        return items.enumerate().map(|(i, item)| before(i).map(|()| work(item))).collect();
-    }
-
     let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
-    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-    let take = || {
-        let mut done = Vec::new();
-        while let Some((i, item)) = next().filter(|_| !stopped.load(Ordering::Relaxed)) {
-            done.push((i, work(item)));
-        }
-        done
+    let results = Mutex::new(iter::repeat_with(|| None).take(count).collect::<Vec<Option<R>>>());
+    let next = || lock(&queue).next();
+    let finish = |(i, item)| {
+        let result = work(item);
+        lock(&results)[i] = Some(result);
     };
-    let take_and_tell = || {
-        let mut done = Vec::new();
+    let help = || {
+        while let Some(item) = next().filter(|_| !stopped.load(Ordering::Relaxed)) {
+            finish(item);
+        }
+    };
+    let mut told = Ok(());
+    let mut lead = || {
         while let Some((i, item)) = next() {
-            before(i).inspect_err(|_| stopped.store(true, Ordering::Relaxed))?;
-            done.push((i, work(item)));
+            told = before(i);
+            if told.is_err() {
+                return stopped.store(true, Ordering::Relaxed);
+            }
+            finish((i, item));
         }
-        Ok(done)
     };
-    let mut results = thread::scope(|scope| {
+    run_beside(wanted.saturating_sub(1), &help, &mut lead);
+    told.map(|()| results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect())
+}
+
+/// Runs `lead` on this thread and `help` on `helpers` others, and returns when all have returned. Not generic: what starting a
+/// thread compiles to is there once, not for each use of [`map`].
+fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut()) {
+    if helpers == 0 {
+        return lead();
+    }
+    thread::scope(|scope| {
         // A thread that cannot be started is no failure: the others take its share.
         let handles: Vec<_> =
-            (1..wanted).map_while(|_| thread::Builder::new().spawn_scoped(scope, take).ok()).collect();
-        let mut results = take_and_tell();
+            (0..helpers).map_while(|_| thread::Builder::new().spawn_scoped(scope, help).ok()).collect();
+        lead();
         for handle in handles {
-            match (handle.join(), &mut results) {
-                (Ok(part), Ok(results)) => results.extend(part),
-                (Ok(_), Err(_)) => {}
-                (Err(panic), _) => std::panic::resume_unwind(panic),
-            }
+            handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         }
-        results
-    })?;
-    results.sort_unstable_by_key(|&(i, _)| i);
-    Ok(results.into_iter().map(|(_, result)| result).collect())
+    });
+}
+
+/// What a thread that panicked leaves behind is whole: nothing is changed in two steps.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Consecutive ranges of `size` elements that cover `0..len`, as items.
