@@ -63,6 +63,37 @@ class Parts(Structure):
         ("reserved", c_uint32)]
 
 
+class LoopPair(Structure):
+    _fields_ = [("piece", c_uint32 * 2), ("vertex", c_uint32 * 2)]
+
+
+class AssemblyOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("weld", c_uint32), ("orientation", c_uint32), ("gap", c_uint32),
+        ("whole_loops_only", c_uint32), ("within_components", c_uint32), ("fill", c_uint32), ("max_gap", c_double),
+        ("pairs", POINTER(LoopPair)), ("pair_count", c_size_t), ("excluded", c_void_p), ("excluded_count", c_size_t),
+        ("weld_options", c_void_p), ("strip_options", POINTER(StitchOptions)), ("fill_options", c_void_p)]
+
+
+class Joint(Structure):
+    _fields_ = [
+        ("sides", Indices * 2), ("gap", c_double), ("vertex_first", c_size_t), ("vertex_count", c_size_t),
+        ("face_first", c_size_t), ("face_count", c_size_t), ("intersections", Indices), ("intersections_known", c_uint32),
+        ("outcome", c_uint32), ("whole", c_uint32), ("reserved", c_uint32)]
+
+
+class PieceMap(Structure):
+    _fields_ = [("vertices", Indices), ("faces", Indices)]
+
+
+class AssemblyParts(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("pieces", POINTER(PieceMap)), ("piece_count", c_size_t), ("joints", POINTER(Joint)),
+        ("joint_count", c_size_t), ("left", c_void_p), ("left_count", c_size_t), ("holes", c_void_p), ("hole_count", c_size_t),
+        ("hole_rims", Indices), ("turned", Indices), ("one_sided", Indices), ("welded_vertices", c_uint32),
+        ("sewn_edges", c_uint32), ("loops_left", c_uint32), ("non_manifold_edges", c_uint32)]
+
+
 class OutlinesGiven(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("points", c_void_p), ("point_stride", c_size_t), ("point_count", c_size_t),
@@ -141,7 +172,7 @@ class Library:
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
         self.c.gusset_boundary_loop_count.restype = c_size_t
-        for name in ("boundary", "stitch", "strip", "outline", "context", "net", "stream"):
+        for name in ("assembly", "boundary", "stitch", "strip", "outline", "context", "net", "stream"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
         self.one_thread, self.automatic = self._context(1), self._context(0)
         self.version = self.c.gusset_version().decode()
@@ -217,6 +248,30 @@ class Library:
         self._check(self.c.gusset_stitch_get_view(stitch.address, byref(parts)))
         points = self.mesh(stitch)[0]
         return [np.ascontiguousarray(points[array(rim.data, rim.count, np.uint32)]) for rim in parts.rim]
+
+    def assembly(self, pieces, pairs=(), strip=None):
+        """Many meshes joined; `pairs` of loops, each named by a piece and a vertex of it."""
+        views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
+        options, address = sized(AssemblyOptions), c_void_p()
+        given = (LoopPair * len(pairs))(*(LoopPair((a[0], b[0]), (a[1], b[1])) for a, b in pairs))
+        options.pairs, options.pair_count = given, len(pairs)
+        if strip is not None:
+            options.strip_options = ctypes.pointer(strip)
+        self._check(self.c.gusset_assembly_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
+        return Handle(self.c, "gusset_assembly_destroy", address)
+
+    def assembled(self, assembly):
+        """Points, triangles, for each piece its vertices in the result, and the two sides of each joint that was made."""
+        view, parts = sized(View), sized(AssemblyParts)
+        self._check(self.c.gusset_assembly_get_mesh(assembly.address, byref(view)))
+        self._check(self.c.gusset_assembly_get_view(assembly.address, byref(parts)))
+        points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
+        faces = array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
+        pieces = [parts.pieces[k].vertices for k in range(parts.piece_count)]
+        maps = [array(piece.data, piece.count, np.uint32) for piece in pieces]
+        joints = [parts.joints[k] for k in range(parts.joint_count)]
+        joined = [[array(side.data, side.count, np.uint32) for side in joint.sides] for joint in joints if joint.outcome == 0]
+        return points, faces, maps, joined
 
     def outline(self, outlines, kind):
         """The curves through the points of closed outlines, by one thread."""

@@ -92,17 +92,18 @@ def shuffled(mesh):
     return Mesh(points, np.ascontiguousarray(vertex[mesh.faces[face]].astype(np.uint32)))
 
 
-def cut(mesh, height, above):
-    """The part of a mesh on one side of the plane y = height. No vertex may lie on the plane."""
-    side = (mesh.points[:, 1] > height) == above
+def cut(mesh, height, above, direction=(0.0, 1.0, 0.0)):
+    """The part of a mesh on one side of the plane at `height` in a direction of length 1. No vertex may lie on the plane."""
+    heights = mesh.points @ np.asarray(direction)
+    side = (heights > height) == above
     count = side[mesh.faces].sum(axis=1)
     points, faces, new = list(mesh.points), [mesh.faces[count == 3].astype(np.int64)], {}
 
     def crossing(inner, outer):
         if (inner, outer) not in new:
             p, q = mesh.points[inner], mesh.points[outer]
-            point = p + (q - p) * ((height - p[1]) / (q[1] - p[1]))
-            point[1] = height
+            point = p + (q - p) * ((height - heights[inner]) / (heights[outer] - heights[inner]))
+            point += (height - point @ direction) * np.asarray(direction)
             new[inner, outer] = len(points)
             points.append(point)
         return new[inner, outer]
@@ -182,3 +183,11 @@ def write(mesh, path):
         np.array([len(mesh.points), len(mesh.faces)], dtype=np.uint64).tofile(out)
         mesh.points.astype(np.float64).tofile(out)
         mesh.faces.astype(np.uint32).tofile(out)
+
+
+def read(path):
+    """What the programs in C++ wrote in the same form."""
+    with open(path, "rb") as file:
+        counts = np.fromfile(file, dtype=np.uint64, count=2).astype(int)
+        points = np.fromfile(file, dtype=np.float64, count=3 * counts[0]).reshape(-1, 3)
+        return Mesh(points, np.fromfile(file, dtype=np.uint32, count=3 * counts[1]).reshape(-1, 3))

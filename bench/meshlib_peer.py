@@ -22,9 +22,13 @@ def loops(mesh):
 
 
 def holes(built, gap):
+    return holes_at(built, len(gap.whole.points), gap.rims)
+
+
+def holes_at(built, vertex_count, rims):
     """An edge of each of the two holes that are to be joined: the one that the rim's first vertices lie on."""
-    on = [np.zeros(len(gap.whole.points), dtype=bool) for _ in gap.rims]
-    for mark, rim in zip(on, gap.rims):
+    on = [np.zeros(vertex_count, dtype=bool) for _ in rims]
+    for mark, rim in zip(on, rims):
         mark[rim] = True
     edges = list(built.topology.findHoleRepresentiveEdges())
     return [next(e for e in edges if mark[built.topology.org(e).get()]) for mark in on]

@@ -21,3 +21,17 @@ Triangles read_triangles(const std::string &path) {
     }
     return mesh;
 }
+
+void write_triangles(const Triangles &mesh, const std::string &path) {
+    std::ofstream out(path, std::ios::binary);
+    const uint64_t counts[2] = {mesh.points.size(), mesh.face_count()};
+    const auto write = [&](const void *from, std::size_t bytes) {
+        out.write(static_cast<const char *>(from), static_cast<std::streamsize>(bytes));
+    };
+    write(counts, sizeof counts);
+    write(mesh.points.data(), mesh.points.size() * sizeof mesh.points[0]);
+    write(mesh.corners.data(), mesh.corners.size() * sizeof mesh.corners[0]);
+    if (!out) {
+        throw std::runtime_error("cannot write " + path);
+    }
+}

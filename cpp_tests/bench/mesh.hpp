@@ -15,3 +15,5 @@ struct Triangles {
 
 /// A file of two 64-bit counts, the points and the triangles.
 Triangles read_triangles(const std::string &path);
+
+void write_triangles(const Triangles &mesh, const std::string &path);
