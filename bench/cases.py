@@ -100,7 +100,7 @@ class Cases(NetCases):
         """From arrays to arrays."""
         gap = JOINS[name]()
         # Everybody is judged, which takes long where the mesh is large; the small one of its kind shows the same.
-        kinds = [] if name == "3888x3408" else [kind for kind in gusset.MERIDIANS if kind != "area"]
+        kinds = [] if name == "3888x3408" else [kind for kind in gusset.MERIDIANS if kind != "continuation"]
         return [
             self.stitch(gap, "gusset", self.library.options()),
             meshlib_peer.whole_contender(gap, "complex"),
@@ -169,8 +169,8 @@ class Cases(NetCases):
             "": dict(rows=gusset.ROWS_COUNT, row_count=5, **fair),
             "-mean-edge": dict(rows=gusset.ROWS_MEAN_EDGE, **fair),
             "-unfair": dict(meridians="quad", rows=gusset.ROWS_COUNT, row_count=5),
-            "-area-mean-edge": dict(rows=gusset.ROWS_MEAN_EDGE),
-            "-area-5": dict(rows=gusset.ROWS_COUNT, row_count=5),
+            "-area-mean-edge": dict(meridians="area", rows=gusset.ROWS_MEAN_EDGE),
+            "-area-5": dict(meridians="area", rows=gusset.ROWS_COUNT, row_count=5),
         }
 
     def in_rows(self, gap, options):

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 
 F32, F64, BOUNDARY_ONLY = 1, 2, 1
-MERIDIANS = {"area": 0, "index": 1, "arc-length": 2, "greedy": 3, "min-diagonal": 4, "smooth": 5, "quad": 6}
+MERIDIANS = {
+    "continuation": 0, "index": 1, "arc-length": 2, "greedy": 3, "min-diagonal": 4, "smooth": 5, "quad": 6, "area": 7}
 ROWS_MEAN_EDGE, ROWS_COUNT = 1, 2
 START_GIVEN = 2
 FAIRING_THIN_PLATE = 1
@@ -196,7 +197,7 @@ class Library:
         return view
 
     @staticmethod
-    def options(meridians="area", rows=0, row_count=0, fairing=0):
+    def options(meridians="continuation", rows=0, row_count=0, fairing=0):
         options = sized(StitchOptions)
         options.meridians, options.rows, options.row_count = MERIDIANS[meridians], rows, row_count
         options.fairing = fairing

@@ -46,7 +46,7 @@ struct StripRows {
 
 /// The options of stitching; see gusset_stitch_options.
 struct StitchOptions {
-    Meridians meridians = Meridians::min_area;
+    Meridians meridians = Meridians::continuation;
     Orientation orientation = Orientation::fix;
     int64_t twist = 0;
     StitchExtent extent = StitchExtent::whole_loops;

@@ -8,6 +8,7 @@ namespace gusset {
 
 /// The choice of meridians; see the constants.
 enum class Meridians : uint32_t {
+    continuation = GUSSET_MERIDIANS_CONTINUATION,
     min_area = GUSSET_MERIDIANS_MIN_AREA,
     index = GUSSET_MERIDIANS_INDEX,
     arc_length = GUSSET_MERIDIANS_ARC_LENGTH,
@@ -36,7 +37,7 @@ inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
 /// A strip of triangles between two polylines that belong to no mesh; see gusset_strip_create.
 class Strip {
 public:
-    Strip(Points a, Points b, bool closed, Meridians meridians = Meridians::min_area,
+    Strip(Points a, Points b, bool closed, Meridians meridians = Meridians::continuation,
           StripStart start = StripStart::automatic, StripSearch search = StripSearch::automatic,
           const Context &context = Context()) {
         auto given = detail::sized<gusset_strip_options>();

@@ -9,15 +9,17 @@
 //! straight meridians, halfway each time, those near by a little less, until nothing cuts or
 //! nothing is left to take back.
 
-use super::request::{Fairing, Intersections, Options};
+use super::avoid::avoid_cuts;
+use super::meridian::Meridians;
+use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
+use super::request::{Cells, Fairing, Intersections, Options};
+use super::rim::Bridges;
 use super::strip::Strip;
 use crate::alloc;
 use crate::error::Result;
 use crate::fair::{Weights, thin_plate};
-use crate::geom::{Aabb, bit_set::BitSet};
-use crate::intersect::{Soup, intersecting_pairs};
 use crate::job::Job;
-use crate::mesh::{Mesh, Scalar};
+use crate::mesh::Mesh;
 use crate::sort::sort_distinct;
 use glam::DVec3;
 
@@ -45,12 +47,21 @@ pub(super) fn fair_and_check(
     whole: &Mesh,
     strip: &mut Strip,
     unit: f64,
+    bridges: &Bridges,
     options: &Options,
     job: &Job<'_>,
 ) -> Result<CheckedStrip> {
+    let avoids = strip.grid.new.is_empty()
+        && strip.meridians.len() > 1
+        && options.meridians == Meridians::Continuation
+        && options.cells == Cells::Triangles;
+    if avoids && options.intersections == Intersections::Auto {
+        let left = avoid_cuts(whole, strip, bridges, unit, options, job)?;
+        return Ok(CheckedStrip { intersections: Some(left), back_offs: 0 });
+    }
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
     let checks = match options.intersections {
-        Intersections::Auto => faired,
+        Intersections::Auto => true,
         Intersections::Ignore => false,
         Intersections::Report => true,
     };
@@ -99,101 +110,7 @@ pub(super) fn fair_and_check(
     Ok(checked)
 }
 
-/// Triangles, and the faces that they are part of.
-#[derive(Default)]
-struct Triangles {
-    corners: Vec<[u32; 3]>,
-    faces: Vec<u32>,
-}
-
-/// The strip and what is round it, in the numbers of the result: old vertices and faces, then new
-/// ones.
-struct Neighbourhood<'a> {
-    whole: &'a Mesh,
-    unit: f64,
-    /// The number of old vertices.
-    base: u32,
-    /// Its faces' corners, face after face.
-    strip: Vec<u32>,
-    offsets: &'a [u32],
-    /// The rims' vertices, one bit each.
-    rim: BitSet,
-    /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
-    ends: Vec<u32>,
-    /// The positions of the new vertices.
-    points: Vec<DVec3>,
-}
-
-impl<'a> Neighbourhood<'a> {
-    fn new(whole: &'a Mesh, strip: &'a Strip, unit: f64, points: Vec<DVec3>) -> Result<Self> {
-        let base = whole.positions.len() as u32;
-        let (a, b) = (&strip.a.vertices, &strip.b.vertices);
-        let (n, rims) = (a.len(), a.len() + b.len());
-        let name = |&k: &u32| match k as usize {
-            k if k < n => a[k],
-            k if k < rims => b[k - n],
-            k => base + (k - rims) as u32,
-        };
-        let mut rim = BitSet::new(whole.positions.len())?;
-        a.iter().chain(b).for_each(|&v| rim.insert(v));
-        let mut ends = Vec::new();
-        if !strip.a.closed {
-            let columns = strip.meridians.len();
-            let rows = strip.grid.matrix.chunks(columns);
-            ends = alloc::gather(rows.flat_map(|row| [row[0], row[columns - 1]]).map(|k| name(&k)))?;
-            ends.sort_unstable();
-        }
-        let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
-        Ok(Neighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
-    }
-
-    /// Rounds the new vertices to what the result can hold.
-    fn round(&mut self) {
-        if self.whole.positions.view().scalar() == Scalar::F32 {
-            let unit = self.unit;
-            self.points.iter_mut().for_each(|p| *p = (*p * unit).as_vec3().as_dvec3() / unit);
-        }
-    }
-
-    fn at(&self, v: u32) -> DVec3 {
-        match v.checked_sub(self.base) {
-            Some(k) => self.points[k as usize],
-            None => self.whole.positions.get(v) / self.unit,
-        }
-    }
-
-    /// Adds a face's triangles: a quad split by its shorter diagonal, any other polygon as a fan
-    /// from its first corner.
-    fn split(&self, face: &[u32], number: u32, into: &mut Triangles) -> Result<()> {
-        let squared = |p: usize, q: usize| self.at(face[p]).distance_squared(self.at(face[q]));
-        let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
-        let corner = |k: usize| face[(first + k) % face.len()];
-        for k in 1..face.len() - 1 {
-            alloc::push(&mut into.corners, [corner(0), corner(k), corner(k + 1)])?;
-            alloc::push(&mut into.faces, number)?;
-        }
-        Ok(())
-    }
-
-    fn strip_triangles(&self) -> Result<Triangles> {
-        let mut triangles = Triangles::default();
-        for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
-            self.split(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
-        }
-        Ok(triangles)
-    }
-
-    /// The old faces that `wanted` takes, as triangles.
-    fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool) -> Result<Triangles> {
-        let mut triangles = Triangles::default();
-        for (face, number) in self.whole.faces().zip(0..) {
-            if wanted(face) {
-                self.split(face, number, &mut triangles)?;
-            }
-        }
-        Ok(triangles)
-    }
-
+impl Neighbourhood<'_> {
     /// Moves the new vertices to where a thin plate would have them.
     fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
@@ -264,22 +181,6 @@ impl<'a> Neighbourhood<'a> {
         Ok(())
     }
 
-    /// The old triangles that reach into the box round the strip, faired or `straight`.
-    fn old_triangles_nearby(&self, straight: &[DVec3]) -> Result<Triangles> {
-        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
-        let new = self.points.iter().chain(straight).copied();
-        let around = Aabb::of(rims.chain(new));
-        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.at(v))).overlaps(&around))
-    }
-
-    /// The pairs of triangles that cut each other, and the strip's triangles that they are counted
-    /// by.
-    fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
-        let strip = self.strip_triangles()?;
-        let soup = Soup { at: |v| self.at(v), new: &strip.corners, old: &old.corners };
-        Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
-    }
-
     /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those
     /// near by; false if there are none where anything is left to take back.
     fn back_off(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
@@ -309,26 +210,4 @@ impl<'a> Neighbourhood<'a> {
         }
         Ok(true)
     }
-
-    /// The faces of cutting triangles, the strip's first, the larger one first if both are the
-    /// strip's; each pair once.
-    fn faces(&self, old: &Triangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
-        let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
-            Some(k) => old.faces[k],
-            None => found.strip.faces[k as usize],
-        };
-        let mut faces = alloc::collect(found.pairs.iter().map(|&[p, q]| {
-            let (f, g) = (face(p), face(q));
-            [f.max(g), f.min(g)]
-        }))?;
-        // The two triangles of a quad may fold onto each other.
-        sort_distinct(&mut faces);
-        Ok(faces)
-    }
-}
-
-struct IntersectingTriangles {
-    /// Numbers below the strip's count of triangles are of the strip, the others of the old ones.
-    pairs: Vec<[u32; 2]>,
-    strip: Triangles,
 }

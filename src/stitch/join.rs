@@ -88,7 +88,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     b.reverse();
     let mean_side = || whole.mean_side() / unit;
     let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
-    let checked = fair_and_check(&whole, &mut strip, unit, options, &job.part(0.6, 0.75))?;
+    let checked = fair_and_check(&whole, &mut strip, unit, &bridges, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
     let attached = append_strip(&mut whole, &strip, unit)?;
 

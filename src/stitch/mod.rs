@@ -21,6 +21,8 @@
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
 //! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip with itself and the pieces |
+//! | [`avoid`](self) | another strip where one cuts |
+//! | [`neighbourhood`](self) | the faces round a strip |
 //! | [`ruled`](self) | a strip between polylines that belong to no mesh |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
 //! | [`quality`](self) | quality measures of the result |
@@ -28,6 +30,7 @@
 //! | [`assemble`] | many pieces |
 
 pub mod assemble;
+mod avoid;
 mod combine;
 mod extent;
 pub mod facing;
@@ -35,6 +38,7 @@ mod fair_and_check;
 mod grid;
 mod join;
 pub mod meridian;
+mod neighbourhood;
 mod pairing;
 mod polyline;
 mod quality;

@@ -1,7 +1,7 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
 use super::grid::{FaceList, Grid};
-use super::meridian::{MeridianChoice, Pair, RimPair, forbidden_nodes, meridians};
+use super::meridian::{DearStep, MeridianChoice, Pair, RimPair, forbidden_nodes, meridians, meridians_near};
 use super::request::{Cells, Options, Rows};
 use super::rim::{Bridges, Rim};
 use super::start::{Start, by_rotation, closest_pair};
@@ -59,6 +59,17 @@ impl Strip {
         Ok(Strip { a, b, meridians, grid, faces })
     }
 
+    /// Puts the strip on other meridians, without rows.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`], [`Error::OutOfMemory`].
+    pub(super) fn lay(&mut self, meridians: Vec<Pair>, bridges: &Bridges, options: &Options) -> Result<()> {
+        self.grid = Grid::new(&self.a, &self.b, &meridians, 0)?;
+        self.faces = self.grid.faces(&self.a, &self.b, bridges, options.cells == Cells::Quads)?;
+        self.meridians = meridians;
+        Ok(())
+    }
+
     /// The number of the rims' vertices, which are the strip's first.
     pub(crate) fn rim_count(&self) -> usize {
         self.a.vertices.len() + self.b.vertices.len()
@@ -104,6 +115,30 @@ pub(crate) fn from_given_start(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
+    between_rims(a, b, bridges, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
+}
+
+/// The best meridians near others, where some steps are dearer.
+pub(super) fn near(
+    a: &Rim,
+    b: &Rim,
+    bridges: &Bridges,
+    options: &Options,
+    path: &[Pair],
+    dear: &[DearStep],
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
+    between_rims(a, b, bridges, options, dear, |rims| meridians_near(rims, options.meridians, path, job))
+}
+
+fn between_rims<T>(
+    a: &Rim,
+    b: &Rim,
+    bridges: &Bridges,
+    options: &Options,
+    dear: &[DearStep],
+    find: impl FnOnce(&RimPair<'_>) -> Result<T>,
+) -> Result<T> {
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
     // With interior rows no meridian is an edge of its own.
     let forbidden = match options.rows {
@@ -112,6 +147,5 @@ pub(crate) fn from_given_start(
     };
     let (line_a, line_b) = (a.line()?, b.line()?);
     let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
-    let rails = RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides };
-    meridians(&rails, options.meridians, options.search, job)
+    find(&RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides, dear })
 }

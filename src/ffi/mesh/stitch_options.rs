@@ -4,8 +4,11 @@ use crate::ffi::prelude::*;
 use crate::stitch::facing::{Arc, Centres, Run};
 use crate::stitch::{Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Rows, Search, Start};
 
-/// The strip of triangles of least area through the first meridian.
-pub const GUSSET_MERIDIANS_MIN_AREA: u32 = 0;
+/// The strip of triangles that best continues both surfaces, near the strip of least area: little
+/// turn between neighbours, along the rims above all, and meridians that lie on the surface which
+/// the faces beside the rims suggest. Between lines without faces (gusset_strip_create) the strip
+/// of least area.
+pub const GUSSET_MERIDIANS_CONTINUATION: u32 = 0;
 /// The paper's rule by index, O(N + M): good for evenly spaced rims.
 pub const GUSSET_MERIDIANS_INDEX: u32 = 1;
 /// Both rims walked at the same pace, by arc length, O(N + M).
@@ -21,6 +24,8 @@ pub const GUSSET_MERIDIANS_SMOOTH: u32 = 5;
 /// (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for strips
 /// with interior rows.
 pub const GUSSET_MERIDIANS_QUAD: u32 = 6;
+/// The strip of triangles of least area through the first meridian.
+pub const GUSSET_MERIDIANS_MIN_AREA: u32 = 7;
 
 /// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
 /// fine: nearly linear time, linear memory, and a result within a few hundredths of a per cent of
@@ -159,13 +164,14 @@ versioned! { gusset_stitch_options: 72 reserved }
 
 c_enum! {
     meridians: Meridians {
-        GUSSET_MERIDIANS_MIN_AREA => MinArea,
+        GUSSET_MERIDIANS_CONTINUATION => Continuation,
         GUSSET_MERIDIANS_INDEX => Index,
         GUSSET_MERIDIANS_ARC_LENGTH => ArcLength,
         GUSSET_MERIDIANS_GREEDY => Greedy,
         GUSSET_MERIDIANS_MIN_DIAGONAL => MinDiagonal,
         GUSSET_MERIDIANS_SMOOTH => Smooth,
         GUSSET_MERIDIANS_QUAD => Quad,
+        GUSSET_MERIDIANS_MIN_AREA => MinArea,
     }
     search: Search { GUSSET_SEARCH_AUTO => Auto, GUSSET_SEARCH_EXACT => Exact }
     start: Start { GUSSET_START_AUTO => Auto, GUSSET_START_CLOSEST => Closest }

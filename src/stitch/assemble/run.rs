@@ -75,8 +75,14 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let checked =
-                        fair_and_check(&base.done.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
+                    let checked = fair_and_check(
+                        &base.done.mesh,
+                        &mut strip,
+                        loops.unit,
+                        &bridges,
+                        &strips,
+                        &part.part(0.6, 1.0),
+                    )?;
                     let attached = append_strip(&mut base.done.mesh, &strip, loops.unit)?;
                     edges.enter_strip(&strip)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];

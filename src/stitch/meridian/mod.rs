@@ -35,14 +35,19 @@ use bend::{Bends, tie_break};
 use index_rule::index_meridians;
 use metric::Metric;
 pub use rims::Pair;
-pub(crate) use rims::{RimPair, forbidden_nodes};
+pub(crate) use rims::{DearStep, RimPair, forbidden_nodes};
 use states::{Cost, cheapest, is_simple};
 
 /// How meridians are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Meridians {
-    /// The strip of triangles of least area.
+    /// The strip of triangles that best continues both surfaces: little turn between neighbours,
+    /// along the rims above all, and meridians that lie on the surface which the faces beside the
+    /// rims suggest. It is looked for near the strip of least area, which is also the answer where
+    /// no faces are known.
     #[default]
+    Continuation,
+    /// The strip of triangles of least area.
     MinArea,
     /// The paper's rule by index: O(N + M). Good for evenly spaced rims.
     Index,
@@ -62,6 +67,7 @@ pub enum Meridians {
 }
 
 choices! { for Meridians:
+    Continuation => "Continuation", "The strip of triangles that best continues both surfaces.";
     MinArea => "Least area", "The strip of triangles of least area, for rims of any shape.";
     Index => "By index", "The rule of the paper: fastest, for evenly spaced rims.";
     ArcLength => "By arc length", "Both rims traversed in proportion to arc length: fast, for rims of similar shape.";
@@ -111,6 +117,7 @@ pub(crate) fn meridians(
         Meridians::Index => return Ok(Some(chosen(area, paper))),
         Meridians::ArcLength => greedy::by_arc_length(rims)?,
         Meridians::Greedy => greedy::greedily(rims)?,
+        Meridians::Continuation => return continuation(rims, &paper, search, job),
         Meridians::MinArea => return additive(rims, area, search, job),
         Meridians::MinDiagonal => return additive(rims, Metric::Diagonal, search, job),
         Meridians::Quad => return additive(rims, Metric::Quad, search, job),
@@ -120,6 +127,29 @@ pub(crate) fn meridians(
         return Ok(Some(chosen(Metric::Diagonal, simple)));
     }
     additive(rims, Metric::Diagonal, search, job)
+}
+
+/// Half the width of the band in which other meridians are looked for.
+const NEAR_HALF_BAND: usize = 32;
+
+/// The best meridians near `path`, where some steps may be dearer: those of the strip of least area,
+/// of the least total length, or of the best continuation, which stands for all others.
+pub(crate) fn meridians_near(
+    rims: &RimPair<'_>,
+    choice: Meridians,
+    path: &[Pair],
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
+    let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
+    let paper = index_meridians(n as u32, m as u32)?;
+    let band = Band::around(path, n, m, NEAR_HALF_BAND)?;
+    let metric = match choice {
+        Meridians::MinArea => Metric::area(rims.a, rims.b, &paper),
+        Meridians::MinDiagonal => Metric::Diagonal,
+        _ => return best_continuation(rims, &paper, &band, None, job),
+    };
+    let found = cheapest(rims, &Cost::StepCosts(metric), &band, rims.closed, None, job)?;
+    Ok(found.map(|(cost, pairs)| MeridianChoice { cost, pairs }))
 }
 
 /// The cheapest path for a metric that depends on each step alone.
@@ -132,7 +162,7 @@ fn additive(rims: &RimPair<'_>, metric: Metric, search: Search, job: &Job<'_>) -
     )? {
         // The best of all paths is usually proper, and then the best of the proper ones.
         Some(path) if !is_simple(rims, &path) => {
-            Ok(cheapest(rims, &Cost::StepCosts(metric), band, true, &job.part(0.5, 1.0))?.map(|(_, path)| path))
+            Ok(cheapest(rims, &Cost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?.map(|(_, path)| path))
         }
         found => Ok(found),
     };
@@ -146,10 +176,12 @@ fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> 
     let tie = tie_break(rims, paper);
     let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| {
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        let bends = Bends::new(rims, tie);
+        let bends = Bends::smooth(rims, tie);
         // As with the others: the best of all paths is usually proper.
-        let found = match cheapest(rims, &Cost::Bends(&bends), band, false, &first)? {
-            Some((_, path)) if !is_simple(rims, &path) => cheapest(rims, &Cost::Bends(&bends), band, true, &second)?,
+        let found = match cheapest(rims, &Cost::Bends(&bends), band, false, None, &first)? {
+            Some((_, path)) if !is_simple(rims, &path) => {
+                cheapest(rims, &Cost::Bends(&bends), band, true, None, &second)?
+            }
             found => found,
         };
         Ok(found.map(|(least, path)| {
@@ -159,6 +191,44 @@ fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> 
     };
     let pairs = search_lattice(rims, search, &find, job)?;
     Ok(pairs.map(|pairs| MeridianChoice { cost: cost.get(), pairs }))
+}
+
+/// How far from the strip of least area the best continuation is looked for, in places on either
+/// rim.
+const GUIDE_HALF_BAND: usize = 16;
+
+/// The path of the best continuation, near that of least area unless the search is to be exact.
+fn continuation(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+    let guide = additive(rims, Metric::area(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
+    match guide {
+        Some(guide) if rims.has_sides() => {
+            let first = (search != Search::Exact).then_some(guide.pairs[1]);
+            let band = match search {
+                Search::Auto => Band::around(&guide.pairs, rims.a.len() - 1, rims.b.len() - 1, GUIDE_HALF_BAND)?,
+                Search::Exact => Band::full(rims.a.len() - 1, rims.b.len() - 1)?,
+            };
+            let found = best_continuation(rims, paper, &band, first, &job.part(0.5, 1.0))?;
+            Ok(Some(found.unwrap_or(guide)))
+        }
+        guide => Ok(guide),
+    }
+}
+
+/// The best continuation within `band`; `first`: the end of its first step, where that is given.
+fn best_continuation(
+    rims: &RimPair<'_>,
+    paper: &[Pair],
+    band: &Band,
+    first: Option<Pair>,
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
+    let bends = Bends::continuation(rims, tie_break(rims, paper))?;
+    let cost = Cost::Bends(&bends);
+    let found = match cheapest(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
+        Some((_, path)) if !is_simple(rims, &path) => cheapest(rims, &cost, band, true, first, &job.part(0.5, 1.0))?,
+        found => found,
+    };
+    Ok(found.map(|(cost, pairs)| MeridianChoice { cost, pairs }))
 }
 
 /// Searches the whole lattice, or coarse to fine.

@@ -19,13 +19,42 @@ pub(crate) struct RimPair<'a> {
     /// For each edge of A and of B, the unit normal of the old face along it, on the side on which
     /// the strip's triangles run A_i A_i-1 B_j.
     pub(crate) sides: Option<[&'a [DVec3]; 2]>,
+    /// What steps cost more than their own, in ascending order of the nodes that they lead to.
+    pub(crate) dear: &'a [DearStep],
+}
+
+/// A step that is made to cost more.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DearStep {
+    /// The node that it leads to.
+    pub(crate) to: Pair,
+    /// It is one on rim B.
+    pub(crate) on_b: bool,
+    pub(crate) extra: f64,
 }
 
 impl RimPair<'_> {
+    /// True if the faces along the rims are known.
+    pub(super) fn has_sides(&self) -> bool {
+        self.sides.is_some_and(|sides| sides.iter().any(|side| side.iter().any(|&normal| normal != DVec3::ZERO)))
+    }
+
     pub(super) fn forbidden_in_row(&self, i: usize) -> &[Pair] {
         let from = self.forbidden.partition_point(|&[row, _]| (row as usize) < i);
         let count = self.forbidden[from..].partition_point(|&[row, _]| row as usize == i);
         &self.forbidden[from..from + count]
+    }
+
+    /// What steps on A and on B into `node` cost more.
+    pub(super) fn extra(&self, node: Pair) -> [f64; 2] {
+        let mut extra = [0.0; 2];
+        if !self.dear.is_empty() {
+            let from = self.dear.partition_point(|step| step.to < node);
+            for step in self.dear[from..].iter().take_while(|step| step.to == node) {
+                extra[usize::from(step.on_b)] += step.extra;
+            }
+        }
+        extra
     }
 
     pub(super) fn is_forbidden(&self, node: Pair) -> bool {

@@ -15,13 +15,12 @@
 //! and memory in the band.
 
 use super::band::Band;
-use super::bend::{Bends, Normals};
+use super::bend::{Bends, Triangles};
 use super::metric::{Line, Metric, StepCosts};
 use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use glam::DVec3;
 
 const STATES: usize = 8;
 /// The path has had a step on A within B.
@@ -78,16 +77,17 @@ pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
 }
 
 /// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as
-/// use no meridian of closed rims twice.
+/// use no meridian of closed rims twice. `first`: the end of the first step, where that is given.
 ///
 /// Time: the number of nodes in the band, for each of the states that there are (four for proper
-/// paths, twice as many for bends), twice for bends between closed rims. Extra memory: 8 bytes a
+/// paths, twice as many for bends), twice for bends between closed rims whose first step is open. Extra memory: 8 bytes a
 /// node.
 pub(super) fn cheapest(
     rims: &RimPair<'_>,
     cost: &Cost<'_>,
     band: &Band,
     simple: bool,
+    first: Option<Pair>,
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
     let simple = simple && rims.closed;
@@ -104,11 +104,13 @@ pub(super) fn cheapest(
         line: Line::new(rims.b)?,
         steps: StepCosts::new(m + 1)?,
         row: alloc::filled(UNREACHABLE, m + 1)?,
-        normals: alloc::filled([DVec3::ZERO; 2], if bends { m + 1 } else { 0 })?,
+        triangles: alloc::filled(Triangles::default(), if bends { m + 1 } else { 0 })?,
         arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
     };
-    let firsts: &[Option<Step>] = match cost {
-        Cost::Bends(_) if rims.closed => &[Some(Step::A), Some(Step::B)],
+    let firsts: &[Option<Step>] = match (cost, first) {
+        (Cost::Bends(_), None) if rims.closed => &[Some(Step::A), Some(Step::B)],
+        (Cost::Bends(_), Some([1, 0])) if rims.closed => &[Some(Step::A)],
+        (Cost::Bends(_), Some(_)) if rims.closed => &[Some(Step::B)],
         _ => &[None],
     };
     let mut best: Option<(f64, Vec<Pair>)> = None;
@@ -118,8 +120,9 @@ pub(super) fn cheapest(
         for &state in states.iter().filter(|&state| !simple || state & 3 == WITHIN_A | WITHIN_B) {
             let mut total = search.row[m][state];
             if let (Cost::Bends(bends), Some(first)) = (cost, first) {
-                let last = bends.normals(n, m)[usize::from(state & LAST_B > 0)];
-                let next = if first == Step::A { bends.normals(1, 0)[0] } else { bends.normals(0, 1)[1] };
+                let last = bends.triangles(n, m).normals[usize::from(state & LAST_B > 0)];
+                let next =
+                    if first == Step::A { bends.triangles(1, 0).normals[0] } else { bends.triangles(0, 1).normals[1] };
                 total += bends.across(n, m, last, next);
             }
             if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
@@ -141,8 +144,8 @@ struct Search<'a> {
     steps: StepCosts,
     /// The cheapest ways to the nodes of one row.
     row: Vec<Costs>,
-    /// For bends, the normals of the triangles that end at the nodes of that row.
-    normals: Vec<Normals>,
+    /// For bends, the triangles that end at the nodes of that row.
+    triangles: Vec<Triangles>,
     /// For each node and state: the state before, and the step (8 times 0 for A, 1 for B, 2 for
     /// both).
     arrivals: Vec<[u8; STATES]>,
@@ -174,15 +177,16 @@ impl Search<'_> {
         let both = matches!(self.cost, Cost::StepCosts(metric) if metric.steps_on_both());
         let shifted = i > 0 && low > *self.band.columns(i - 1).start();
         let (mut left, mut before) = (UNREACHABLE, if shifted { self.row[low - 1] } else { UNREACHABLE });
-        let mut left_normals = [DVec3::ZERO; 2];
+        let mut left_triangles = Triangles::default();
         for j in columns {
             // Row i - 1 still stands at j, where it is within its band.
             let up = if i > 0 { self.row[j] } else { UNREACHABLE };
-            let normals = if let Cost::Bends(bends) = self.cost { bends.normals(i, j) } else { left_normals };
+            let triangles = if let Cost::Bends(bends) = self.cost { bends.triangles(i, j) } else { left_triangles };
             let (mut here, mut how) = (UNREACHABLE, [0u8; STATES]);
             if (i, j) == (0, 0) {
                 here[0] = 0.0;
             }
+            let extra = self.rims.extra([i as u32, j as u32]);
             let from = [(Step::A, &up, i > 0), (Step::B, &left, j > 0), (Step::Both, &before, both && i > 0 && j > 0)];
             for (kind, (by, costs, exists)) in from.into_iter().enumerate() {
                 let is_first = (i, j) == (usize::from(by != Step::B), usize::from(by != Step::A));
@@ -194,16 +198,18 @@ impl Search<'_> {
                     Cost::StepCosts(_) => [if by == Step::B { self.steps.b[j] } else { self.steps.a[j] }; 2],
                     Cost::Bends(bends) => {
                         let on_a = by == Step::A;
-                        let normal = normals[usize::from(!on_a)];
-                        let along = bends.along(i, j, on_a, normal);
-                        let (i, j, old) = if on_a { (i - 1, j, self.normals[j]) } else { (i, j - 1, left_normals) };
+                        let normal = triangles.normals[usize::from(!on_a)];
+                        let before = if on_a { &self.triangles[j] } else { &left_triangles };
+                        let along = bends.along(i, j, on_a, &triangles, before);
+                        let (i, j) = if on_a { (i - 1, j) } else { (i, j - 1) };
                         // Nothing comes before the first step: the seam is added at the end.
-                        old.map(|p| along + if is_first { 0.0 } else { bends.across(i, j, p, normal) })
+                        before.normals.map(|p| along + if is_first { 0.0 } else { bends.across(i, j, p, normal) })
                     }
                 };
                 let reached = advance(self.rims, by, i, j, matches!(self.cost, Cost::Bends(_)));
+                let extra = extra[usize::from(by == Step::B)];
                 for &state in self.states {
-                    let total = costs[state] + steps[usize::from(state & LAST_B > 0)];
+                    let total = costs[state] + steps[usize::from(state & LAST_B > 0)] + extra;
                     let to = (state & !LAST_B | reached) & self.kept;
                     if total < here[to] {
                         here[to] = total;
@@ -218,10 +224,10 @@ impl Search<'_> {
             before = self.row[j];
             self.row[j] = here;
             left = here;
-            if let Some(at) = self.normals.get_mut(j) {
-                *at = normals;
+            if let Some(at) = self.triangles.get_mut(j) {
+                *at = triangles;
             }
-            left_normals = normals;
+            left_triangles = triangles;
         }
     }
 
