@@ -36,3 +36,17 @@ pub(super) fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
     }
     Ok(along)
 }
+
+/// The point nearest to `p` on the two edges of a closed polyline that meet in point `v`.
+pub(super) fn nearest_beside(points: &[DVec3], v: usize, p: DVec3) -> DVec3 {
+    let n = points.len();
+    let here = points[v];
+    let on_edge = |other: DVec3| {
+        let edge = other - here;
+        let squared = edge.length_squared();
+        let t = if squared > 0.0 { ((p - here).dot(edge) / squared).clamp(0.0, 1.0) } else { 0.0 };
+        here + edge * t
+    };
+    let [before, after] = [on_edge(points[(v + n - 1) % n]), on_edge(points[(v + 1) % n])];
+    if before.distance_squared(p) < after.distance_squared(p) { before } else { after }
+}

@@ -1,11 +1,9 @@
 //! Loops that face each other across a gap.
 //!
-//! Each vertex of each loop finds the nearest vertex of another loop. Two loops are joined as
-//! wholes if nearly all vertices of each have their nearest vertex on the other, and either their
-//! distances are similar or these nearest vertices wind once round the other loop; seen from a loop
-//! that lies beside another they run forth and back. Otherwise runs of neighbouring vertices whose
-//! nearest vertices lie on one loop, mutually, form facing arcs, as at the border of two scans that
-//! overlap others elsewhere.
+//! Loops that look at each other are joined as wholes (`whole_loops`). Of the others, runs of
+//! neighbouring vertices whose nearest vertices lie on one loop, mutually, form facing arcs, as at
+//! the border of two scans that overlap others elsewhere. Two loops that are the only ones are
+//! joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
@@ -16,21 +14,17 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort::sort_distinct;
 use crate::stitch::facing::{Arc, centre, cyclic_runs};
-use crate::stitch::polyline;
+use crate::stitch::pairing::mean_gap;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
-
-/// Share of each loop's vertices whose nearest vertex is on the other, for whole loops to be
-/// joined.
-const MIN_FACING_SHARE: f64 = 0.9;
-
-/// Largest ratio of the ninth decile of the distances to the first one, or to the spacing.
-const MAX_DISTANCE_RATIO: f64 = 4.0;
 
 /// Largest gap between facing arcs, in mean edge lengths, unless one is given.
 const MAX_ARC_GAP: f64 = 4.0;
 
 const MIN_ARC_VERTICES: usize = 2;
+
+/// An arc is at least this part of its loop's vertices.
+const MIN_ARC_SHARE: f64 = 1.0 / 64.0;
 
 /// Vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
@@ -49,19 +43,24 @@ pub(super) struct Facing {
 pub(super) struct Candidate {
     /// Pairs of one component are not looked for unless `within` says so.
     pub(super) component: u32,
+    /// The piece that its first vertex is of.
+    pub(super) piece: u32,
+    /// The largest extent of its component along an axis.
+    pub(super) size: f64,
     /// The mean distance of its vertices from their centre.
-    radius: f64,
+    pub(super) radius: f64,
+    pub(super) length: f64,
     /// The mean length of its edges.
     spacing: f64,
 }
 
 impl Candidate {
-    pub(super) fn new(rim: &Rim, component: u32) -> Self {
+    pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
         let middle = centre(&rim.points);
         let n = rim.points.len();
         let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / n as f64;
         let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
-        Candidate { component, radius, spacing: length / n as f64 }
+        Candidate { component, piece, size, radius, length, spacing: length / n as f64 }
     }
 }
 
@@ -78,13 +77,15 @@ pub(super) struct FacingSearch<'a> {
     pub(super) max_gap: Option<f64>,
 }
 
-/// Vertices of one loop whose nearest vertices lie on another.
-struct LoopProximity {
-    rims: [u32; 2],
-    count: usize,
-    mean: f64,
-    /// Whether the distances are similar, or the nearest vertices wind once round the other loop.
-    round: bool,
+/// The vertices of all loops, one loop after another.
+pub(super) struct LoopVertices {
+    pub(super) points: Vec<DVec3>,
+    /// Of each, its loop.
+    pub(super) owners: Vec<u32>,
+    /// Of each, what nothing is looked for among.
+    pub(super) groups: Vec<u32>,
+    /// Of each loop, the number of its first vertex.
+    pub(super) firsts: Vec<u32>,
 }
 
 #[derive(Clone, Copy)]
@@ -96,18 +97,13 @@ struct NearestVertex {
 }
 
 impl FacingSearch<'_> {
-    /// The greatest distance between loops `r` and `k`, if they are joined as wholes.
-    fn limit(&self, r: usize, k: usize) -> f64 {
-        self.max_gap.unwrap_or(self.candidates[r].radius.min(self.candidates[k].radius))
-    }
-
-    /// The same for arcs of them.
+    /// The greatest distance between arcs of loops `r` and `k`.
     fn arc_limit(&self, r: usize, k: usize) -> f64 {
-        let edges = MAX_ARC_GAP * self.candidates[r].spacing.max(self.candidates[k].spacing);
-        self.max_gap.unwrap_or(edges.min(0.5 * self.limit(r, k)))
+        let [r, k] = [&self.candidates[r], &self.candidates[k]];
+        self.max_gap.unwrap_or((MAX_ARC_GAP * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
     }
 
-    fn may_join(&self, r: usize, k: usize) -> bool {
+    pub(super) fn may_join(&self, r: usize, k: usize) -> bool {
         let [r, k] = [r.min(k), r.max(k)];
         !self.used[k]
             && (self.within_components || self.candidates[r].component != self.candidates[k].component)
@@ -118,42 +114,30 @@ impl FacingSearch<'_> {
     ///
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
-        let nearest_vertices = self.nearest_vertices(job)?;
-        let mut found = Vec::new();
+        let nearest_vertices = self.nearest_vertices(&job.part(0.0, 0.3))?;
+        let mut found = self.whole_loops(&neighbours(&nearest_vertices)?, &job.part(0.3, 1.0))?;
         let mut whole = alloc::filled(false, self.rims.len())?;
-        let proximities = self.proximities(&nearest_vertices)?;
-        for proximity in &proximities {
-            let [r, k] = proximity.rims.map(|rim| rim as usize);
-            if r > k {
-                continue;
-            }
-            let Ok(back) = proximities.binary_search_by_key(&[k as u32, r as u32], |proximity| proximity.rims) else {
-                continue;
-            };
-            let back = &proximities[back];
-            let most =
-                |count: usize, rim: usize| count as f64 >= MIN_FACING_SHARE * self.rims[rim].vertices.len() as f64;
-            let gap = proximity.mean.max(back.mean);
-            if most(proximity.count, r)
-                && most(back.count, k)
-                && proximity.round
-                && back.round
-                && gap <= self.limit(r, k)
-            {
-                (whole[r], whole[k]) = (true, true);
-                alloc::push(&mut found, Facing { rims: [r, k], arcs: None, gap })?;
-            }
-        }
+        found.iter().flat_map(|facing| facing.rims).for_each(|r| whole[r] = true);
         if self.arcs {
             self.find_arcs(&nearest_vertices, &whole, &mut found)?;
+        }
+        if found.is_empty() {
+            alloc::extend(&mut found, self.lone_pair()?)?;
         }
         let first = |found: &Facing| found.arcs.map_or(0, |arcs| arcs[0].first);
         found.sort_unstable_by(|x, y| x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y))));
         Ok(found)
     }
 
-    /// What each vertex of each loop looks at, within twice the limit.
-    fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
+    /// The only two loops, if they may be joined and no gap is given.
+    fn lone_pair(&self) -> Result<Option<Facing>> {
+        if self.rims.len() != 2 || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
+            return Ok(None);
+        }
+        Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1])? }))
+    }
+
+    pub(super) fn all_vertices(&self) -> Result<LoopVertices> {
         let total = self.rims.iter().map(|rim| rim.points.len()).sum();
         let (mut points, mut owners) = (alloc::with_capacity::<DVec3>(total)?, alloc::with_capacity(total)?);
         let mut firsts = alloc::with_capacity(self.rims.len())?;
@@ -168,6 +152,13 @@ impl FacingSearch<'_> {
             true => r,
             false => self.candidates[r as usize].component,
         }))?;
+        Ok(LoopVertices { points, owners, groups, firsts })
+    }
+
+    /// What each vertex of each loop has nearest to it, within twice the limit of arcs.
+    fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
+        let LoopVertices { points, owners, groups, firsts } = self.all_vertices()?;
+        let total = points.len();
         let tree = KdTree::grouped(&points, &groups)?;
         let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
@@ -192,29 +183,6 @@ impl FacingSearch<'_> {
             nearest_vertices.push(of_rim);
         }
         Ok(nearest_vertices)
-    }
-
-    /// What each loop sees of each other one, in ascending order of the loops.
-    fn proximities(&self, nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<LoopProximity>> {
-        let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
-        let mut proximities = Vec::new();
-        for (r, of_rim) in nearest_vertices.iter().enumerate() {
-            let mut pairs = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
-            pairs.retain(|&(k, _)| k != NONE);
-            pairs.sort_unstable();
-            for group in pairs.chunk_by(|x, y| x.0 == y.0) {
-                let mut distances = alloc::collect(group.iter().map(|&(_, i)| of_rim[i as usize].distance))?;
-                let mean = distances.iter().sum::<f64>() / group.len() as f64;
-                distances.sort_unstable_by(f64::total_cmp);
-                let [low, high] = [1, 9].map(|tenth| distances[(distances.len() - 1) * tenth / 10]);
-                let even = high <= MAX_DISTANCE_RATIO * low.max(self.candidates[r].spacing);
-                let k = group[0].0 as usize;
-                let round = even || winds_once(&lengths[k], group.iter().map(|&(_, i)| of_rim[i as usize].place));
-                let rims = [r as u32, group[0].0];
-                alloc::push(&mut proximities, LoopProximity { rims, count: group.len(), mean, round })?;
-            }
-        }
-        Ok(proximities)
     }
 
     /// Adds the arcs that face each other of loops that are not joined as wholes.
@@ -250,7 +218,8 @@ impl FacingSearch<'_> {
             for &k in faced.iter().filter(|&&k| k != NONE) {
                 for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
                     let arc = trimmed(arc, of_rim);
-                    if arc.count >= MIN_ARC_VERTICES && arc.count < of_rim.len() {
+                    let least = MIN_ARC_VERTICES.max((MIN_ARC_SHARE * of_rim.len() as f64).ceil() as usize);
+                    if arc.count >= least && arc.count < of_rim.len() {
                         arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
                         alloc::push(&mut arcs, (r, k as usize, arc))?;
                     }
@@ -296,13 +265,15 @@ fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
     Arc { first: (arc.first + first) % nearest_vertices.len(), count: last + 1 - first }
 }
 
-/// Whether some places in order go round a rim of these lengths once, each next one reached the
-/// shorter way.
-fn winds_once(lengths: &[f64], places: impl Iterator<Item = u32> + Clone) -> bool {
-    let around = lengths.last().copied().unwrap_or_default();
-    let at = |place: u32| lengths[place as usize];
-    let shorter = |by: f64| by - around * (by / around).round();
-    let next = places.clone().cycle().skip(1);
-    let turned: f64 = places.zip(next).map(|(from, to)| shorter(at(to) - at(from))).sum();
-    around > 0.0 && (turned.abs() / around - 1.0).abs() < 0.5
+/// Pairs (smaller, larger) of loops of which one has a nearest vertex on the other.
+fn neighbours(nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<[u32; 2]>> {
+    let mut pairs = Vec::new();
+    for (of_rim, r) in nearest_vertices.iter().zip(0u32..) {
+        let mut others = alloc::collect(of_rim.iter().map(|nearest| nearest.rim))?;
+        sort_distinct(&mut others);
+        others.retain(|&k| k != NONE);
+        alloc::extend(&mut pairs, others.iter().map(|&k| [r.min(k), r.max(k)]))?;
+    }
+    sort_distinct(&mut pairs);
+    Ok(pairs)
 }

@@ -5,7 +5,8 @@
 //! 1. The pieces are concatenated, and coincident borders sewn ([`weld`](crate::repair::weld)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Loops of different components that face each other across a gap are paired
-//!    (`facing_loops`): whole loops, or arcs along which one loop is the other's nearest
+//!    (`facing_loops`): whole loops that look at each other, by the best one-to-one choice
+//!    (`whole_loops`, `assignment`), or arcs along which one loop is the other's nearest
 //!    neighbour, as on scans of adjacent parts.
 //! 4. Components are turned over so that they agree across the gaps: each is bound
 //!    to those that it faces, turned or not (union-find with parity).
@@ -14,9 +15,11 @@
 //!
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 
+mod assignment;
 mod facing_loops;
 mod request;
 mod run;
+mod whole_loops;
 
 pub use request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
 pub use run::assemble;

@@ -6,6 +6,7 @@ use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result};
 use crate::fill::fill_holes;
+use crate::geom::Aabb;
 use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
@@ -38,7 +39,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
     let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
-    let mut loops = Loops::of(&base.done.mesh, &job.part(0.3, 0.4))?;
+    let mut loops = Loops::of(&base, &job.part(0.3, 0.4))?;
     let mut found = chosen_pairs(&base, &loops, options, &job.part(0.4, 0.5))?;
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
@@ -236,7 +237,8 @@ struct Loops {
 }
 
 impl Loops {
-    fn of(mesh: &Mesh, job: &Job<'_>) -> Result<Self> {
+    fn of(base: &Base, job: &Job<'_>) -> Result<Self> {
+        let mesh = &base.done.mesh;
         let mut loops = Loops {
             rims: Vec::new(),
             candidates: Vec::new(),
@@ -259,10 +261,12 @@ impl Loops {
             }
         }
         loops.unit = common_unit(loops.rims.iter().flat_map(|rim| &rim.points));
-        for rim in &mut loops.rims {
+        let sizes = component_sizes(mesh, &mut loops.components, &loops.rims)?;
+        for (rim, size) in loops.rims.iter_mut().zip(sizes) {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
             let component = loops.components.find(rim.vertices[0]);
-            alloc::push(&mut loops.candidates, Candidate::new(rim, component))?;
+            let piece = base.piece[rim.vertices[0] as usize];
+            alloc::push(&mut loops.candidates, Candidate::new(rim, component, piece, size / loops.unit))?;
         }
         Ok(loops)
     }
@@ -329,6 +333,20 @@ impl Loops {
         let of_piece = |&v: &u32| selector.vertex == NONE && base.piece[v as usize] == selector.piece;
         alloc::gather((0..self.rims.len()).filter(|&r| self.rims[r].vertices.iter().any(of_piece)))
     }
+}
+
+/// For each rim, the largest extent of its component along an axis.
+fn component_sizes(mesh: &Mesh, components: &mut DisjointSets, rims: &[Rim]) -> Result<Vec<f64>> {
+    let of_rims = alloc::collect(rims.iter().map(|rim| components.find(rim.vertices[0])))?;
+    let mut roots = alloc::copied(&of_rims)?;
+    sort_distinct(&mut roots);
+    let mut boxes = alloc::filled(Aabb::EMPTY, roots.len())?;
+    for v in 0..mesh.positions.len() as u32 {
+        if let Ok(place) = roots.binary_search(&components.find(v)) {
+            boxes[place].add(mesh.positions.get(v));
+        }
+    }
+    alloc::collect(of_rims.iter().map(|&root| boxes[roots.partition_point(|&other| other < root)].size().max_element()))
 }
 
 /// The entries of `vertex` among places in ascending order.
