@@ -172,9 +172,9 @@ mod tests {
             let matches = random(&mut rng, ends, count);
             let best = brute(&matches, 0);
             assert!((gain(&matches, &best_matches(&matches).unwrap()) - best).abs() < 1e-12);
-            // The quick way is never far from it.
+            // Taking the best pair again and again gains half of the most there is, or more.
             let quick = gain(&matches, &exchanged(&matches, ends as usize).unwrap());
-            assert!(quick <= best + 1e-12 && quick >= 0.75 * best, "{quick} {best}");
+            assert!(quick <= best + 1e-12 && quick >= 0.5 * best, "{quick} {best}");
         }
     }
 

@@ -10,6 +10,7 @@ pub type Pair = [u32; 2];
 
 /// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is
 /// the first again.
+#[derive(Clone, Copy)]
 pub(crate) struct RimPair<'a> {
     pub(crate) a: &'a [DVec3],
     pub(crate) b: &'a [DVec3],

@@ -72,7 +72,54 @@ fn bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
     sum
 }
 
+/// The measure of continuation, triangle by triangle, in mean edges of the rims.
+fn continuation(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
+    let length = |line: &[DVec3]| line.windows(2).map(|edge| (edge[1] - edge[0]).length()).sum::<f64>();
+    let mean = (length(rims.a) + length(rims.b)) / (rims.a.len() + rims.b.len() - 2) as f64;
+    let [along_a, along_b] = rims.sides.unwrap();
+    let vertex = |sides: &[DVec3], k: u32| {
+        let (k, n) = (k as usize, sides.len());
+        let before = if k > 0 {
+            sides[k - 1]
+        } else if rims.closed {
+            sides[n - 1]
+        } else {
+            DVec3::ZERO
+        };
+        let after = if k < n {
+            sides[k]
+        } else if rims.closed {
+            sides[0]
+        } else {
+            DVec3::ZERO
+        };
+        (before + after).normalize_or_zero()
+    };
+    let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
+    let bulge = |[i, j]: Pair| {
+        let heights = [vertex(along_a, i), vertex(along_b, j)].map(|normal| normal.dot(b(j) - a(i)) / mean);
+        ((heights[0].powi(2) + heights[1].powi(2)) / 32.0).sqrt()
+    };
+    let (mut sum, mut normals) = (0.0, Vec::new());
+    for step in path.windows(2) {
+        let ([i, j], [i2, j2]) = (step[0], step[1]);
+        let third = if i2 > i { a(i) } else { b(j) };
+        let vector = (third - a(i2)).cross(b(j2) - a(i2));
+        let side = if i2 > i { along_a[i as usize] } else { along_b[j as usize] };
+        let (first, second) = (bulge(step[0]), bulge(step[1]));
+        let area = vector.length() / 2.0 / mean.powi(2);
+        sum += area * (first.powi(2) + first * second + second.powi(2)) / 3.0;
+        sum += 4.0 * (vector.normalize_or_zero() - side).length();
+        normals.push(vector.normalize_or_zero());
+    }
+    if rims.closed {
+        normals.push(normals[0]);
+    }
+    sum + normals.windows(2).map(|pair| (pair[0] - pair[1]).length()).sum::<f64>()
+}
+
 fn check(rims: &RimPair<'_>) {
+    check_continuation(rims);
     let (a, b) = (rims.a, rims.b);
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let length = |&[i, j]: &Pair| a[i as usize].distance(b[j as usize]);
@@ -125,6 +172,23 @@ fn check(rims: &RimPair<'_>) {
     }
 }
 
+fn check_continuation(rims: &RimPair<'_>) {
+    if !rims.has_sides() || rims.a[1..].iter().chain(&rims.b[1..]).all(|&p| p == rims.a[0]) {
+        return;
+    }
+    let mut least = f64::INFINITY;
+    all_paths(rims, &[[1, 0], [0, 1]], |path| least = least.min(continuation(rims, path)));
+    match meridians(rims, Meridians::Continuation, Search::Exact, &Job::default()).unwrap() {
+        None => assert_eq!(least, f64::INFINITY),
+        Some(chosen) => {
+            assert!(is_good(rims, &chosen.pairs), "{:?}", chosen.pairs);
+            let cost = continuation(rims, &chosen.pairs);
+            // The tie break comes to 2^-20 of the meridians, in mean edges.
+            assert!((least * (1.0 - 1e-9)..=least * (1.0 + 1e-3) + 1e-3).contains(&cost), "{cost} {least}");
+        }
+    }
+}
+
 /// The first point again at the end.
 fn closed(points: &[DVec3]) -> Vec<DVec3> {
     points.iter().chain(&points[..1]).copied().collect()
@@ -158,8 +222,8 @@ proptest! {
         for few in [&[][..], &some] {
             let nodes = |closed| forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
             for sides in [None, Some(sides)] {
-                check(&RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides });
-                check(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides });
+                check(&RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides, dear: &[] });
+                check(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, dear: &[] });
             }
         }
     }
@@ -183,7 +247,7 @@ proptest! {
             }
         }
         let band = Band::around(&middle, n, m, width).unwrap();
-        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None };
+        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, dear: &[] };
         let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
@@ -193,7 +257,7 @@ proptest! {
                 }
             });
             let plain = lattice::cheapest(&rims, metric, &band, &Job::default()).unwrap().unwrap();
-            let (_, by_states) = cheapest(&rims, &Cost::StepCosts(metric), &band, false, &Job::default()).unwrap().unwrap();
+            let (_, by_states) = cheapest(&rims, &Cost::StepCosts(metric), &band, false, None, &Job::default()).unwrap().unwrap();
             for path in [plain, by_states] {
                 let cost = metric.of_path(&a, &b, &path);
                 prop_assert!(within(&path) && (cost - least).abs() < 1e-12, "{metric:?} {cost} {least} {path:?}");
@@ -208,7 +272,7 @@ proptest! {
     ) {
         // Two points give no strip to measure.
         prop_assume!(a.len() + b.len() > 2);
-        check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None });
+        check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None, dear: &[] });
     }
 }
 
@@ -268,7 +332,7 @@ proptest! {
 /// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most,
 /// over all costs of steps.
 fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
-    let rims = RimPair { a, b, closed: true, forbidden, sides: None };
+    let rims = RimPair { a, b, closed: true, forbidden, sides: None, dear: &[] };
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
     for metric in [Metric::area(a, b, &paper), Metric::Diagonal, Metric::Quad] {
@@ -292,9 +356,11 @@ fn a_plane_ring_gets_short_meridians() {
         (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
     };
     let (a, b) = (circle(48, 2.0), circle(32, 1.7));
-    let rims = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None };
-    for choice in [Meridians::MinArea, Meridians::Smooth] {
-        let chosen = meridians(&rims, choice, Search::Auto, &Job::default()).unwrap().unwrap();
+    let rims = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None, dear: &[] };
+    let up = [vec![DVec3::NEG_Z; 48], vec![DVec3::NEG_Z; 32]];
+    let known = RimPair { sides: Some([&up[0], &up[1]]), ..rims };
+    for (choice, rims) in [(Meridians::MinArea, &rims), (Meridians::Smooth, &rims), (Meridians::Continuation, &known)] {
+        let chosen = meridians(rims, choice, Search::Auto, &Job::default()).unwrap().unwrap();
         let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
         let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
         // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334
