@@ -599,20 +599,27 @@
 #define GUSSET_HOLE_NO_TRIANGULATION 8
 
 /**
- * Closed components face as most of their faces did.
+ * Closed components face as most of their faces did; those of a stitch or of a filled mesh stay as
+ * they are.
  */
 #define GUSSET_OUTWARD_KEEP 0
 
 /**
  * Closed components face outwards, each by its own volume: of shells inside one another each one
- * encloses what is within it. One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
+ * encloses what is within it, and the wall of a cavity is turned over too. One whose volume is 0 up
+ * to rounding is as with GUSSET_OUTWARD_KEEP. Of a stitch or of a filled mesh, components that are
+ * closed (every edge has two faces), consistently oriented and inside out are turned over, each as
+ * a whole; all others stay as they are.
  */
 #define GUSSET_OUTWARD_CLOSED 1
 
 /**
- * The strip of triangles of least area through the first meridian.
+ * The strip of triangles that best continues both surfaces, near the strip of least area: little
+ * turn between neighbours, along the rims above all, and meridians that lie on the surface which
+ * the faces beside the rims suggest. Between lines without faces (gusset_strip_create) the strip
+ * of least area.
  */
-#define GUSSET_MERIDIANS_MIN_AREA 0
+#define GUSSET_MERIDIANS_CONTINUATION 0
 
 /**
  * The paper's rule by index, O(N + M): good for evenly spaced rims.
@@ -646,6 +653,11 @@
  * with interior rows.
  */
 #define GUSSET_MERIDIANS_QUAD 6
+
+/**
+ * The strip of triangles of least area through the first meridian.
+ */
+#define GUSSET_MERIDIANS_MIN_AREA 7
 
 /**
  * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to
@@ -2234,9 +2246,9 @@ typedef struct gusset_stitch_options {
      */
     uint32_t centres;
     /**
-     * 0.
+     * GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
      */
-    uint32_t reserved;
+    uint32_t outward;
 } gusset_stitch_options;
 
 /**
@@ -2281,6 +2293,14 @@ typedef struct gusset_fill_options {
      * Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
      */
     double max_diameter;
+    /**
+     * GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
+     */
+    uint32_t outward;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_fill_options;
 
 /**
@@ -2298,7 +2318,7 @@ typedef struct gusset_assembly_options {
     /**
      * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
      * components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
-     * turned.
+     * turned, nor in the end.
      */
     uint32_t orientation;
     /**
@@ -2350,9 +2370,21 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_stitch_options *strip_options;
     /**
-     * How to fill, NULL for the defaults.
+     * How to fill, NULL for the defaults. outward is not read, but must be valid too.
      */
     const struct gusset_fill_options *fill_options;
+    /**
+     * 0: components of the result that are closed (every edge has two faces), consistently
+     * oriented and inside out are turned over in the end, each as a whole and by its own volume:
+     * the wall of a cavity within another component is turned too. 1: they stay as they are, which
+     * is mostly as the first piece has it. All other components stay as they are either way. 0 or
+     * 1.
+     */
+    uint32_t keep_inside_out;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_assembly_options;
 
 /**
@@ -2376,7 +2408,7 @@ typedef struct gusset_piece_map {
 typedef struct gusset_joint {
     /**
      * The vertices of each side in the result, in order; if joined, side by side from the first
-     * meridian on.
+     * meridian on. The order is that of before closed components were turned outwards.
      */
     struct gusset_indices side[2];
     /**
@@ -2444,8 +2476,9 @@ typedef struct gusset_left_loop {
  */
 typedef struct gusset_hole {
     /**
-     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given
-     * loop that is not simple, free or oriented, as given.
+     * Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before
+     * closed components were turned outwards, or, of a given loop that is not simple, free or
+     * oriented, as given.
      */
     size_t rim_first;
     /**
@@ -2520,11 +2553,14 @@ typedef struct gusset_assembly_view {
      */
     size_t hole_count;
     /**
-     * The vertices of their rims.
+     * The vertices of their rims, in the order of before closed components were turned outwards.
      */
     struct gusset_indices hole_rims;
     /**
-     * Faces of the pieces that were turned over, by their indices in the result.
+     * Faces of the pieces that run the other way than they did in their pieces, by their indices in
+     * the result: turned to agree with others, or with their component to face outwards, but not
+     * both. Faces of strips and patches were nothing before, and are not listed: they run as the
+     * faces of pieces beside them do.
      */
     struct gusset_indices turned;
     /**
@@ -2796,6 +2832,11 @@ typedef struct gusset_fill_view {
      * The vertices of all rims.
      */
     struct gusset_indices rims;
+    /**
+     * Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
+     * Each keeps its first corner and has the others in reverse order.
+     */
+    struct gusset_indices turned_outwards;
 } gusset_fill_view;
 
 /**
@@ -2924,8 +2965,9 @@ typedef struct gusset_stitch_view {
     struct gusset_indices face_map[2];
     /**
      * The vertices of each rim, by their indices in the result, from the first meridian on, side
-     * by side: rim 0 has its surface on the left, rim 1 on the right. They are also the strip's
-     * own first vertices in order: rim 0, then rim 1.
+     * by side: rim 0 has its surface on the left, rim 1 on the right, as they were before closed
+     * components were turned outwards. They are also the strip's own first vertices in order: rim
+     * 0, then rim 1.
      */
     struct gusset_indices rim[2];
     /**
@@ -2968,8 +3010,8 @@ typedef struct gusset_stitch_view {
      */
     uint32_t closed;
     /**
-     * 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way,
-     * each from its own first corner. Other components stay as they are.
+     * 1 if the component that rim 1 is on was turned over to agree with the other, else 0: its
+     * faces run the other way, each from its own first corner. Other components stay as they are.
      */
     uint32_t turned;
     /**
@@ -2991,6 +3033,11 @@ typedef struct gusset_stitch_view {
      * 0.
      */
     uint32_t reserved;
+    /**
+     * Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
+     * end, ascending. Each keeps its first corner and has the others in reverse order.
+     */
+    struct gusset_indices turned_outwards;
 } gusset_stitch_view;
 
 /**
@@ -7170,7 +7217,8 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
 
 /**
  * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
- * loops that face each other across a gap stitched, and holes filled, as the options say.
+ * loops that face each other across a gap stitched, holes filled, and closed components turned
+ * outwards, as the options say.
  *
  * That two loops cannot be joined is no failure: each joint has its outcome.
  *
@@ -7464,7 +7512,7 @@ gusset_status gusset_meridians_index(uint32_t n,
  * Loops that cannot be filled are left, which is no error: the account of each says why.
  *
  * The result has the old vertices with their bits and indices, then the new ones; the old faces,
- * then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
+ * which are turned over only if outward says so, then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
  * overlaps, however concave it is, if its rim does not cross itself; whether a patch meets other
  * parts of the surface is not looked at.
  *

@@ -140,10 +140,10 @@ static void stitch_options(void) {
     options.struct_size = sizeof options;
     for (int field = 0; field < 6; ++field) {
         uint32_t *fields[6];
-        static const uint32_t unknown[6] = {2, 2, 2, 3, 2, 1};
+        static const uint32_t unknown[6] = {2, 2, 2, 3, 2, 2};
         fields[0] = &options.search, fields[1] = &options.start;
         fields[2] = &options.fairing, fields[3] = &options.intersections;
-        fields[4] = &options.centres, fields[5] = &options.reserved;
+        fields[4] = &options.centres, fields[5] = &options.outward;
         *fields[field] = unknown[field];
         FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
               gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
@@ -178,11 +178,12 @@ static void stitch_options(void) {
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
           gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     options.struct_size = sizeof options, options.fairing = GUSSET_FAIRING_THIN_PLATE;
-    options.centres = GUSSET_CENTRES_LENGTH, options.reserved = 0;
+    options.centres = GUSSET_CENTRES_LENGTH, options.outward = GUSSET_OUTWARD_CLOSED;
     options.rows = GUSSET_ROWS_COUNT, options.row_count = 2, options.intersections = GUSSET_INTERSECTIONS_REPORT;
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
     CHECK(parts.intersections_known == 1 && parts.intersections.count == 0 && parts.row_count == 2);
+    CHECK(parts.turned_outwards.count == 0 && parts.turned_outwards.data == NULL);
     gusset_stitch_destroy(stitch);
 }
 
@@ -245,14 +246,15 @@ static void assembly_arguments(void) {
 
     /* Every field of the options. */
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
-    options.struct_size = sizeof options - 1;
+    options.struct_size = offsetof(gusset_assembly_options, keep_inside_out) - 1;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     options.struct_size = sizeof options;
-    for (int field = 0; field < 6; ++field) {
-        static const uint32_t unknown[6] = {2, GUSSET_ORIENTATION_REFUSE, 2, 2, 2, 2};
-        uint32_t *fields[6];
+    for (int field = 0; field < 8; ++field) {
+        static const uint32_t unknown[8] = {2, GUSSET_ORIENTATION_REFUSE, 2, 2, 2, 2, 2, 1};
+        uint32_t *fields[8];
         fields[0] = &options.weld, fields[1] = &options.orientation, fields[2] = &options.gap;
         fields[3] = &options.whole_loops_only, fields[4] = &options.within_components, fields[5] = &options.fill;
+        fields[6] = &options.keep_inside_out, fields[7] = &options.reserved;
         *fields[field] = unknown[field];
         FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
         CHECK(reported_value() == unknown[field]);
@@ -289,6 +291,9 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     fill.struct_size = sizeof fill, fill.max_length = -1.0;
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    fill.outward = 2, fill.max_length = 0.0;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+    fill.outward = 0;
     options.fill_options = NULL;
     gusset_context_cancel(context);
     FAILS(GUSSET_ERROR_CANCELLED, done, assemble(pieces, 2, &options, &done));
@@ -395,6 +400,22 @@ static void assembly_results(void) {
     }
     CHECK(parts.turned.count == 0 && parts.one_sided.count == 0 && parts.non_manifold_edges == 0);
     gusset_assembly_destroy(done);
+
+    /* The first piece inside out: with keep_inside_out the second is turned to agree with it, else the first one is. */
+    static const uint32_t inside_out[12] = {0, 2, 1, 0, 3, 2, 0, 4, 3, 0, 1, 4};
+    pieces[0].face_corners = inside_out;
+    for (uint32_t keep = 0; keep < 2; ++keep) {
+        larger.known.keep_inside_out = keep;
+        EXPECT(GUSSET_OK, assemble(pieces, 2, &larger.known, &done));
+        EXPECT(GUSSET_OK, gusset_assembly_get_mesh(done, &view));
+        EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
+        CHECK(parts.turned.count == 4 && parts.loops_left == 0);
+        for (uint32_t k = 0; k < parts.turned.count; ++k) {
+            CHECK(parts.turned.data[k] == 4 * keep + k);
+        }
+        CHECK(memcmp(view.face_corners, keep ? inside_out : pyramid_faces, sizeof inside_out) == 0);
+        gusset_assembly_destroy(done);
+    }
 }
 
 int main(void) {

@@ -34,7 +34,11 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.fairing = GUSSET_FAIRING_THIN_PLATE, options.keep_longest = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.keep_longest = 1, options.max_length = NAN;
+    options.keep_longest = 1, options.outward = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.outward = GUSSET_OUTWARD_CLOSED, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.reserved = 0, options.max_length = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.max_length = 0.0, options.max_diameter = -1.0;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
@@ -49,7 +53,7 @@ static void results(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
     const uint32_t rim[4] = {4, 3, 2, 1}, wrong[3] = {0, 1, 2}, twice[4] = {1, 2, 1, 3};
     gusset_indices loops[5];
-    gusset_fill_view parts = {sizeof parts, NULL, 0, {NULL, 0}};
+    gusset_fill_view parts = {sizeof parts, NULL, 0, {NULL, 0}, {NULL, 0}};
     gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
     gusset_quality_report quality = {sizeof quality, 0, 0, 0, 0, 0, 0, 0, 0};
     gusset_fill *fill = NULL;
@@ -86,6 +90,29 @@ static void results(void) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_mesh(fill, &out));
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_quality(fill, &quality));
     gusset_fill_destroy(fill);
+
+    /* Inside out, it stays so, or is turned over as a whole, patch and all, if asked to be. */
+    {
+        static const uint32_t inside_out[12] = {0, 2, 1, 0, 3, 2, 0, 4, 3, 0, 1, 4};
+        gusset_mesh_view turned = mesh;
+        gusset_fill_options options = {0};
+        options.struct_size = sizeof options;
+        turned.face_corners = inside_out;
+        parts.struct_size = sizeof parts, out.struct_size = sizeof out;
+        for (options.outward = GUSSET_OUTWARD_KEEP; options.outward <= GUSSET_OUTWARD_CLOSED; ++options.outward) {
+            const uint32_t *faces = options.outward ? pyramid_faces : inside_out;
+            EXPECT(GUSSET_OK, gusset_fill_create(context, &turned, NULL, 0, &options, &fill));
+            EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
+            EXPECT(GUSSET_OK, gusset_fill_get_mesh(fill, &out));
+            CHECK(parts.turned_outwards.count == (options.outward ? 6 : 0) && out.face_count == 6);
+            for (uint32_t k = 0; k < parts.turned_outwards.count; ++k) {
+                CHECK(parts.turned_outwards.data[k] == k);
+            }
+            /* A turned face keeps its first corner. */
+            CHECK(memcmp(out.face_corners, faces, sizeof inside_out) == 0);
+            gusset_fill_destroy(fill);
+        }
+    }
 
     /* A vertex that the mesh does not have. */
     {

@@ -14,13 +14,13 @@ static void layouts(void) {
         CHECK(sizeof(gusset_defect) == 16);
         CHECK(sizeof(gusset_error_report) == 40 && offsetof(gusset_error_report, value) == 24);
         CHECK(sizeof(gusset_stitch_options) == 96 && offsetof(gusset_stitch_options, search) == 72);
-        CHECK(sizeof(gusset_stitch_view) == 216 && offsetof(gusset_stitch_view, turned) == 184);
+        CHECK(sizeof(gusset_stitch_view) == 232 && offsetof(gusset_stitch_view, turned) == 184);
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
         CHECK(sizeof(gusset_facing_options) == 32 && offsetof(gusset_facing_options, tolerance) == 16);
         CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
         CHECK(sizeof(gusset_winged_options) == 16);
         CHECK(sizeof(gusset_strip_options) == 24 && sizeof(gusset_strip_view) == 48);
-        CHECK(sizeof(gusset_assembly_options) == 96 && offsetof(gusset_assembly_options, max_gap) == 32);
+        CHECK(sizeof(gusset_assembly_options) == 104 && offsetof(gusset_assembly_options, max_gap) == 32);
         CHECK(sizeof(gusset_assembly_view) == 136 && offsetof(gusset_assembly_view, loops_left) == 128);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);
         CHECK(sizeof(gusset_left_loop) == 24 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);

@@ -262,6 +262,42 @@ TEST_CASE("strips that belong to no mesh, and arcs that are given") {
     CHECK(!stitch.is_closed_band());
 }
 
+TEST_CASE("closed results face outwards if that is wanted") {
+    // Two pyramids without their bases, apex to apex away from each other, all faces looking inwards.
+    Soup up, down;
+    up.points = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
+    down.points = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -1}, {0, 1, -1}};
+    for (uint32_t k = 0; k < 4; ++k) {
+        up.add_face({0, 1 + (k + 1) % 4, 1 + k});
+        down.add_face({0, 1 + (k + 1) % 4, 1 + k});
+    }
+    // The first pyramid's first face: as it was given, or turned over.
+    const auto second = [](const gusset::MeshView &mesh) { return mesh.face(0)[1]; };
+    for (const bool outwards : {false, true}) {
+        const uint32_t expected = outwards ? 1 : 2;
+        gusset::FillOptions filling;
+        filling.outward = outwards ? gusset::Outward::closed : gusset::Outward::keep;
+        const gusset::Fill fill(up.view(), filling);
+        CHECK(second(fill.mesh()) == expected);
+        CHECK(fill.turned_outwards().size() == (outwards ? fill.mesh().face_count() : 0));
+        gusset::StitchOptions stitching;
+        stitching.outward = filling.outward;
+        const gusset::Stitch stitch = gusset::stitch(up.view(), down.view(), stitching);
+        CHECK(second(stitch.mesh()) == expected);
+        CHECK(stitch.turned_outwards().size() == (outwards ? stitch.mesh().face_count() : 0));
+        gusset::AssemblyOptions assembling;
+        assembling.max_gap = 3.0;
+        assembling.keep_inside_out = !outwards;
+        const std::vector<gusset::MeshView> pieces{up.view(), down.view()};
+        const gusset::Assembly assembly(pieces, assembling);
+        CHECK(second(assembly.mesh()) == expected);
+        CHECK(assembly.view().turned.count == (outwards ? 8 : 0));
+    }
+    CHECK(gusset::FillOptions().outward == gusset::Outward::keep);
+    CHECK(gusset::StitchOptions().outward == gusset::Outward::keep);
+    CHECK(!gusset::AssemblyOptions().keep_inside_out);
+}
+
 TEST_CASE("views of any point type") {
     struct Vertex {
         float x, y, z;

@@ -14,6 +14,8 @@ struct AssemblyOptions {
     std::optional<WeldOptions> weld = WeldOptions();
     /// No piece is turned over.
     bool keep_orientation = false;
+    /// Closed results that are inside out stay so; otherwise they are turned over.
+    bool keep_inside_out = false;
     /// Empty: by the size of the loops. 0 leaves all gaps open.
     std::optional<double> max_gap;
     bool whole_loops_only = false;
@@ -41,6 +43,7 @@ public:
         auto given = detail::sized<gusset_assembly_options>();
         given.weld = options.weld ? GUSSET_ASSEMBLY_WELD : GUSSET_ASSEMBLY_NO_WELD;
         given.orientation = options.keep_orientation ? GUSSET_ORIENTATION_KEEP : GUSSET_ORIENTATION_FIX;
+        given.keep_inside_out = options.keep_inside_out ? 1 : 0;
         given.gap = options.max_gap ? GUSSET_GAP_GIVEN : GUSSET_GAP_AUTO;
         given.max_gap = options.max_gap.value_or(0.0);
         given.whole_loops_only = options.whole_loops_only ? 1 : 0;

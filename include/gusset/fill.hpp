@@ -25,6 +25,7 @@ struct FillOptions {
     uint32_t max_edges = 0;
     double max_length = 0.0;
     double max_diameter = 0.0;
+    Outward outward = Outward::keep;
 };
 
 namespace detail {
@@ -38,6 +39,7 @@ inline gusset_fill_options as_c(const FillOptions &options) {
     given.max_edges = options.max_edges;
     given.max_length = options.max_length;
     given.max_diameter = options.max_diameter;
+    given.outward = static_cast<uint32_t>(options.outward);
     return given;
 }
 } // namespace detail
@@ -72,6 +74,9 @@ public:
     /// The vertices of a hole's rim.
     Indices rim(const gusset_hole &hole) const & { return {view().rims.data + hole.rim_first, hole.rim_count}; }
     Indices rim(const gusset_hole &hole) const && = delete;
+    /// The faces that Outward::closed turned over.
+    Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
+    Indices turned_outwards() const && = delete;
     gusset_quality_report quality() const { return detail::lent(gusset_fill_get_quality, fill_.get()); }
 
 private:

@@ -102,6 +102,10 @@ private:
 /// The positions of new vertices; see the constants.
 enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
 
+/// The side that closed components face: that of most of their faces, or as they are, in results of stitching and filling;
+/// or outwards.
+enum class Outward : uint32_t { keep = GUSSET_OUTWARD_KEEP, closed = GUSSET_OUTWARD_CLOSED };
+
 } // namespace gusset
 
 #endif // GUSSET_MESH_HPP

@@ -69,9 +69,6 @@ private:
     detail::Handle<gusset_weld, gusset_weld_destroy> weld_;
 };
 
-/// The side that closed components face: that of most of their faces, or outwards.
-enum class Outward : uint32_t { keep = GUSSET_OUTWARD_KEEP, closed = GUSSET_OUTWARD_CLOSED };
-
 /// A mesh whose faces agree with their neighbours; see gusset_orient_create.
 class Orient {
 public:

@@ -62,6 +62,7 @@ struct StitchOptions {
     Fairing fairing = Fairing::none;
     Intersections intersections = Intersections::automatic;
     Centres centres = Centres::vertices;
+    Outward outward = Outward::keep;
 };
 
 namespace detail {
@@ -86,6 +87,7 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
     given.fairing = static_cast<uint32_t>(options.fairing);
     given.intersections = static_cast<uint32_t>(options.intersections);
     given.centres = static_cast<uint32_t>(options.centres);
+    given.outward = static_cast<uint32_t>(options.outward);
     return given;
 }
 } // namespace detail
@@ -145,8 +147,11 @@ public:
     }
     /// The number of local back-offs of the fairing.
     uint32_t back_off_count() const { return view().back_off_count; }
-    /// The second piece was turned over.
+    /// The second piece was turned over to agree with the first.
     bool turned() const { return view().turned != 0; }
+    /// The faces that Outward::closed turned over.
+    Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
+    Indices turned_outwards() const && = delete;
 
     /// The call of the C interface; stitch() and stitch_within() are its cases.
     Stitch(const MeshView &a, const Indices *loop_a, const MeshView *b, const Indices *loop_b,

@@ -9,6 +9,7 @@ use crate::boundary::{self, Survey, boundary_loops};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{MeshView, check_size, concat};
+use crate::repair::orient::{Outward, turn_outwards};
 use crate::stitch::{FaceList, Quality, part_alone};
 use std::collections::BTreeSet;
 
@@ -58,7 +59,7 @@ pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Optio
         done += candidate.vertices.len();
         plan.enter(candidate, options, &job)?;
     }
-    plan.finish(&job.part(0.7, 1.0))
+    plan.finish(options.outward, &job.part(0.7, 1.0))
 }
 
 /// The patches of the holes so far.
@@ -155,7 +156,7 @@ impl<'a> Plan<'a> {
         Ok(())
     }
 
-    fn finish(self, job: &Job<'_>) -> Result<Filled> {
+    fn finish(self, outward: Outward, job: &Job<'_>) -> Result<Filled> {
         let mesh = self.mesh;
         job.step(0.0, "putting the pieces together")?;
         let room = [self.points.len(), self.faces.iter().len(), self.faces.corners.len()];
@@ -168,7 +169,12 @@ impl<'a> Plan<'a> {
         }
         job.step(0.1, "putting the pieces together")?;
         let part = part_alone(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
-        let quality = Quality::of(&whole, &part, &job.part(0.3, 1.0))?;
-        Ok(Filled { mesh: whole, holes: self.holes, rims: self.rims, quality })
+        let measured = if outward == Outward::Closed { 0.7 } else { 1.0 };
+        let quality = Quality::of(&whole, &part, &job.part(0.3, measured))?;
+        let turned_outwards = match outward {
+            Outward::Keep => Vec::new(),
+            Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?,
+        };
+        Ok(Filled { mesh: whole, holes: self.holes, rims: self.rims, turned_outwards, quality })
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::choice::choices;
 use crate::mesh::Mesh;
+use crate::repair::orient::Outward;
 use crate::stitch::Quality;
 use std::ops::Range;
 
@@ -73,6 +74,11 @@ pub struct Options {
     /// The longest loop is left alone too: the outline of an open sheet is no hole. Only if all
     /// loops are asked for.
     pub keep_longest: bool,
+    /// What becomes of closed components of the result: they stay as they are, or those that are
+    /// inside out are turned over, each as a whole, as [`turn_outwards`] does.
+    ///
+    /// [`turn_outwards`]: crate::repair::orient::turn_outwards()
+    pub outward: Outward,
 }
 
 /// What became of a hole.
@@ -103,8 +109,8 @@ pub enum HoleStatus {
 pub struct Hole {
     /// What became of it.
     pub status: HoleStatus,
-    /// Its vertices, in [`Filled::rims`]: with the surface on the left, or, of a given loop that is
-    /// not simple, free or oriented, as given.
+    /// Its vertices, in [`Filled::rims`]: with the surface of the mesh that was given on the left,
+    /// or, of a given loop that is not simple, free or oriented, as given.
     pub rim: Range<usize>,
     /// Its faces in the result.
     pub faces: Range<u32>,
@@ -123,6 +129,9 @@ pub struct Filled {
     pub holes: Vec<Hole>,
     /// The vertices of all rims.
     pub rims: Vec<u32>,
+    /// Faces of the result, old and new ones, that [`Options::outward`] had turned over, ascending.
+    /// Each keeps its first corner and has the others in reverse order.
+    pub turned_outwards: Vec<u32>,
     /// Measures of the new faces, and of the result's connectivity.
     pub quality: Quality,
 }

@@ -11,7 +11,8 @@ pub(super) const FILTER: Filter = Filter {
     name: "Assemble pieces",
     category: "Stitching",
     help: "Joins many open pieces to one mesh: coincident borders are welded, orientations made consistent, loops that face \
-           each other across a gap stitched, and holes filled on request. Loops that face none are left as they are.",
+           each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face \
+           none are left as they are.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     max_inputs: 1 << 16,
     params: &[
@@ -27,6 +28,10 @@ pub(super) const FILTER: Filter = Filter {
         Param::choice("rows", "Rows", ROWS.texts).with_help("The rows of new vertices between the rims."),
         Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
         Param::choice("holes", "Remaining holes", HOLES).with_help("The treatment of holes that remain."),
+        Param::flag("keep_inside_out", "Keep inside out").with_help(
+            "Leaves closed components of the result as they are; otherwise the faces of those that are inside out are \
+             reversed, each by its own volume, also inside others.",
+        ),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
@@ -56,6 +61,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let options = Options {
         weld: (tolerance >= 0.0).then(|| weld::Options { tolerance: Some(tolerance), ..weld::Options::default() }),
         max_gap: if max_gap < 0.0 { MaxGap::Auto } else { MaxGap::Given(max_gap) },
+        keep_inside_out: values.is_set("keep_inside_out"),
         whole_loops_only: values.choice("extent", EXTENTS),
         strip: stitch::Options {
             meridians: values.choice("meridians", Meridians::CHOICES),
@@ -94,6 +100,10 @@ fn report(done: &Assembly) -> Report {
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
     push_line!(text, "{} filled, {} left", counted(filled, ["hole", "holes"]), counted(done.loops_left, BOUNDARY_LOOP));
+    let turned = done.turned.iter().filter(|&&turned| turned).count();
+    if turned > 0 {
+        push_line!(text, "{} of the pieces turned over", counted(turned, FACE));
+    }
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let values = [
         ("sewn_edges", f64::from(done.sewn_edges)),
@@ -101,6 +111,7 @@ fn report(done: &Assembly) -> Report {
         ("refused_joins", (done.joints.len() - joined) as f64),
         ("filled_holes", filled as f64),
         ("boundary_loops", f64::from(done.loops_left)),
+        ("turned_faces", turned as f64),
     ];
     Report::new(text, &values)
 }

@@ -1,6 +1,7 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
 use crate::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
+use crate::repair::orient::Outward;
 
 pub(super) const FILTER: Filter = Filter {
     id: "fill_holes",
@@ -19,9 +20,13 @@ pub(super) const FILTER: Filter = Filter {
         Param::length("max_length", "Greatest length", NON_NEGATIVE, &[0.0])
             .with_help("Longer loops are left open; 0 sets no limit."),
         Param::flag("keep_longest", "Keep the longest loop").with_help("Leaves the outline of an open sheet open."),
+        Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
+
+pub(super) const OUTWARD_HELP: &str = "Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside \
+     others.";
 
 const INTERIORS: &[Choice] = &[
     Choice::new("Rim only", "Triangles between the vertices of the rim."),
@@ -42,10 +47,19 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             diameter: None,
         },
         keep_longest: values.is_set("keep_longest"),
+        outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
     };
     let done = fill_holes(inputs[0].mesh()?, None, &options, job)?;
     let report = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+}
+
+/// The line of a report on faces that were turned outwards, if there are any.
+pub(super) fn turned_outwards(faces: &[u32]) -> String {
+    match faces.len() {
+        0 => String::new(),
+        n => format!("{} turned over, to face outwards\n", counted(n, FACE)),
+    }
 }
 
 fn report(done: &Filled) -> Report {
@@ -58,8 +72,9 @@ fn report(done: &Filled) -> Report {
         0 => String::new(),
         _ => format!("area {}, smallest angle {angle:.2} degrees\n", short(area)),
     };
+    let turned = turned_outwards(&done.turned_outwards);
     let text = format!(
-        "filled {count} of {} by {} and {}\n{measures}{} left\n",
+        "filled {count} of {} by {} and {}\n{measures}{turned}{} left\n",
         counted(done.holes.len(), BOUNDARY_LOOP),
         counted(faces, FACE),
         counted(vertices, ["new vertex", "new vertices"]),
@@ -72,6 +87,7 @@ fn report(done: &Filled) -> Report {
         ("new_vertices", vertices as f64),
         ("area", area),
         ("smallest_angle", done.quality.min_angle),
+        ("turned_outwards", done.turned_outwards.len() as f64),
         ("boundary_loops", f64::from(done.quality.loops_left)),
     ];
     Report::new(text, &values)

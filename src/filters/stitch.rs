@@ -1,8 +1,10 @@
 use super::facing_arcs::RUN_HELP;
+use super::fill_holes::{OUTWARD_HELP, turned_outwards};
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
 use crate::boundary::{self, boundary_loops};
 use crate::mesh::MeshView;
+use crate::repair::orient::Outward;
 use crate::stitch::facing::Run;
 use crate::stitch::{
     Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Quality, Request, Rows, Stitch, stitch,
@@ -41,6 +43,7 @@ pub(super) const FILTER: Filter = Filter {
         Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
         Param::choice("intersections", "Intersections", Intersections::CHOICES.texts)
             .with_help("The search for faces that intersect each other."),
+        Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
@@ -87,6 +90,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         cells: values.choice("cells", Cells::CHOICES),
         fairing: values.choice("fairing", Fairing::CHOICES),
         intersections: values.choice("intersections", Intersections::CHOICES),
+        outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
         ..Options::default()
     };
     let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
@@ -113,6 +117,7 @@ fn loop_by_number(
 fn report(done: &Stitch) -> Report {
     let Quality { min_angle, max_aspect, max_edge, area, loops_left, .. } = done.quality;
     let turned = if done.turned { "the second piece was turned over\n" } else { "" };
+    let outwards = turned_outwards(&done.turned_outwards);
     let parts = if done.closed { "loops" } else { "arcs" };
     let left = match loops_left {
         0 => "the result is closed".to_owned(),
@@ -126,7 +131,8 @@ fn report(done: &Stitch) -> Report {
     let [a, b] = done.rims.each_ref().map(Vec::len);
     let text = format!(
         "joined {parts} of {a} and {b} vertices by {}, {}\n{turned}\
-         area {}, longest edge {}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{cuts}{left}\n",
+         area {}, longest edge {}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n\
+         {cuts}{outwards}{left}\n",
         counted(done.strip_faces.len(), FACE),
         counted(done.rows, ["interior row", "interior rows"]),
         short(area),
@@ -143,6 +149,7 @@ fn report(done: &Stitch) -> Report {
         ("longest_edge", max_edge),
         ("smallest_angle", min_angle),
         ("largest_aspect_ratio", max_aspect),
+        ("turned_outwards", done.turned_outwards.len() as f64),
         ("boundary_loops", f64::from(loops_left)),
     ];
     if let Some(pairs) = &done.intersections {

@@ -115,6 +115,12 @@ impl Mesh {
         self.face_offsets.windows(2).map(|w| &self.face_corners[w[0] as usize..w[1] as usize])
     }
 
+    /// Turns face `f` over: it keeps its first corner, and has the others in reverse order.
+    pub(crate) fn turn_face(&mut self, f: usize) {
+        let [first, end] = [f, f + 1].map(|k| self.face_offsets[k] as usize);
+        self.face_corners[first + 1..end].reverse();
+    }
+
     /// The mean length of the faces' sides; infinite if none has a length.
     pub(crate) fn mean_side(&self) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);

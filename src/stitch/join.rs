@@ -17,6 +17,7 @@ use crate::geom::disjoint_sets::DisjointSets;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{MeshView, concat, vertex_components};
+use crate::repair::orient::{Outward, turn_outwards};
 
 /// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of
 /// new faces.
@@ -98,8 +99,15 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let weights = alloc::collect(strip.grid.new.iter().map(|&(_, t)| t))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let strip = strip_alone(&whole, strip, &attached.names)?;
-    let quality = Quality::of(&whole, &strip, &job.part(0.75, 1.0))?;
+    let mut strip = strip_alone(&whole, strip, &attached.names)?;
+    let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
+    let quality = Quality::of(&whole, &strip, &job.part(0.75, measured))?;
+    let mut turned_outwards = Vec::new();
+    if options.outward == Outward::Closed {
+        turned_outwards = turn_outwards(&mut whole, &job.part(measured, 1.0))?;
+        let of_strip = turned_outwards.iter().filter_map(|f| f.checked_sub(attached.faces.start));
+        of_strip.for_each(|f| strip.turn_face(f as usize));
+    }
     Ok(Stitch {
         rims,
         closed,
@@ -115,6 +123,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         meridians,
         back_offs: checked.back_offs,
         turned: turn,
+        turned_outwards,
         quality,
     })
 }

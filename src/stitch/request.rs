@@ -7,6 +7,7 @@ use super::quality::Quality;
 use super::start::Start;
 use crate::choice::choices;
 use crate::mesh::{Mesh, MeshView};
+use crate::repair::orient::Outward;
 use std::ops::Range;
 
 /// What happens if the second piece is oriented against the first.
@@ -124,6 +125,11 @@ pub struct Options {
     pub fairing: Fairing,
     /// Whether faces that cut each other are looked for.
     pub intersections: Intersections,
+    /// What becomes of closed components of the result: they stay as they are, or those that are
+    /// inside out are turned over, each as a whole, as [`turn_outwards`] does.
+    ///
+    /// [`turn_outwards`]: crate::repair::orient::turn_outwards()
+    pub outward: Outward,
 }
 
 /// What to stitch: two loops of two meshes, or of one.
@@ -166,7 +172,8 @@ pub struct Stitch {
     /// The strip's faces in [`Stitch::mesh`].
     pub strip_faces: Range<u32>,
     /// The vertices of each rim in [`Stitch::mesh`], from the first meridian on, side by side: rim
-    /// A has its surface on the left, rim B on the right.
+    /// A has its surface on the left, rim B on the right, as they were before
+    /// [`Stitch::turned_outwards`].
     pub rims: [Vec<u32>; 2],
     /// The strip is a closed band between whole loops; else it joins two arcs.
     pub closed: bool,
@@ -190,8 +197,11 @@ pub struct Stitch {
     pub intersections: Option<Vec<[u32; 2]>>,
     /// How often the fairing had to be taken back in places.
     pub back_offs: u32,
-    /// The second piece was turned over.
+    /// The second piece was turned over, so as to agree with the first one.
     pub turned: bool,
+    /// Faces of the result, those of the strip too, that [`Options::outward`] had turned over in
+    /// the end, ascending. Each keeps its first corner and has the others in reverse order.
+    pub turned_outwards: Vec<u32>,
     /// Measures of the result.
     pub quality: Quality,
 }

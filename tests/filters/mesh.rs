@@ -63,6 +63,38 @@ fn fill_holes_closes_what_it_may() {
 }
 
 #[test]
+fn closed_results_are_turned_outwards_as_the_flags_say() {
+    let turned: Vec<Soup> = caps().iter().map(Soup::turned).collect();
+    let faces: usize = turned.iter().map(|soup| soup.faces().count()).sum();
+    for (id, flag, soups) in [
+        ("stitch", "outward", &turned[..]),
+        ("fill_holes", "outward", &turned[..1]),
+        ("assemble", "keep_inside_out", &turned[..]),
+    ] {
+        let params = Filter::find(id).unwrap().params;
+        let place = params.iter().position(|param| param.id == flag).unwrap();
+        assert_eq!(place + 1, params.len(), "hosts store parameters by their places");
+        for set in [false, true] {
+            let mut given: Vec<f64> =
+                params.iter().map(|param| param.default.first().copied().unwrap_or(0.0)).collect();
+            given[place] = f64::from(u8::from(set));
+            let outputs = run_on(id, soups, &given).unwrap();
+            let (points, joined) = mesh(&outputs[0]);
+            let volume = common::volume(|v| points[v as usize], joined.iter().copied());
+            let outwards = set == (flag == "outward");
+            assert!(if outwards { volume > 1.0 } else { volume < -1.0 }, "{id} {set}: {volume}");
+            let count = match id {
+                "assemble" => value(&outputs[1], "turned_faces") as usize,
+                _ => value(&outputs[1], "turned_outwards") as usize,
+            };
+            let all = if id == "assemble" { faces } else { joined.len() };
+            assert_eq!(count, if outwards { all } else { 0 }, "{id} {set}");
+            assert_eq!(text(&outputs[1]).contains("turned over"), outwards, "{}", text(&outputs[1]));
+        }
+    }
+}
+
+#[test]
 fn check_names_what_is_wrong() {
     // A sheet of 3 x 2 quads; then a fin on an inner edge, a face against its neighbours, a twin, a
     // needle, a lone vertex.

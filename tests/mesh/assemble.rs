@@ -133,7 +133,7 @@ proptest! {
         let next = Cell::new(0);
         let mut pieces = cut(&whole, |_| Some(colours[next.replace(next.get() + 1)]));
         assert_restored(&whole, &pieces);
-        // Some of them inside out: as most faces have it, so the whole is.
+        // Some of them inside out: in the end they are turned, and no others, as the whole faces outwards.
         let mut turned = 0;
         for (piece, &turn) in pieces.iter_mut().zip(&turns) {
             if turn {
@@ -142,9 +142,13 @@ proptest! {
             }
         }
         let done = assert_restored(&whole, &pieces);
-        prop_assert!(turned == 63 || (volume_of(&done) > 0.0) == (turned < 63));
+        prop_assert!(volume_of(&done) > 0.0);
         let flipped = done.turned.iter().filter(|&&turned| turned).count();
-        prop_assert_eq!(flipped, turned.min(126 - turned));
+        prop_assert_eq!(flipped, turned);
+        let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
+        let kept = assemble(&views, &Options { keep_inside_out: true, ..welding() }, &Job::default()).unwrap();
+        prop_assert!(turned == 63 || (volume_of(&kept) > 0.0) == (turned < 63));
+        prop_assert_eq!(kept.turned.iter().filter(|&&turned| turned).count(), turned.min(126 - turned));
     }
 }
 
@@ -187,7 +191,7 @@ fn pieces_inside_out_agree_with_the_first() {
             let is_turned = |k: usize| set >> k & 1 == 1;
             let given: Vec<Soup> =
                 pieces.iter().enumerate().map(|(k, p)| if is_turned(k) { p.turned() } else { p.clone() }).collect();
-            let done = run(&given, &Options::default());
+            let done = run(&given, &Options { keep_inside_out: true, ..Options::default() });
             assert_closed(&done, chi);
             assert_eq!(volume_of(&done) > 0.0, !is_turned(0));
             for (k, map) in done.maps.iter().enumerate() {

@@ -4,6 +4,7 @@
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
 use gusset::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 use gusset::mesh::Mesh;
+use gusset::repair::orient::Outward;
 use gusset::{Error, Job};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -14,6 +15,7 @@ const AREA: Options = Options {
     fairing: Fairing::None,
     limits: Limits { edges: None, length: None, diameter: None },
     keep_longest: false,
+    outward: Outward::Keep,
 };
 const REFINED: Options = Options { weight: Weight::AreaAndBend, refinement: Refinement::RimDensity(0), ..AREA };
 const LIEPA: Options = Options { weight: Weight::BendThenArea, ..AREA };

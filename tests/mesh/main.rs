@@ -13,6 +13,7 @@ mod errata;
 mod facing;
 mod fill;
 mod orient;
+mod outwards;
 mod pieces;
 mod rows;
 mod stitch;

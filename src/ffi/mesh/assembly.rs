@@ -63,7 +63,7 @@ pub struct gusset_assembly_options {
     pub weld: u32,
     /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
     /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
-    /// turned.
+    /// turned, nor in the end.
     pub orientation: u32,
     /// GUSSET_GAP_...
     pub gap: u32,
@@ -91,8 +91,16 @@ pub struct gusset_assembly_options {
     /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing
     /// and intersections are read; the other fields must be valid too.
     pub strip_options: *const gusset_stitch_options,
-    /// How to fill, NULL for the defaults.
+    /// How to fill, NULL for the defaults. outward is not read, but must be valid too.
     pub fill_options: *const gusset_fill_options,
+    /// 0: components of the result that are closed (every edge has two faces), consistently
+    /// oriented and inside out are turned over in the end, each as a whole and by its own volume:
+    /// the wall of a cavity within another component is turned too. 1: they stay as they are, which
+    /// is mostly as the first piece has it. All other components stay as they are either way. 0 or
+    /// 1.
+    pub keep_inside_out: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// Where a piece went.
@@ -111,7 +119,7 @@ pub struct gusset_piece_map {
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
     /// The vertices of each side in the result, in order; if joined, side by side from the first
-    /// meridian on.
+    /// meridian on. The order is that of before closed components were turned outwards.
     pub side: [gusset_indices; 2],
     /// The mean width of the gap.
     pub gap: f64,
@@ -170,9 +178,12 @@ pub struct gusset_assembly_view {
     pub holes: *const gusset_hole,
     /// How many.
     pub hole_count: usize,
-    /// The vertices of their rims.
+    /// The vertices of their rims, in the order of before closed components were turned outwards.
     pub hole_rims: gusset_indices,
-    /// Faces of the pieces that were turned over, by their indices in the result.
+    /// Faces of the pieces that run the other way than they did in their pieces, by their indices in
+    /// the result: turned to agree with others, or with their component to face outwards, but not
+    /// both. Faces of strips and patches were nothing before, and are not listed: they run as the
+    /// faces of pieces beside them do.
     pub turned: gusset_indices,
     /// A face of each component that cannot be oriented.
     pub one_sided: gusset_indices,
@@ -196,7 +207,7 @@ pub struct gusset_assembly {
     turned: Vec<u32>,
 }
 
-versioned! { gusset_assembly_options: 96, gusset_assembly_view: 136 }
+versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 136 }
 fixed! { gusset_joint: 104, gusset_left_loop: 24, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
@@ -243,6 +254,7 @@ impl gusset_assembly_options {
         Ok(Options {
             weld,
             keep_orientation,
+            keep_inside_out: flag(self.keep_inside_out, "keep_inside_out")?,
             max_gap,
             whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
             within_components: flag(self.within_components, "within_components")?,
@@ -292,7 +304,8 @@ impl gusset_assembly {
 }
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
-/// loops that face each other across a gap stitched, and holes filled, as the options say.
+/// loops that face each other across a gap stitched, holes filled, and closed components turned
+/// outwards, as the options say.
 ///
 /// That two loops cannot be joined is no failure: each joint has its outcome.
 ///

@@ -70,14 +70,19 @@ pub struct gusset_fill_options {
     pub max_length: f64,
     /// Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
     pub max_diameter: f64,
+    /// GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
+    pub outward: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// The account of one loop.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given
-    /// loop that is not simple, free or oriented, as given.
+    /// Its vertices are rims.data[rim_first] and on: with the surface on the left as it was before
+    /// closed components were turned outwards, or, of a given loop that is not simple, free or
+    /// oriented, as given.
     pub rim_first: usize,
     /// How many they are.
     pub rim_count: usize,
@@ -108,9 +113,12 @@ pub struct gusset_fill_view {
     pub hole_count: usize,
     /// The vertices of all rims.
     pub rims: gusset_indices,
+    /// Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
+    /// Each keeps its first corner and has the others in reverse order.
+    pub turned_outwards: gusset_indices,
 }
 
-versioned! { gusset_fill_options: 48, gusset_fill_view: 40 }
+versioned! { gusset_fill_options: 48 reserved, gusset_fill_view: 40 }
 fixed! { gusset_hole: 56 }
 
 c_enum! {
@@ -151,6 +159,7 @@ impl gusset_fill_options {
             fairing: choice(self.fairing)?,
             limits,
             keep_longest: flag(self.keep_longest, "keep_longest")?,
+            outward: choice(self.outward)?,
         })
     }
 }
@@ -189,7 +198,7 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// Loops that cannot be filled are left, which is no error: the account of each says why.
 ///
 /// The result has the old vertices with their bits and indices, then the new ones; the old faces,
-/// then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
+/// which are turned over only if outward says so, then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
 /// overlaps, however concave it is, if its rim does not cross itself; whether a patch meets other
 /// parts of the surface is not looked at.
 ///
@@ -267,6 +276,7 @@ pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *
         holes: lent(holes),
         hole_count: holes.len(),
         rims: gusset_indices::lend(&filled.rims),
+        turned_outwards: gusset_indices::lend(&filled.turned_outwards),
     })
 }
 

@@ -4,10 +4,14 @@ use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
 
-/// Closed components face as most of their faces did.
+/// Closed components face as most of their faces did; those of a stitch or of a filled mesh stay as
+/// they are.
 pub const GUSSET_OUTWARD_KEEP: u32 = 0;
 /// Closed components face outwards, each by its own volume: of shells inside one another each one
-/// encloses what is within it. One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
+/// encloses what is within it, and the wall of a cavity is turned over too. One whose volume is 0 up
+/// to rounding is as with GUSSET_OUTWARD_KEEP. Of a stitch or of a filled mesh, components that are
+/// closed (every edge has two faces), consistently oriented and inside out are turned over, each as
+/// a whole; all others stay as they are.
 pub const GUSSET_OUTWARD_CLOSED: u32 = 1;
 
 /// An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.

@@ -21,8 +21,9 @@ pub struct gusset_stitch_view {
     /// Per old face, its index in the result.
     pub face_map: [gusset_indices; 2],
     /// The vertices of each rim, by their indices in the result, from the first meridian on, side
-    /// by side: rim 0 has its surface on the left, rim 1 on the right. They are also the strip's
-    /// own first vertices in order: rim 0, then rim 1.
+    /// by side: rim 0 has its surface on the left, rim 1 on the right, as they were before closed
+    /// components were turned outwards. They are also the strip's own first vertices in order: rim
+    /// 0, then rim 1.
     pub rim: [gusset_indices; 2],
     /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is
     /// (data[2 k], data[2 k + 1]). They go from (0, 0) to (N, M) for whole rims of N and M
@@ -47,8 +48,8 @@ pub struct gusset_stitch_view {
     pub row_count: u32,
     /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
     pub closed: u32,
-    /// 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way,
-    /// each from its own first corner. Other components stay as they are.
+    /// 1 if the component that rim 1 is on was turned over to agree with the other, else 0: its
+    /// faces run the other way, each from its own first corner. Other components stay as they are.
     pub turned: u32,
     /// 1 if faces that cut each other were looked for, else 0.
     pub intersections_known: u32,
@@ -61,6 +62,9 @@ pub struct gusset_stitch_view {
     pub back_off_count: u32,
     /// 0.
     pub reserved: u32,
+    /// Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
+    /// end, ascending. Each keeps its first corner and has the others in reverse order.
+    pub turned_outwards: gusset_indices,
 }
 
 /// Measures of a strip, or of filled holes, and of the whole result's connectivity.
@@ -231,6 +235,7 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
         intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
         back_off_count: done.back_offs,
         reserved: 0,
+        turned_outwards: gusset_indices::lend(&done.turned_outwards),
     })
 }
 

@@ -156,11 +156,11 @@ pub struct gusset_stitch_options {
     pub intersections: u32,
     /// GUSSET_CENTRES_...
     pub centres: u32,
-    /// 0.
-    pub reserved: u32,
+    /// GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
+    pub outward: u32,
 }
 
-versioned! { gusset_stitch_options: 72 reserved }
+versioned! { gusset_stitch_options: 72 }
 
 c_enum! {
     meridians: Meridians {
@@ -218,6 +218,7 @@ impl gusset_stitch_options {
             cells: choice(self.cells)?,
             fairing: choice(self.fairing)?,
             intersections: choice(self.intersections)?,
+            outward: choice(self.outward)?,
         })
     }
 }

@@ -12,6 +12,8 @@
 //!    to those that it faces, turned or not (union-find with parity).
 //! 5. Each pair is stitched, nearest first ([`stitch`](super)).
 //! 6. The remaining holes are filled, on request ([`fill`](crate::fill)).
+//! 7. Closed components of the result that are inside out are turned over, each by its own volume
+//!    ([`turn_outwards`](crate::repair::orient::turn_outwards())).
 //!
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 

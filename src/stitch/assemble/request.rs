@@ -41,8 +41,11 @@ impl Selector {
 pub struct Options<'a> {
     /// How coincident borders are sewn; `None`: not at all.
     pub weld: Option<repair::weld::Options>,
-    /// The pieces keep their orientation as it is.
+    /// The pieces keep their orientation as it is: nothing is turned, nor in the end.
     pub keep_orientation: bool,
+    /// Closed components of the result that are inside out stay so. Otherwise each is turned over as
+    /// a whole in the end, as [`turn_outwards`](repair::orient::turn_outwards()) does.
+    pub keep_inside_out: bool,
     /// Which gaps are closed.
     pub max_gap: MaxGap,
     /// Only whole loops are joined, no parts of them.
@@ -56,7 +59,7 @@ pub struct Options<'a> {
     /// The strips: meridians, search, start, rows, cells, fairing and intersections; the other
     /// fields are not read.
     pub strip: stitch::Options,
-    /// How holes that are left are filled; `None`: not at all.
+    /// How holes that are left are filled; `None`: not at all. Its `outward` is not read.
     pub fill: Option<fill::Options>,
 }
 
@@ -76,7 +79,8 @@ pub enum Outcome {
 /// Two loops, or runs of loops, that face each other. Indices are those of the result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
-    /// The vertices of each side in order; if joined, side by side from the first meridian on.
+    /// The vertices of each side in order; if joined, side by side from the first meridian on. The
+    /// order is that of before closed components were turned outwards.
     pub sides: [Vec<u32>; 2],
     /// Both are whole loops.
     pub whole: bool,
@@ -124,7 +128,10 @@ pub struct Assembly {
     pub mesh: Mesh,
     /// For each piece, its old indices to new ones; [`NONE`] for what welding dropped.
     pub maps: Vec<IndexMap>,
-    /// Per face of the pieces in the result, whether it was turned over.
+    /// Per face of the pieces in the result, whether it runs the other way than it did in its
+    /// piece: turned to agree with others, or with its component to face outwards, but not both.
+    /// The faces of strips and patches come after them and were nothing before: they run as the
+    /// faces of pieces beside them do.
     pub turned: Vec<bool>,
     /// Vertices that became one with another, and edges sewn.
     pub welded_vertices: u32,
@@ -138,7 +145,7 @@ pub struct Assembly {
     pub left: Vec<LeftLoop>,
     /// The holes that were looked at in the end.
     pub holes: Vec<fill::Hole>,
-    /// The vertices of their rims.
+    /// The vertices of their rims, in the order of before closed components were turned outwards.
     pub hole_rims: Vec<u32>,
     /// Boundary loops of the result.
     pub loops_left: u32,

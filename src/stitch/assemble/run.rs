@@ -5,13 +5,14 @@ use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result};
-use crate::fill::fill_holes;
+use crate::fill::{self, fill_holes};
 use crate::geom::Aabb;
 use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Defect, Mesh, MeshView, NONE, concat, vertex_components};
-use crate::repair::{orient, weld};
+use crate::repair::orient::{self, Outward, turn_outwards};
+use crate::repair::weld;
 use crate::sort::sort_distinct;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
@@ -22,7 +23,8 @@ use crate::stitch::strip::Strip;
 use crate::stitch::{self, IndexMap};
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
-/// loops that face each other across a gap stitched, and holes filled, as the options say.
+/// loops that face each other across a gap stitched, holes filled, and closed components turned
+/// outwards, as the options say.
 ///
 /// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, the time of
 /// each strip as for [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested
@@ -213,8 +215,17 @@ impl Base {
             return Ok(done);
         }
         if let Some(how) = &options.fill {
-            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, None, how, &job.part(0.1, 0.6))?;
+            let how = fill::Options { outward: Outward::Keep, ..*how };
+            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, None, &how, &job.part(0.1, 0.4))?;
             (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+        }
+        if !(options.keep_orientation || options.keep_inside_out) {
+            for f in turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))? {
+                // Faces of strips and patches come after those of the pieces.
+                if let Some(turned) = done.turned.get_mut(f as usize) {
+                    *turned ^= true;
+                }
+            }
         }
         let view = done.mesh.view(&job.part(0.6, 0.7))?;
         let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
