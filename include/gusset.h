@@ -348,7 +348,8 @@
 #define GUSSET_U64 1
 
 /**
- * Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
+ * Coincident borders are sewn, by default up to what rounding can have done; see
+ * gusset_weld_options.
  */
 #define GUSSET_ASSEMBLY_WELD 0
 
@@ -804,8 +805,8 @@
 #define GUSSET_CELLS_QUADS 1
 
 /**
- * No tolerance is given: facing vertices are found with what round-off of the coordinates can do;
- * vertices are welded if their positions are equal.
+ * No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the
+ * coordinates can do; see gusset_weld_options.
  */
 #define GUSSET_TOLERANCE_AUTO 0
 
@@ -813,6 +814,11 @@
  * The tolerance is the one given.
  */
 #define GUSSET_TOLERANCE_GIVEN 1
+
+/**
+ * The tolerance is 0: of vertices that are welded, the positions are equal.
+ */
+#define GUSSET_TOLERANCE_EXACT 2
 
 /**
  * The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
@@ -2145,8 +2151,13 @@ typedef struct gusset_weld_options {
      */
     uint32_t vertices;
     /**
-     * GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0
-     * equals 0. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+     * GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
+     * have put copies of one vertex. That is 2^-19 of the largest coordinate for 32-bit positions,
+     * 2^-48 for 64-bit ones; twice the last decimal place where positions show fewer digits, as
+     * those from text files do (of those that are no multiples of 1e-4 of the size, a third or more
+     * end there); and at each vertex at most a quarter of the shortest edge that ends there, so that
+     * no edge collapses. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+     * GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
      */
     uint32_t tolerance_mode;
     /**
@@ -3135,6 +3146,11 @@ typedef struct gusset_weld_view {
      * 0.
      */
     uint32_t reserved;
+    /**
+     * How far apart vertices that lie together were allowed to be, short edges apart; 0 for equal
+     * positions.
+     */
+    double tolerance;
 } gusset_weld_view;
 
 /**

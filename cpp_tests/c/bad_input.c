@@ -232,7 +232,7 @@ static void stitch_pointers(void) {
     OPTION(options.run = 2, GUSSET_ERROR_UNKNOWN_VALUE);
     OPTION(options.rows = 3, GUSSET_ERROR_UNKNOWN_VALUE);
     OPTION(options.cells = 2, GUSSET_ERROR_UNKNOWN_VALUE);
-    OPTION(options.tolerance_mode = 2, GUSSET_ERROR_UNKNOWN_VALUE);
+    OPTION(options.tolerance_mode = 3, GUSSET_ERROR_UNKNOWN_VALUE);
     OPTION((options.tolerance_mode = 1, options.tolerance = NAN), GUSSET_ERROR_OUT_OF_RANGE);
     OPTION((options.tolerance_mode = 1, options.tolerance = -1.0), GUSSET_ERROR_OUT_OF_RANGE);
     OPTION((options.tolerance_mode = 1, options.tolerance = INFINITY), GUSSET_ERROR_OUT_OF_RANGE);

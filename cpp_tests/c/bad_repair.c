@@ -35,7 +35,7 @@ static void weld(void) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_weld_create(context, &mesh, &options, &weld));
     options.struct_size = sizeof options, options.vertices = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
-    options.vertices = 1, options.tolerance_mode = 2;
+    options.vertices = 1, options.tolerance_mode = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
     options.tolerance_mode = 0, options.collapse = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
@@ -62,7 +62,13 @@ static void weld(void) {
     gusset_context_reset(context);
 
     /* A tolerance that is not read may be anything. */
-    options.tolerance_mode = 0;
+    options.tolerance_mode = GUSSET_TOLERANCE_EXACT;
+    EXPECT(GUSSET_OK, gusset_weld_create(context, &mesh, &options, &weld));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_weld_get_view(weld, &parts));
+    CHECK(parts.tolerance == 0.0 && parts.sewn_edges == 1);
+    gusset_weld_destroy(weld);
+    options.tolerance_mode = GUSSET_TOLERANCE_AUTO;
     EXPECT(GUSSET_OK, gusset_weld_create(context, &mesh, &options, &weld));
     memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_get_view(NULL, &parts));
@@ -79,6 +85,7 @@ static void weld(void) {
     EXPECT(GUSSET_OK, gusset_weld_get_view(weld, &parts));
     CHECK(view.vertex_count == 4 && view.face_count == 2 && view.scalar == GUSSET_F64);
     CHECK(parts.vertex_map.count == 6 && parts.vertex_map.data[4] == 2 && parts.vertex_map.data[5] == 3);
+    CHECK(parts.tolerance > 0.0 && parts.tolerance < 1e-9);
     CHECK(parts.face_map.count == 2 && parts.welded_vertices == 2 && parts.sewn_edges == 1);
     CHECK(parts.left_edges.data == NULL && parts.left_vertices.count == 0 && parts.dropped_faces == 0);
     gusset_weld_destroy(weld);

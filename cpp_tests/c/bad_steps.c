@@ -33,7 +33,7 @@ static void steps(void) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_facing_create(context, a, 2, b, 2, &options, &facing));
     options.struct_size = sizeof options, options.run = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_facing_create(context, a, 2, b, 2, &options, &facing));
-    options.run = 1, options.tolerance_mode = 2;
+    options.run = 1, options.tolerance_mode = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_facing_create(context, a, 2, b, 2, &options, &facing));
     options.tolerance_mode = 1, options.tolerance = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_facing_create(context, a, 2, b, 2, &options, &facing));

@@ -92,7 +92,7 @@ class Commands(unittest.TestCase):
                     says='parameter rows takes "None", "By mean edge" or "Given number", not "many"')
         self.expect(USAGE, "fill", "low.obj", "--loops", "2", "-o", "a.obj", says="--loops")
         self.expect(USAGE, "fill", "low.obj", "--threads", "few", "-o", "a.obj")
-        self.expect(REFUSED, "weld", "low.obj", "--tolerance", "-1", "-o", "a.obj", says="parameter tolerance)")
+        self.expect(REFUSED, "weld", "low.obj", "--tolerance", "-2", "-o", "a.obj", says="parameter tolerance)")
 
     def test_json(self):
         def told(status, *arguments):
@@ -111,7 +111,7 @@ class Commands(unittest.TestCase):
         self.assertEqual({name: check["values"][name] for name in ("vertices", "pieces", "closed", "genus", "boundary_edges")},
                          {"vertices": 24, "pieces": 1, "closed": 0, "genus": 0, "boundary_edges": 24})
         self.assertEqual(check["outputs"], [])
-        wrong = told(REFUSED, "weld", "low.obj", "--tolerance", "-1", "-n")
+        wrong = told(REFUSED, "weld", "low.obj", "--tolerance", "-2", "-n")
         self.assertEqual((wrong["command"], wrong["error"]["exit"], wrong["error"]["parameter"]), ("weld", 4, "tolerance"))
         self.at("bad.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n")
         self.assertIn("bad.off:5: vertex number 2 from 0", told(FILE, "check", "bad.off")["error"]["message"])

@@ -118,7 +118,7 @@ class Filters(unittest.TestCase):
         self.expect(USAGE, "run", "weld", "grid.obj", "-p", "tolerance=1", "-p", "tolerance=2", says="twice")
 
     def test_refusals_name_what_is_wrong(self):
-        for wrong in ("-1", "nan", "inf", "-inf", "1e300"):
+        for wrong in ("-2", "nan", "inf", "-inf", "1e300"):
             self.expect(REFUSED, "run", "weld", "grid.obj", "-p", f"tolerance={wrong}", says="parameter tolerance)")
         self.expect(REFUSED, "run", "weld", "grid.obj", "-p", "vertices=2", says="parameter vertices)")
         self.expect(REFUSED, "run", "net_shape", "-p", "rows=5.5", says="parameter rows)")

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <random>
@@ -174,6 +176,27 @@ TEST_CASE("a tolerance sews what noise has moved, and no more") {
     gusset::WeldOptions options;
     options.tolerance = 1e-3;
     check_shape(repaired(pieces, options), 24 * 13, 24 * 13, 0, {});
+}
+
+TEST_CASE("what seven digits of a file round apart is sewn by default") {
+    const Soup whole = torus(24, 13);
+    Soup pieces = shattered(whole, 7, false);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> noise(-1e-7, 1e-7);
+    for (auto &p : pieces.points) {
+        for (double &x : p) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%.7g", x + noise(random));
+            x = std::strtod(text, nullptr);
+        }
+    }
+    const gusset::Weld weld(pieces.view());
+    CHECK(weld.tolerance() > 1.9e-6);
+    CHECK(weld.tolerance() < 2.1e-5);
+    check_shape(repaired(pieces), 24 * 13, 24 * 13, 0, {});
+    gusset::WeldOptions exact;
+    exact.tolerance = 0.0;
+    CHECK(gusset::Weld(pieces.view(), exact).sewn_edges() < weld.sewn_edges());
 }
 
 TEST_CASE("bad options are errors with their status") {

@@ -12,7 +12,7 @@ enum class WeldVertices : uint32_t { boundary = GUSSET_WELD_BOUNDARY, all = GUSS
 /// The options of welding; see gusset_weld_options.
 struct WeldOptions {
     WeldVertices vertices = WeldVertices::boundary;
-    /// Empty: equal positions.
+    /// 0: equal positions. Empty: up to what rounding can have done to the positions.
     std::optional<double> tolerance;
     /// Corners of one face may become one.
     bool collapse = false;
@@ -61,6 +61,8 @@ public:
     uint32_t welded_vertices() const { return view().welded_vertices; }
     /// The number of edges sewn from two free edges.
     uint32_t sewn_edges() const { return view().sewn_edges; }
+    /// How far apart vertices that lie together were allowed to be, short edges apart; 0 for equal positions.
+    double tolerance() const { return view().tolerance; }
     /// The number of faces dropped.
     uint32_t dropped_faces() const { return view().dropped_faces; }
 

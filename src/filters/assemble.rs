@@ -1,6 +1,7 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, EDGE, FACE};
 use super::stitch::FAIRING_HELP;
+use super::weld::{TOLERANCES, tolerance};
 use crate::fill;
 use crate::repair::weld;
 use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, assemble};
@@ -16,8 +17,10 @@ pub(super) const FILTER: Filter = Filter {
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     max_inputs: 1 << 16,
     params: &[
-        Param::real("tolerance", "Welding distance", [-1.0, 1e15], &[0.0]).with_help(
-            "The largest distance of border vertices that are welded; 0 for equal positions, -1 for no welding.",
+        Param::choice("weld", "Coincident borders", WELDS.texts).with_help("The treatment of borders that coincide."),
+        Param::length("tolerance", "Welding distance", TOLERANCES, &[-1.0]).with_help(
+            "The largest distance of border vertices that are welded; 0 takes equal positions, -1 what rounding of the \
+             positions can do, as their type and the digits that they show tell.",
         ),
         Param::real("max_gap", "Widest gap", [-1.0, 1e15], &[-1.0]).with_help(
             "The largest mean width of a gap that is closed; 0 leaves all open, -1 decides by the size of the loops.",
@@ -35,6 +38,13 @@ pub(super) const FILTER: Filter = Filter {
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
+
+choices! {
+    /// Whether borders are welded.
+    WELDS: bool =
+        true => "Weld", "They are welded edge to edge.";
+        false => "Keep", "They stay apart.";
+}
 
 choices! {
     /// Whether only whole loops are joined.
@@ -57,9 +67,10 @@ const HOLES: &[Choice] = &[
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
-    let (tolerance, max_gap) = (values.number("tolerance"), values.number("max_gap"));
+    let max_gap = values.number("max_gap");
+    let weld = weld::Options { tolerance: tolerance(values), ..weld::Options::default() };
     let options = Options {
-        weld: (tolerance >= 0.0).then(|| weld::Options { tolerance: Some(tolerance), ..weld::Options::default() }),
+        weld: values.choice("weld", WELDS).then_some(weld),
         max_gap: if max_gap < 0.0 { MaxGap::Auto } else { MaxGap::Given(max_gap) },
         keep_inside_out: values.is_set("keep_inside_out"),
         whole_loops_only: values.choice("extent", EXTENTS),

@@ -12,8 +12,9 @@ pub(super) const FILTER: Filter = Filter {
     replaces: true,
     params: &[
         Param::choice("vertices", "Weld", Vertices::CHOICES.texts).with_help("The vertices that are welded."),
-        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0]).with_help(
-            "The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions.",
+        Param::length("tolerance", "Tolerance", TOLERANCES, &[-1.0]).with_help(
+            "The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions, -1 what \
+             rounding of the positions can do, as their type and the digits that they show tell.",
         ),
         Param::choice("collapse", "Short edges", COLLAPSE.texts)
             .with_help("The treatment of coincident corners of one face."),
@@ -22,6 +23,14 @@ pub(super) const FILTER: Filter = Filter {
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
+
+/// Lengths from 0 on, and -1 for the one that the data call for.
+pub(super) const TOLERANCES: [f64; 2] = [-1.0, 1e15];
+
+/// The tolerance given, if one is.
+pub(super) fn tolerance(values: &Values<'_>) -> Option<f64> {
+    Some(values.number("tolerance")).filter(|&tolerance| tolerance >= 0.0)
+}
 
 choices! {
     COLLAPSE: bool =
@@ -38,7 +47,7 @@ choices! {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options {
         vertices: values.choice("vertices", Vertices::CHOICES),
-        tolerance: Some(values.number("tolerance")),
+        tolerance: tolerance(values),
         collapse: values.choice("collapse", COLLAPSE),
         remove_unused: values.choice("unused", UNUSED),
     };
@@ -66,6 +75,7 @@ fn report(done: &Weld) -> Report {
     );
     let values = [
         ("welded_vertices", f64::from(done.welded_vertices)),
+        ("tolerance", done.tolerance),
         ("sewn_edges", f64::from(done.sewn_edges)),
         ("dropped_faces", f64::from(done.dropped_faces)),
         ("coincident_boundary_edges", edges as f64),

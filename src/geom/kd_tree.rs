@@ -233,6 +233,11 @@ impl Radius {
         Radius { unit, limit: (distance / unit) * (distance / unit) }
     }
 
+    /// True if a difference of points is no longer.
+    pub(crate) fn contains(self, difference: DVec3) -> bool {
+        self.squared(difference) <= self.limit
+    }
+
     /// The squared length of a difference of points; infinite if it is that much longer.
     fn squared(self, difference: DVec3) -> f64 {
         (difference / self.unit).length_squared()

@@ -1,8 +1,8 @@
 //! Which vertices lie together.
 //!
 //! In ascending order, each vertex that is still unclaimed becomes a representative and claims the
-//! unclaimed ones that lie at its position, or within the tolerance of it: nearest first, of
-//! equally near ones the smallest. What that means: see [`weld`](super::weld).
+//! unclaimed ones that lie at its position, or within reach of it as it is within theirs: nearest
+//! first, of equally near ones the smallest. What that means: see [`weld`](super::weld).
 //!
 //! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives
 //! lie apart and a point is within reach of few. Where corners of one face are kept apart, those
@@ -32,17 +32,18 @@ const REPORT_INTERVAL: usize = 1 << 14;
 const STAGE: &str = "clustering vertices";
 
 impl Clusters {
-    /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for
-    /// equal positions, else positive. With `corners`, no cluster gets two corners of one face.
+    /// Clusters `members`, which are ascending and have finite positions. `reach`: of each member,
+    /// at least 0; empty for equal positions. With `corners`, no cluster gets two corners of one
+    /// face.
     pub(super) fn find(
         mesh: &MeshView<'_>,
         members: &[u32],
-        tolerance: Option<f64>,
+        reach: &[f64],
         corners: Option<&Corners>,
         job: &Job<'_>,
     ) -> Result<Self> {
         let points = alloc::collect(members.iter().map(|&v| mesh.positions().get(v)))?;
-        let near = Near::new(&points, tolerance, &job.part(0.0, 0.4))?;
+        let near = Near::new(&points, reach, &job.part(0.0, 0.4))?;
         let job = job.part(0.4, 1.0);
         let mut guard = Guard::new(mesh, corners)?;
         let mut found =
@@ -85,14 +86,14 @@ enum Near<'a> {
     },
     Within {
         tree: KdTree<'a>,
-        reach: Radius,
+        reach: &'a [f64],
     },
 }
 
 impl<'a> Near<'a> {
-    fn new(points: &'a [DVec3], tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
-        if let Some(tolerance) = tolerance {
-            return Ok(Near::Within { tree: KdTree::new(points, job, STAGE)?, reach: Radius::new(tolerance) });
+    fn new(points: &'a [DVec3], reach: &'a [f64], job: &Job<'_>) -> Result<Self> {
+        if !reach.is_empty() {
+            return Ok(Near::Within { tree: KdTree::new(points, job, STAGE)?, reach });
         }
         job.step(0.0, STAGE)?;
         // -0 becomes 0, so that the order of bits is the order of numbers.
@@ -124,8 +125,10 @@ impl<'a> Near<'a> {
             }
             Near::Within { tree, reach } => {
                 let mut outcome = Ok(());
-                tree.for_each_within(points[i], *reach, &mut |squared, j| {
-                    if outcome.is_ok() {
+                let radius = |i: usize| Radius::new(reach[i].max(f64::from_bits(1)));
+                tree.for_each_within(points[i], radius(i), &mut |squared, j| {
+                    let difference = points[j as usize] - points[i];
+                    if outcome.is_ok() && (reach[j as usize] >= reach[i] || radius(j as usize).contains(difference)) {
                         outcome = alloc::push(out, (squared, j));
                     }
                 });

@@ -9,11 +9,13 @@
 //! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed
 //! claims the unclaimed ones within the tolerance of it, nearest first. So nothing chains, and
 //! groups of vertices that are narrower than the tolerance and farther apart than it are found
-//! whatever the numbers of the vertices are.
+//! whatever the numbers of the vertices are. By default the tolerance is what rounding can have
+//! done to the coordinates, and no edge's ends lie together: see [`tolerance`](super::tolerance).
 
 use super::cluster::Clusters;
 use super::corners::Corners;
 use super::sew::{free_edges, is_free, sew};
+use super::tolerance::Tolerance;
 use crate::alloc;
 use crate::choice::choices;
 use crate::error::{Error, Result};
@@ -43,8 +45,10 @@ choices! { for Vertices:
 pub struct Options {
     /// Which vertices.
     pub vertices: Vertices,
-    /// How far apart vertices that lie together may be, finite and at least 0; `None` and 0: not at
-    /// all, where -0 equals 0.
+    /// How far apart vertices that lie together may be, finite and at least 0; 0: not at all, where
+    /// -0 equals 0. `None`: as far as rounding to the type of the coordinates, or to the decimal
+    /// digits that they show, can have put copies of one vertex, and at each vertex at most a
+    /// quarter of the shortest edge that ends there, so that no edge collapses.
     pub tolerance: Option<f64>,
     /// Corners of one face may become one: successive ones are then one corner, and a face of fewer
     /// than three different vertices is dropped. Otherwise corners of one face stay apart.
@@ -66,6 +70,8 @@ pub struct Weld {
     pub face_map: Vec<u32>,
     /// Vertices that became one with a smaller one.
     pub welded_vertices: u32,
+    /// How far apart vertices that lie together were allowed to be, short edges apart.
+    pub tolerance: f64,
     /// Edges with two faces that were two free edges.
     pub sewn_edges: u32,
     /// Faces dropped.
@@ -84,21 +90,22 @@ pub struct Weld {
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite,
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
-    let tolerance = options.tolerance.unwrap_or(0.0);
-    Error::require((0.0..f64::INFINITY).contains(&tolerance), "tolerance", tolerance)?;
+    let given = options.tolerance.unwrap_or(0.0);
+    Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = members(mesh, &topology, sewing)?;
-    job.step(0.2, STAGE)?;
+    let tolerance = Tolerance::of(mesh, &members, options.tolerance, &job.part(0.2, 0.3))?;
+    job.step(0.3, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh)?) };
-    let tolerance = Some(tolerance).filter(|&t| t > 0.0);
-    let mut clusters = Clusters::find(mesh, &members, tolerance, corners.as_ref(), &job.part(0.2, 0.6))?;
+    let mut clusters = Clusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
     let representative = match sewing {
         true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,
         false => alloc::copied(&clusters.of)?,
     };
     let mut welded = rebuilt(mesh, &representative, options, &job.part(0.9, 0.95))?;
+    welded.tolerance = tolerance.length;
     let places = [&clusters.of[..], &representative];
     welded.count_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
     clusters.enter_split(&members, &representative)?;
@@ -177,6 +184,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
         mesh: Mesh { positions, face_offsets, face_corners },
         vertex_map,
         face_map,
+        tolerance: 0.0,
         sewn_edges: 0,
         left_edges: Vec::new(),
         left_vertices: Vec::new(),

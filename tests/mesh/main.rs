@@ -18,4 +18,5 @@ mod pieces;
 mod rows;
 mod stitch;
 mod weld;
+mod weld_tolerance;
 mod winged;

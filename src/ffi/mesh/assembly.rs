@@ -10,7 +10,8 @@ use crate::repair::weld;
 use crate::stitch::IndexMap;
 use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector, assemble};
 
-/// Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
+/// Coincident borders are sewn, by default up to what rounding can have done; see
+/// gusset_weld_options.
 pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
 /// Nothing is welded.
 pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;

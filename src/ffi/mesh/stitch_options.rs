@@ -104,11 +104,13 @@ pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
 /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
 pub const GUSSET_CELLS_QUADS: u32 = 1;
 
-/// No tolerance is given: facing vertices are found with what round-off of the coordinates can do;
-/// vertices are welded if their positions are equal.
+/// No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the
+/// coordinates can do; see gusset_weld_options.
 pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
 /// The tolerance is the one given.
 pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
+/// The tolerance is 0: of vertices that are welded, the positions are equal.
+pub const GUSSET_TOLERANCE_EXACT: u32 = 2;
 
 /// How to stitch; all zero is the default.
 #[repr(C)]
@@ -228,6 +230,7 @@ pub(crate) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
     match mode {
         GUSSET_TOLERANCE_AUTO => Ok(None),
         GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
+        GUSSET_TOLERANCE_EXACT => Ok(Some(0.0)),
         other => Err(Failure::unknown("tolerance_mode", other.into())),
     }
 }

@@ -32,8 +32,13 @@ pub struct gusset_weld_options {
     pub struct_size: usize,
     /// Which vertices: GUSSET_WELD_...
     pub vertices: u32,
-    /// GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0
-    /// equals 0. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+    /// GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
+    /// have put copies of one vertex. That is 2^-19 of the largest coordinate for 32-bit positions,
+    /// 2^-48 for 64-bit ones; twice the last decimal place where positions show fewer digits, as
+    /// those from text files do (of those that are no multiples of 1e-4 of the size, a third or more
+    /// end there); and at each vertex at most a quarter of the shortest edge that ends there, so that
+    /// no edge collapses. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+    /// GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
     pub tolerance_mode: u32,
     /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
@@ -68,9 +73,12 @@ pub struct gusset_weld_view {
     pub dropped_faces: u32,
     /// 0.
     pub reserved: u32,
+    /// How far apart vertices that lie together were allowed to be, short edges apart; 0 for equal
+    /// positions.
+    pub tolerance: f64,
 }
 
-versioned! { gusset_weld_options: 32, gusset_weld_view: 88 }
+versioned! { gusset_weld_options: 32, gusset_weld_view: 96 }
 
 c_enum! { vertices: Vertices { GUSSET_WELD_BOUNDARY => Boundary, GUSSET_WELD_ALL => All } }
 
@@ -166,5 +174,6 @@ pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *
         sewn_edges: done.sewn_edges,
         dropped_faces: done.dropped_faces,
         reserved: 0,
+        tolerance: done.tolerance,
     })
 }
