@@ -1022,7 +1022,7 @@ enum gusset_status
      */
     GUSSET_ERROR_SIZE_OVERFLOW = 1001,
     /**
-     * A mesh without vertices or without faces.
+     * A mesh without vertices or without faces, or no mesh at all.
      */
     GUSSET_ERROR_EMPTY_MESH = 1002,
     /**
@@ -1044,11 +1044,11 @@ enum gusset_status
      */
     GUSSET_ERROR_NOT_FINITE = 1006,
     /**
-     * Mesh B has f64 positions and mesh A f32.
+     * The second mesh, or a later piece, has f64 positions and the first f32.
      */
     GUSSET_ERROR_MIXED_SCALARS = 1007,
     /**
-     * There is no boundary loop that can be stitched.
+     * There is no boundary loop that can be stitched, or of one mesh there are no two.
      */
     GUSSET_ERROR_NO_LOOP = 1100,
     /**
@@ -1372,8 +1372,9 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
 
 /**
  * Called with remarks that are no failures, on the thread that made the call; message is valid
- * during the callback only. The same rules as for progress. So far gusset_stitch_create alone has
- * one: that the second piece was turned over.
+ * during the callback only. The same rules as for progress. Stitching, filling and assembling have
+ * some: that the second piece of a stitch was turned over to agree with the first, that what is
+ * closed was turned outwards, and that fairing was asked for where no new vertices were.
  */
 typedef void (*gusset_log_fn)(void *user, const char *message);
 
@@ -2245,7 +2246,7 @@ typedef struct gusset_stitch_options {
      */
     uint32_t start;
     /**
-     * GUSSET_FAIRING_...
+     * GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is not.
      */
     uint32_t fairing;
     /**
@@ -2279,7 +2280,7 @@ typedef struct gusset_fill_options {
      */
     uint32_t refine;
     /**
-     * GUSSET_FAIRING_..., read if new vertices are asked for.
+     * GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
      */
     uint32_t fairing;
     /**
@@ -2355,7 +2356,8 @@ typedef struct gusset_assembly_options {
     double max_gap;
     /**
      * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-     * different loops, and none is named twice. Errors name a pair by its number from 0.
+     * different loops, and none is named twice. Errors name a pair by its number from 0, and say
+     * what is wrong with it.
      */
     const struct gusset_loop_pair *pairs;
     /**
@@ -6171,7 +6173,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_BYTE 19
 
 /**
- * One of the operations, fields, gluings, lines, loops, pieces, sheets or curves that were given.
+ * One of the operations, fields, gluings, lines, loops, pairs, pieces, sheets or curves that were
+ * given.
  */
 #define GUSSET_ELEMENT_ITEM 21
 
@@ -7256,9 +7259,12 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
  * @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
  *     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
- *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs that names no loops that
- *     can be joined, or of excluded that names no loops: the value is its number), TOO_LARGE,
- *     OUT_OF_MEMORY, CANCELLED.
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
+ *     report's index is its number, its input is 0 or 1 for the first or the second loop, its value
+ *     the piece that does not exist, else the vertex, and the message says what is wrong: there is
+ *     no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop that can
+ *     be joined passes it or several do, it is on the pair's other loop, or its loop is in a pair
+ *     before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
  *     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
  *     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
@@ -7687,7 +7693,7 @@ gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
  * @param options NULL for the defaults.
  * @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
- *     PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+ *     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
  *     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
  *     f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians

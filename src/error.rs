@@ -70,6 +70,41 @@ impl fmt::Display for Element {
     }
 }
 
+/// Why a pair of loops that a caller names cannot be taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PairFault {
+    /// There is no such piece.
+    NoPiece,
+    /// The piece has no such vertex.
+    NoVertex,
+    /// A vertex must be named, and none is.
+    VertexMissing,
+    /// No loop passes the vertex that could be joined.
+    NoLoop,
+    /// Several loops pass the vertex.
+    SeveralLoops,
+    /// The pair names one loop twice.
+    SameLoop,
+    /// A pair before this one names the loop.
+    LoopTaken,
+}
+
+impl PairFault {
+    fn text(self, piece: u32, vertex: u32) -> String {
+        match self {
+            PairFault::NoPiece => format!("there is no piece {piece}"),
+            PairFault::NoVertex => format!("piece {piece} has no vertex {vertex}"),
+            PairFault::VertexMissing => format!("it names piece {piece} and no vertex of it"),
+            PairFault::NoLoop => format!("no loop that can be joined passes vertex {vertex} of piece {piece}"),
+            PairFault::SeveralLoops => format!("several loops pass vertex {vertex} of piece {piece}"),
+            PairFault::SameLoop => format!("vertex {vertex} of piece {piece} is on the pair's other loop"),
+            PairFault::LoopTaken => {
+                format!("the loop through vertex {vertex} of piece {piece} is in a pair before this one")
+            }
+        }
+    }
+}
+
 /// A number in a message: with an exponent where it would have many digits before or after the
 /// point.
 struct Number<'a>(&'a f64);
@@ -121,7 +156,7 @@ pub enum Error {
         min: u64,
     },
     /// A mesh without vertices or without faces, or no mesh at all.
-    #[error("there are no {what}")]
+    #[error("{}", if *.what == "pieces" { "no pieces were given".to_owned() } else { format!("there are no {what}") })]
     EmptyMesh {
         /// What there are none of, in the plural.
         what: &'static str,
@@ -195,6 +230,9 @@ pub enum Error {
     /// There is no boundary loop that could be stitched.
     #[error("there is no boundary loop {side} that can be stitched")]
     NoLoop { side: Side },
+    /// Two loops of one mesh are to be stitched, and it has no two.
+    #[error("the mesh has {count} boundary loop{} that can be stitched; two without a common vertex are needed", if *.count == 1 { "" } else { "s" })]
+    NoPairOfLoops { count: u32 },
     /// A loop of fewer than three vertices.
     #[error("loop {side} has {count} vertices; it needs three")]
     LoopTooShort { side: Side, count: u32 },
@@ -236,9 +274,9 @@ pub enum Error {
         face: u32,
     },
     /// The second piece is oriented against the first, and the options refuse to turn it over.
-    #[error("piece B (face {face} and the rest) is oriented against piece A")]
+    #[error("what loop B bounds (face {face} and the rest) is oriented against what loop A bounds")]
     OrientationConflict {
-        /// A face of the second piece.
+        /// A face on the second loop.
         face: u32,
     },
     /// Every strip through the first meridian, or the strip of the chosen rule, would use an edge
@@ -359,6 +397,20 @@ pub enum Error {
         /// What is needed.
         why: &'static str,
     },
+    /// A pair of loops that an option gives cannot be taken.
+    #[error("pair {pair} of {option}: {}", .fault.text(*.piece, *.vertex))]
+    BadLoopPair {
+        option: &'static str,
+        /// Its number among those given.
+        pair: u32,
+        /// Which of its loops is to blame.
+        side: Side,
+        /// The piece that is named there.
+        piece: u32,
+        /// The vertex that is named there.
+        vertex: u32,
+        fault: PairFault,
+    },
     /// An option is outside its range.
     #[error("option {option} is out of range: {}", Number(.value))]
     OptionOutOfRange { option: &'static str, value: f64 },
@@ -393,7 +445,8 @@ impl Error {
             | Error::LoopRepeatsVertex { side, .. }
             | Error::LoopEdgeNotFree { side, .. }
             | Error::PlanesUndecided { side }
-            | Error::LoopNotOriented { side, .. } => Some(side),
+            | Error::LoopNotOriented { side, .. }
+            | Error::BadLoopPair { side, .. } => Some(side),
             Error::MixedScalars | Error::OrientationConflict { .. } | Error::NetsOpposed => Some(Side::B),
             _ => None,
         }

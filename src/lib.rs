@@ -69,5 +69,5 @@ pub mod surface;
 mod testing;
 pub mod winged;
 
-pub use error::{Element, Error, Result, Side};
+pub use error::{Element, Error, PairFault, Result, Side};
 pub use job::{Job, Progress};

@@ -210,7 +210,7 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, gusset_assembly_create(misaligned(), pieces, 2, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 0, NULL, &done));
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(NULL, 0, NULL, &done));
-    CHECK(strcmp(gusset_context_get_message(context), "there are no pieces") == 0);
+    CHECK(strcmp(gusset_context_get_message(context), "no pieces were given") == 0);
     FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, SIZE_MAX, NULL, &done));
     pieces[0].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
@@ -308,6 +308,9 @@ static void assembly_pairs(void) {
         {{0, 1}, {UINT32_MAX, 1}}, {{0, 0}, {1, 2}},          {{1, 1}, {4, 4}},
     };
     const gusset_loop_pair right = {{1, 0}, {3, 2}};
+    /* Which loop of each is to blame, by itself and after the right one, and for which piece or vertex. */
+    static const uint32_t blame[7] = {1, 0, 0, 1, 0, 1, 1}, in_second[7] = {1, 0, 0, 1, 0, 0, 0};
+    static const double value[7] = {2, UINT32_MAX, 0, 5, UINT32_MAX, 2, 4};
     gusset_mesh_view pieces[2];
     gusset_assembly_options options = {0};
     gusset_loop_pair list[2];
@@ -321,14 +324,17 @@ static void assembly_pairs(void) {
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
         list[0] = right, list[1] = wrong[k];
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
-        CHECK(reported_value() == 1.0);
+        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 1, in_second[k]);
         list[0] = wrong[k], list[1] = right;
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
-        CHECK(reported_value() == 0.0);
+        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 0, blame[k]);
+        CHECK(reported_value() == value[k]);
     }
+    CHECK(strcmp(gusset_context_get_message(context), "pair 0 of pairs: vertex 4 of piece 1 is on the pair's other loop") == 0);
     list[0] = list[1] = right;
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
-    CHECK(reported_value() == 1.0);
+    REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 1, 0);
+    CHECK(reported_value() == 3.0);
     options.pair_count = SIZE_MAX;
     FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, 2, &options, &done));
     options.pair_count = 1, options.pairs = NULL;

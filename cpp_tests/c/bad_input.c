@@ -373,7 +373,7 @@ static void loops(void) {
     unstitchable(&up, NULL, &closed, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 1);
     unstitchable(&closed, NULL, &up, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 0);
     /* One mesh with one loop only. */
-    unstitchable(&up, NULL, NULL, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 1);
+    unstitchable(&up, NULL, NULL, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 0);
     unstitchable(&up, &loop, NULL, &loop, NULL, GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, 1, 0);
     loop.count = 2;
     unstitchable(&up, NULL, &down, &loop, NULL, GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 2, 1);

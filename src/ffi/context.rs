@@ -28,8 +28,9 @@ pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
 /// Called with remarks that are no failures, on the thread that made the call; message is valid
-/// during the callback only. The same rules as for progress. So far gusset_stitch_create alone has
-/// one: that the second piece was turned over.
+/// during the callback only. The same rules as for progress. Stitching, filling and assembling have
+/// some: that the second piece of a stitch was turned over to agree with the first, that what is
+/// closed was turned outwards, and that fairing was asked for where no new vertices were.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
 struct State {

@@ -4,7 +4,7 @@
 //! The comment of each code is its text too: the build script makes `status_text` of the first
 //! sentences. Each error of the core becomes a code with an element in one place, `From<Error>`.
 
-use crate::error::{Element, Error, Side};
+use crate::error::{Element, Error, PairFault, Side};
 use std::borrow::Cow;
 
 /// What a function returns; `GUSSET_OK` is 0.
@@ -41,7 +41,7 @@ pub enum gusset_status {
     GUSSET_ERROR_TOO_LARGE = 1000,
     /// The bytes of an array exceed the address space.
     GUSSET_ERROR_SIZE_OVERFLOW = 1001,
-    /// A mesh without vertices or without faces.
+    /// A mesh without vertices or without faces, or no mesh at all.
     GUSSET_ERROR_EMPTY_MESH = 1002,
     /// Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than
     /// their elements.
@@ -53,9 +53,9 @@ pub enum gusset_status {
     /// A coordinate is NaN or infinite: of a vertex that a face uses, a point, a tangent, a query
     /// or a node.
     GUSSET_ERROR_NOT_FINITE = 1006,
-    /// Mesh B has f64 positions and mesh A f32.
+    /// The second mesh, or a later piece, has f64 positions and the first f32.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
-    /// There is no boundary loop that can be stitched.
+    /// There is no boundary loop that can be stitched, or of one mesh there are no two.
     GUSSET_ERROR_NO_LOOP = 1100,
     /// A loop of fewer than three vertices.
     GUSSET_ERROR_LOOP_TOO_SHORT = 1101,
@@ -157,7 +157,8 @@ pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
 /// A byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
-/// One of the operations, fields, gluings, lines, loops, pieces, sheets or curves that were given.
+/// One of the operations, fields, gluings, lines, loops, pairs, pieces, sheets or curves that were
+/// given.
 pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
@@ -273,6 +274,7 @@ impl From<Error> for Failure {
             }
             MixedScalars => plain(GUSSET_ERROR_MIXED_SCALARS, 0.0),
             NoLoop { .. } => plain(GUSSET_ERROR_NO_LOOP, 0.0),
+            NoPairOfLoops { count } => plain(GUSSET_ERROR_NO_LOOP, count.into()),
             LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
             LoopRepeatsVertex { vertex, .. } => {
                 at(GUSSET_ERROR_LOOP_REPEATS_VERTEX, GUSSET_ELEMENT_VERTEX, vertex, 0.0)
@@ -310,6 +312,10 @@ impl From<Error> for Failure {
             }
             InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),
             InputUnfit { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
+            BadLoopPair { pair, piece, vertex, fault, .. } => {
+                let value = if fault == PairFault::NoPiece { piece } else { vertex };
+                at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pair, value.into())
+            }
             OptionOutOfRange { value, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, value),
             OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Cancelled => plain(GUSSET_ERROR_CANCELLED, 0.0),

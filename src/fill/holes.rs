@@ -2,7 +2,7 @@
 
 use super::choose::{Candidate, all_loops, given_loops};
 use super::patch::{Patch, patch};
-use super::request::{Filled, Hole, HoleStatus, Options};
+use super::request::{Fairing, Filled, Hole, HoleStatus, Options, Refinement};
 use super::surroundings::Surroundings;
 use crate::alloc;
 use crate::boundary::{self, Survey, boundary_loops};
@@ -39,6 +39,9 @@ pub fn fill_holes(mesh: &MeshView<'_>, loops: Option<&[&[u32]]>, options: &Optio
     for (option, limit) in [("max_length", options.limits.length), ("max_diameter", options.limits.diameter)] {
         let limit = limit.unwrap_or(0.0);
         Error::require(limit >= 0.0, option, limit)?;
+    }
+    if options.fairing == Fairing::ThinPlate && options.refinement == Refinement::None {
+        job.note("fairing moves the new vertices inside holes, and none were asked for: it does nothing");
     }
     let survey = boundary::Options { survey: Survey::BoundaryOnly, ..boundary::Options::default() };
     let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;

@@ -67,7 +67,7 @@ pub struct Options {
     pub weight: Weight,
     /// New vertices inside the holes.
     pub refinement: Refinement,
-    /// Where they go.
+    /// Where they go; if none are asked for, a note says that this is not read.
     pub fairing: Fairing,
     /// Which loops are left alone.
     pub limits: Limits,

@@ -38,9 +38,9 @@ use crate::repair::orient::{Outward, turn_outwards};
 /// two arcs of one vertex each get one meridian and no face.
 ///
 /// # Errors
-/// [`Error::NoLoop`], [`Error::LoopTooShort`], [`Error::LoopRepeatsVertex`],
-/// [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`], [`Error::LoopsShareVertex`],
-/// [`Error::PlanesUndecided`], [`Error::OrientationConflict`], [`Error::NoStrip`],
+/// [`Error::NoLoop`], [`Error::NoPairOfLoops`], [`Error::LoopTooShort`],
+/// [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`],
+/// [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`], [`Error::NoStrip`],
 /// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
@@ -58,8 +58,12 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 
     let turn = must_turn(request, &a, &b, options.orientation)?;
     if turn {
-        job.note("the second piece was inside out and has been turned over");
+        job.note(match request.b {
+            Some(_) => "the second piece was inside out and has been turned over",
+            None => "the component of the second loop was inside out and has been turned over",
+        });
     }
+    options.note_unread_fairing(job);
 
     // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing
     // else.

@@ -48,8 +48,10 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
             }
         }
     }
-    let side = if a.is_empty() { Side::A } else { Side::B };
-    let (i, j) = best.1.ok_or(Error::NoLoop { side })?;
+    let (i, j) = best.1.ok_or(match one_mesh {
+        true => Error::NoPairOfLoops { count: a.len().max(b.len()) as u32 },
+        false => Error::NoLoop { side: if a.is_empty() { Side::A } else { Side::B } },
+    })?;
     Ok((a.swap_remove(i), b.swap_remove(j)))
 }
 

@@ -6,6 +6,7 @@ use super::meridian::{Meridians, Pair, Search};
 use super::quality::Quality;
 use super::start::Start;
 use crate::choice::choices;
+use crate::job::Job;
 use crate::mesh::{Mesh, MeshView};
 use crate::repair::orient::Outward;
 use std::ops::Range;
@@ -121,7 +122,7 @@ pub struct Options {
     pub rows: Rows,
     /// Triangles or quads.
     pub cells: Cells,
-    /// Whether the rows are faired.
+    /// Whether the rows are faired; if none are asked for, a note says that this is not read.
     pub fairing: Fairing,
     /// Whether faces that cut each other are looked for.
     pub intersections: Intersections,
@@ -130,6 +131,15 @@ pub struct Options {
     ///
     /// [`turn_outwards`]: crate::repair::orient::turn_outwards()
     pub outward: Outward,
+}
+
+impl Options {
+    /// Tells the host if fairing is asked for without any rows that could be faired.
+    pub(super) fn note_unread_fairing(&self, job: &Job<'_>) {
+        if self.fairing == Fairing::ThinPlate && matches!(self.rows, Rows::None | Rows::Count(0)) {
+            job.note("fairing moves the vertices of interior rows, and none were asked for: it does nothing");
+        }
+    }
 }
 
 /// What to stitch: two loops of two meshes, or of one.

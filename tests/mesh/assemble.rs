@@ -317,7 +317,7 @@ fn exclusions_and_pairs_are_minded() {
     for pair in [wrong(NONE), wrong(u32::MAX - 1), [one[0], one[0]]] {
         let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
         let refused = assemble(&views, &Options { pairs: &[pair], ..Options::default() }, &Job::default());
-        assert_eq!(refused.unwrap_err(), Error::OptionOutOfRange { option: "pairs", value: 0.0 });
+        assert!(matches!(refused, Err(Error::BadLoopPair { option: "pairs", pair: 0, .. })));
     }
 }
 

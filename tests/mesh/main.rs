@@ -4,6 +4,7 @@
 mod common;
 
 mod adversarial;
+mod answers;
 mod assemble;
 mod boundary;
 mod check;

@@ -58,9 +58,7 @@ impl Progress for Notes {
 #[test]
 fn whole_closed_consistent_components_are_turned_and_no_others() {
     let mut twisted = torus(4, 3).turned();
-    let first = twisted.corners[1];
-    twisted.corners[1] = twisted.corners[3];
-    twisted.corners[3] = first;
+    twisted.corners.swap(1, 3);
     // Two cubes with a common edge, which has four faces then, are not closed: nothing says which of
     // them belong together.
     let cube = cube(1).turned();

@@ -78,7 +78,8 @@ pub struct gusset_assembly_options {
     /// finite and at least 0; 0 leaves all open.
     pub max_gap: f64,
     /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-    /// different loops, and none is named twice. Errors name a pair by its number from 0.
+    /// different loops, and none is named twice. Errors name a pair by its number from 0, and say
+    /// what is wrong with it.
     pub pairs: *const gusset_loop_pair,
     /// How many.
     pub pair_count: usize,
@@ -328,9 +329,12 @@ impl gusset_assembly {
 /// @param[out] assembly receives the result, for gusset_assembly_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
 ///     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
-///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs that names no loops that
-///     can be joined, or of excluded that names no loops: the value is its number), TOO_LARGE,
-///     OUT_OF_MEMORY, CANCELLED.
+///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
+///     report's index is its number, its input is 0 or 1 for the first or the second loop, its value
+///     the piece that does not exist, else the vertex, and the message says what is wrong: there is
+///     no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop that can
+///     be joined passes it or several do, it is on the pair's other loop, or its loop is in a pair
+///     before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
 ///     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
 ///     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for

@@ -56,7 +56,7 @@ pub struct gusset_fill_options {
     pub weight: u32,
     /// GUSSET_REFINE_...
     pub refine: u32,
-    /// GUSSET_FAIRING_..., read if new vertices are asked for.
+    /// GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
     pub fairing: u32,
     /// 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all
     /// loops are asked for. 0 or 1.

@@ -128,7 +128,7 @@ impl gusset_quality_report {
 /// @param options NULL for the defaults.
 /// @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
-///     PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+///     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
 ///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
 ///     f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians

@@ -19,6 +19,7 @@
 
 mod assignment;
 mod facing_loops;
+mod given_pair;
 mod request;
 mod run;
 mod whole_loops;

@@ -1,6 +1,7 @@
 //! The stages of assembly in order, from pieces to one mesh and its report.
 
 use super::facing_loops::{Candidate, Facing, FacingSearch};
+use super::given_pair::GivenPair;
 use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
@@ -32,9 +33,9 @@ use crate::stitch::{self, IndexMap};
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a
-/// gap or tolerance that is negative or not finite, and for a pair whose selectors (option `pairs`
-/// or `excluded`, with the pair's number) name no loop that can be joined, [`Error::TooLarge`],
-/// [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no error: see
+/// gap or tolerance that is negative or not finite, [`Error::BadLoopPair`] for one of `pairs` or
+/// `excluded` that names no loops that can be joined, [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`]. That two loops cannot be joined is no error: see
 /// [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(gap) = options.max_gap {
@@ -52,6 +53,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let mut tried = alloc::filled(false, loops.rims.len())?;
     let mut edges = loops.edges_between(&base.done.mesh)?;
     let mean_side = std::cell::OnceCell::new();
+    options.strip.note_unread_fairing(job);
     let strips = stitch::Options { twist: 0, ..options.strip };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.5 + 0.3 * k as f64 / found.len() as f64, 0.5 + 0.3 * (k + 1) as f64 / found.len() as f64);
@@ -415,26 +417,16 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
     let mut taken = alloc::filled(false, loops.rims.len())?;
     let mut found = alloc::with_capacity(options.pairs.len())?;
     for (k, pair) in options.pairs.iter().enumerate() {
-        let wrong = Error::OptionOutOfRange { option: "pairs", value: k as f64 };
-        let one = |selector: Selector| match loops.named(base, &places, selector)?.as_slice() {
-            &[r] if selector.vertex != NONE => Ok(r),
-            _ => Err(wrong),
-        };
-        let rims = [one(pair[0])?, one(pair[1])?];
-        if rims[0] == rims[1] || taken[rims[0]] || taken[rims[1]] {
-            return Err(wrong);
-        }
+        let given = GivenPair { option: "pairs", number: k as u32, pair };
+        given.check_exists(&base.done.maps)?;
+        let rims = given.rims(|selector| loops.named(base, &places, selector), &taken)?;
         rims.iter().for_each(|&r| taken[r] = true);
         found.push(Facing { rims, arcs: None, gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]])? });
     }
     let mut excluded = Vec::new();
     for (k, pair) in options.excluded.iter().enumerate() {
+        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.done.maps)?;
         let (first, second) = (loops.named(base, &places, pair[0])?, loops.named(base, &places, pair[1])?);
-        let exists = |selector: &Selector| {
-            let map = base.done.maps.get(selector.piece as usize);
-            map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())
-        };
-        Error::require(pair.iter().all(exists), "excluded", k as f64)?;
         let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
         alloc::extend(&mut excluded, pairs)?;
     }
