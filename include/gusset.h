@@ -508,7 +508,7 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
- * There are edges, and every one has exactly two faces.
+ * There are edges, and every one has exactly two faces; degenerate faces have none.
  */
 #define GUSSET_MESH_CLOSED 1
 

@@ -13,9 +13,9 @@ public:
         check_.reset(context.result(gusset_check_create, &mesh.get()));
     }
     gusset_check_view view() const { return detail::lent(gusset_check_get_view, check_.get()); }
-    /// There are edges, and every one has exactly two faces.
+    /// There are edges, and every one has exactly two faces; degenerate faces have none.
     bool is_closed() const { return has(GUSSET_MESH_CLOSED); }
-    /// No edge has three faces, no vertex is a bow-tie.
+    /// No edge has three or more faces, no vertex is a bow-tie.
     bool is_manifold() const { return has(GUSSET_MESH_MANIFOLD); }
     /// Faces that share an edge run it in opposite directions.
     bool is_oriented() const { return has(GUSSET_MESH_ORIENTED); }

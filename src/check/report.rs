@@ -30,7 +30,7 @@ pub struct Check {
     pub boundary_walks: u32,
     /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
     pub euler: i64,
-    /// There are edges, and every one has exactly two faces.
+    /// There are edges, and every one has exactly two faces; degenerate faces have none.
     pub closed: bool,
     /// No non-manifold edge and no non-manifold vertex.
     pub manifold: bool,

@@ -156,4 +156,10 @@ proptest! {
 fn degenerate_faces_have_no_edges_and_close_nothing() {
     let c = checked(&Soup::flat(3, &[&[0, 1, 1]]));
     assert_eq!((c.edges, c.degenerate_faces.as_slice(), c.closed), (0, &[0][..], false));
+    // Nor do they open what is closed: a tetrahedron, with all of its faces or without one.
+    let faces: [&[u32]; 5] = [&[0, 1, 1], &[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]];
+    for (faces, edges, closed) in [(&faces[..], 6, true), (&faces[..4], 6, false)] {
+        let c = checked(&Soup::flat(4, faces));
+        assert_eq!((c.edges, c.degenerate_faces.as_slice(), c.closed), (edges, &[0][..], closed));
+    }
 }

@@ -4,7 +4,7 @@ use crate::check::{Check, check};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 
-/// There are edges, and every one has exactly two faces.
+/// There are edges, and every one has exactly two faces; degenerate faces have none.
 pub const GUSSET_MESH_CLOSED: u32 = 1;
 /// No non-manifold edge and no non-manifold vertex.
 pub const GUSSET_MESH_MANIFOLD: u32 = 2;
