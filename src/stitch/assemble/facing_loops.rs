@@ -7,6 +7,7 @@
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
+use super::whole_loops::{Seen, add_shares};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
@@ -265,15 +266,12 @@ fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
     Arc { first: (arc.first + first) % nearest_vertices.len(), count: last + 1 - first }
 }
 
-/// Pairs (smaller, larger) of loops of which one has a nearest vertex on the other.
-fn neighbours(nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<[u32; 2]>> {
-    let mut pairs = Vec::new();
+/// On which loops the nearest vertices of each lie, in ascending order.
+fn neighbours(nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<Seen>> {
+    let mut seen = Vec::new();
     for (of_rim, r) in nearest_vertices.iter().zip(0u32..) {
-        let mut others = alloc::collect(of_rim.iter().map(|nearest| nearest.rim))?;
-        sort_distinct(&mut others);
-        others.retain(|&k| k != NONE);
-        alloc::extend(&mut pairs, others.iter().map(|&k| [r.min(k), r.max(k)]))?;
+        let others = alloc::gather(of_rim.iter().map(|nearest| nearest.rim).filter(|&k| k != NONE))?;
+        add_shares(r, others, of_rim.len(), &mut seen)?;
     }
-    sort_distinct(&mut pairs);
-    Ok(pairs)
+    Ok(seen)
 }

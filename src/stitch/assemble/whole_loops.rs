@@ -3,9 +3,17 @@
 //! A vertex of a loop looks along its **conormal**, off the surface. Loop R looks at loop K by the
 //! mean cosine, over R's length, of the angle between the conormal and the way to the nearest point
 //! of K: near 1 across a cut, near 0 for loops side by side, negative for one that lies behind.
-//! Loops may be joined that look at each other and are not too far apart; of these, pairs are chosen
-//! so that the sum of what each saves is greatest (see [`assignment`](super::assignment)): the
-//! nearer, the better they look at each other and the more alike they are in length, the more.
+//! Two loops that are not too far apart may be joined
+//!
+//! * if they look at each other, and most vertices of each have the other before them as the nearest
+//!   of all loops, or
+//! * if nearly all vertices of each have their nearest vertex on the other, and their distances are
+//!   alike or these nearest points wind once round the other loop: from a loop that lies beside
+//!   another they run forth and back.
+//!
+//! Of these, pairs are chosen so that the sum of what each saves is greatest (see
+//! [`assignment`](super::assignment)): the nearer, the better they look at each other and the more
+//! alike they are in length, the more.
 //!
 //! Bounds and weights are ours, from pairs that were known: of slabs cut out of closed meshes
 //! (`make bench ONLY=truth`) the worse look is above 0.16 and the sum of both above 0.9, and the gap
@@ -28,6 +36,18 @@ const MIN_LOOK: f64 = 0.1;
 /// The least that both may together.
 const MIN_SUM_OF_LOOKS: f64 = 0.8;
 
+/// The same for loops that lie round each other.
+const MIN_SUM_OF_LOOKS_ROUND: f64 = -0.25;
+
+/// Share of the vertices that have any loop before them, for the other one to be it.
+const MIN_SHARE_BEFORE: f64 = 0.6;
+
+/// Share of all vertices whose nearest vertex is on the other, for loops round each other.
+const MIN_SHARE_NEAR: f64 = 0.9;
+
+/// Distances are alike if the greatest is at most so many times the least, or the spacing.
+const MAX_DISTANCE_RATIO: f64 = 4.0;
+
 /// The widest gap that is closed by itself, as a part of the size of the larger component.
 const MAX_PART_OF_SIZE: f64 = 0.2;
 
@@ -37,7 +57,7 @@ const SAMPLE_VERTICES: usize = 1 << 10;
 /// And so many, which loops there are before it.
 const CANDIDATE_SAMPLES: usize = 1 << 7;
 
-/// What a pair saves at least, next to the nearest pair there can be.
+/// What a pair saves at least for its gap and for its look, next to the best there can be.
 const LEAST_GAIN: f64 = 0.2;
 
 /// What a pair of loops of one piece saves, next to one of two pieces.
@@ -50,6 +70,16 @@ struct Look {
     gap: f64,
     /// The mean cosine between its conormals and the way there.
     cosine: f64,
+    /// Its distances are alike, or its nearest points wind once round the other.
+    round: bool,
+}
+
+/// How many vertices of one loop have another before them or nearest to them.
+#[derive(Clone, Copy)]
+pub(super) struct Seen {
+    /// Who sees whom.
+    pub(super) rims: [u32; 2],
+    pub(super) share: f64,
 }
 
 impl FacingSearch<'_> {
@@ -59,30 +89,40 @@ impl FacingSearch<'_> {
         self.max_gap.unwrap_or_else(|| r.radius.min(k.radius).max(MAX_PART_OF_SIZE * r.size.max(k.size)))
     }
 
-    /// The pairs that are joined as wholes.
+    /// The pairs that are joined as wholes; `near`: of which loop each has its nearest vertices, in
+    /// ascending order.
     ///
     /// O(V log V) for V vertices on loops, and for each two loops before one another the time of
     /// their nearest points.
-    pub(super) fn whole_loops(&self, near: &[[u32; 2]], job: &Job<'_>) -> Result<Vec<Facing>> {
+    pub(super) fn whole_loops(&self, near: &[Seen], job: &Job<'_>) -> Result<Vec<Facing>> {
         let trees = alloc::try_collect(self.rims.iter().map(|rim| KdTree::new(&rim.points, &Job::default(), "")))?;
+        let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
-        let mut pairs = self.loops_before(&conormals, &job.part(0.0, 0.5))?;
-        alloc::extend(&mut pairs, near.iter().copied())?;
+        let before = self.loops_before(&conormals, &job.part(0.0, 0.5))?;
+        let mut pairs = alloc::gather(before.iter().chain(near).map(|seen| seen.rims).filter(|&[r, k]| r < k))?;
         sort_distinct(&mut pairs);
         let (mut matches, mut gaps) = (Vec::new(), Vec::new());
         for (number, &[r, k]) in pairs.iter().enumerate() {
             job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, "looking for loops that face each other")?;
+            let mutual = |seen: &[Seen]| share(seen, [r, k]).min(share(seen, [k, r]));
+            let (before, near) = (mutual(&before), mutual(near));
+            if before < MIN_SHARE_BEFORE && near < MIN_SHARE_NEAR {
+                continue;
+            }
             let [r, k] = [r as usize, k as usize];
-            let there = look(&self.rims[r], &conormals[r], &self.rims[k], &trees[k]);
-            let back = look(&self.rims[k], &conormals[k], &self.rims[r], &trees[r]);
+            let there = look(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
+            let back = look(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
             let (gap, limit) = (there.gap.max(back.gap), self.limit(r, k));
             let looks = there.cosine + back.cosine;
-            if gap <= limit && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_SUM_OF_LOOKS {
+            let face =
+                before >= MIN_SHARE_BEFORE && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_SUM_OF_LOOKS;
+            let round = near >= MIN_SHARE_NEAR && there.round && back.round && looks >= MIN_SUM_OF_LOOKS_ROUND;
+            if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
                 let nearness = 1.0 - (1.0 - LEAST_GAIN) * if limit > 0.0 { gap / limit } else { 0.0 };
                 let alike = first.length.min(second.length) / first.length.max(second.length);
                 let piece = if first.piece == second.piece { SAME_PIECE } else { 1.0 };
-                let gain = nearness * (0.5 * looks) * (0.5 + 0.5 * alike) * piece;
+                let gain = nearness * (0.5 * looks).max(LEAST_GAIN) * (0.5 + 0.5 * alike) * piece;
                 alloc::push(&mut matches, Match { ends: [r as u32, k as u32], gain })?;
                 alloc::push(&mut gaps, gap)?;
             }
@@ -95,16 +135,17 @@ impl FacingSearch<'_> {
         }))
     }
 
-    /// Pairs (smaller, larger) of loops of which one has the other before it: nearest of all that
-    /// lie ahead of a vertex.
-    fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+    /// Which loops each has before it: of its vertices that have any, the share for whom that loop is
+    /// the nearest. In ascending order.
+    fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Seen>> {
         let loops = self.all_vertices()?;
         let tree = KdTree::grouped(&loops.points, &loops.groups)?;
-        let mut pairs = Vec::new();
+        let mut seen = Vec::new();
         for (r, rim) in self.rims.iter().enumerate().filter(|&(r, _)| !self.used[r]) {
             job.step(r as f64 / self.rims.len() as f64, "looking for loops that face each other")?;
             let own = loops.groups[loops.firsts[r] as usize];
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius.max(MAX_PART_OF_SIZE * self.largest()));
+            let mut others = Vec::new();
             for i in (0..rim.points.len()).step_by(rim.points.len().div_ceil(CANDIDATE_SAMPLES)) {
                 let (p, ahead) = (rim.points[i], conormals[r][i]);
                 let accept = |v: u32| {
@@ -114,18 +155,32 @@ impl FacingSearch<'_> {
                 };
                 // A gap in the mean may be wider in places.
                 if let Some((_, v)) = tree.nearest_elsewhere(p, 4.0 * widest * widest, own, accept) {
-                    let k = loops.owners[v as usize];
-                    alloc::push(&mut pairs, [k.min(r as u32), k.max(r as u32)])?;
+                    alloc::push(&mut others, loops.owners[v as usize])?;
                 }
             }
+            let asked = others.len();
+            add_shares(r as u32, others, asked, &mut seen)?;
         }
-        Ok(pairs)
+        Ok(seen)
     }
 
     /// The size of the largest component.
     fn largest(&self) -> f64 {
         self.candidates.iter().map(|candidate: &Candidate| candidate.size).fold(0.0, f64::max)
     }
+}
+
+/// Adds what loop `r` sees: `others`, each as often as it is seen by one of `asked` vertices.
+pub(super) fn add_shares(r: u32, mut others: Vec<u32>, asked: usize, seen: &mut Vec<Seen>) -> Result<()> {
+    others.sort_unstable();
+    let groups = others.chunk_by(|x, y| x == y);
+    let shares = groups.map(|group| Seen { rims: [r, group[0]], share: group.len() as f64 / asked as f64 });
+    shares.into_iter().try_for_each(|share| alloc::push(seen, share))
+}
+
+/// The share of vertices of the first loop that see the second.
+fn share(seen: &[Seen], rims: [u32; 2]) -> f64 {
+    seen.binary_search_by_key(&rims, |seen| seen.rims).map_or(0.0, |at| seen[at].share)
 }
 
 /// The conormals at a loop's vertices: square to the surface's border, in the surface, off it.
@@ -139,12 +194,16 @@ fn conormals(rim: &Rim) -> Result<Vec<DVec3>> {
     alloc::collect((0..n).map(|i| (of_edge((i + n - 1) % n) + of_edge(i)).normalize_or_zero()))
 }
 
-/// How `from` sees `to`, whose vertices are in `tree`; by length. What lies upon the other is taken
-/// to look at it.
-fn look(from: &Rim, conormals: &[DVec3], to: &Rim, tree: &KdTree<'_>) -> Look {
+/// How `from` sees `to`, whose vertices are in `tree` and lie at `lengths` along it; by length. What
+/// lies upon the other is taken to look at it.
+fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTree<'_>) -> Result<Look> {
     let n = from.points.len();
     let edge = |i: usize| from.points[i].distance(from.points[(i + 1) % n]);
+    let around = lengths.last().copied().unwrap_or_default();
+    let shorter = |by: f64| if around > 0.0 { by - around * (by / around).round() } else { 0.0 };
     let (mut sum, mut gap, mut cosine) = (0.0, 0.0, 0.0);
+    let (mut turned, mut first, mut last) = (0.0, None, 0.0);
+    let mut distances = alloc::with_capacity(n.min(SAMPLE_VERTICES))?;
     for i in (0..n).step_by(n.div_ceil(SAMPLE_VERTICES)) {
         let p = from.points[i];
         let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
@@ -153,8 +212,23 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, tree: &KdTree<'_>) -> Look {
         let way = polyline::nearest_beside(&to.points, v as usize, p) - p;
         let (weight, distance) = (edge((i + n - 1) % n) + edge(i), way.length());
         sum += weight;
+        distances.push(distance);
         gap += weight * distance;
         cosine += weight * if distance > 0.0 { way.dot(conormals[i]) / distance } else { 1.0 };
+        let place = lengths[v as usize];
+        turned += shorter(place - first.map_or(place, |_| last));
+        (first, last) = (first.or(Some(place)), place);
     }
-    if sum > 0.0 { Look { gap: gap / sum, cosine: cosine / sum } } else { Look { gap: 0.0, cosine: 1.0 } }
+    turned += shorter(first.unwrap_or(last) - last);
+    let winds = around > 0.0 && (turned.abs() / around - 1.0).abs() < 0.5;
+    distances.sort_unstable_by(f64::total_cmp);
+    let [low, high] = [1, 9].map(|tenth| distances.get(distances.len().saturating_sub(1) * tenth / 10));
+    let spacing = sum / 2.0 / distances.len().max(1) as f64;
+    let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_DISTANCE_RATIO * low.max(spacing));
+    let round = alike || winds;
+    Ok(if sum > 0.0 {
+        Look { gap: gap / sum, cosine: cosine / sum, round }
+    } else {
+        Look { gap: 0.0, cosine: 1.0, round }
+    })
 }
