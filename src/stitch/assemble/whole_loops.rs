@@ -5,8 +5,8 @@
 //! of K: near 1 across a cut, near 0 for loops side by side, negative for one that lies behind.
 //! Two loops that are not too far apart may be joined
 //!
-//! * if they look at each other, and most vertices of each have the other before them as the nearest
-//!   of all loops, or
+//! * if they look at each other, and nearly all vertices of each that have any loop before them have
+//!   the other not much farther away than the nearest of those, or
 //! * if nearly all vertices of each have their nearest vertex on the other, and their distances are
 //!   alike or these nearest points wind once round the other loop: from a loop that lies beside
 //!   another they run forth and back.
@@ -36,11 +36,17 @@ const MIN_LOOK: f64 = 0.1;
 /// The least that both may together.
 const MIN_SUM_OF_LOOKS: f64 = 0.8;
 
+/// A loop lies before a vertex within 45 degrees of its conormal.
+const MIN_COSINE_AHEAD: f64 = 0.7;
+
 /// The same for loops that lie round each other.
 const MIN_SUM_OF_LOOKS_ROUND: f64 = -0.25;
 
-/// Share of the vertices that have any loop before them, for the other one to be it.
-const MIN_SHARE_BEFORE: f64 = 0.6;
+/// Share of the vertices that have any loop before them, for whom the other one is hardly farther.
+const MIN_SHARE_BEFORE: f64 = 0.8;
+
+/// Hardly farther: at most so many times as far.
+const HARDLY_FARTHER: f64 = 3.0;
 
 /// Share of all vertices whose nearest vertex is on the other, for loops round each other.
 const MIN_SHARE_NEAR: f64 = 0.9;
@@ -74,7 +80,14 @@ struct Look {
     round: bool,
 }
 
-/// How many vertices of one loop have another before them or nearest to them.
+/// The nearest loop before a vertex of a loop.
+struct Ahead {
+    place: u32,
+    rim: u32,
+    distance: f64,
+}
+
+/// How many vertices of one loop have another nearest to them.
 #[derive(Clone, Copy)]
 pub(super) struct Seen {
     /// Who sees whom.
@@ -99,17 +112,22 @@ impl FacingSearch<'_> {
         let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
         let before = self.loops_before(&conormals, &job.part(0.0, 0.5))?;
-        let mut pairs = alloc::gather(before.iter().chain(near).map(|seen| seen.rims).filter(|&[r, k]| r < k))?;
+        let mut pairs = alloc::gather(near.iter().map(|seen| seen.rims))?;
+        for (of_loop, r) in before.iter().zip(0u32..) {
+            alloc::extend(&mut pairs, of_loop.iter().map(|ahead| [r, ahead.rim]))?;
+        }
+        pairs.iter_mut().for_each(|rims| rims.sort_unstable());
         sort_distinct(&mut pairs);
         let (mut matches, mut gaps) = (Vec::new(), Vec::new());
         for (number, &[r, k]) in pairs.iter().enumerate() {
             job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, "looking for loops that face each other")?;
-            let mutual = |seen: &[Seen]| share(seen, [r, k]).min(share(seen, [k, r]));
-            let (before, near) = (mutual(&before), mutual(near));
+            let near = share(near, [r, k]).min(share(near, [k, r]));
+            let [r, k] = [r as usize, k as usize];
+            let hardly_farther = |r: usize, k: usize| share_before(&before[r], &self.rims[r], &trees[k]);
+            let before = hardly_farther(r, k).min(hardly_farther(k, r));
             if before < MIN_SHARE_BEFORE && near < MIN_SHARE_NEAR {
                 continue;
             }
-            let [r, k] = [r as usize, k as usize];
             let there = look(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
             let back = look(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
             let (gap, limit) = (there.gap.max(back.gap), self.limit(r, k));
@@ -135,33 +153,33 @@ impl FacingSearch<'_> {
         }))
     }
 
-    /// Which loops each has before it: of its vertices that have any, the share for whom that loop is
-    /// the nearest. In ascending order.
-    fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Seen>> {
+    /// Of some vertices of each loop, the nearest loop before them, where there is any.
+    fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<Ahead>>> {
         let loops = self.all_vertices()?;
         let tree = KdTree::grouped(&loops.points, &loops.groups)?;
-        let mut seen = Vec::new();
-        for (r, rim) in self.rims.iter().enumerate().filter(|&(r, _)| !self.used[r]) {
+        let mut before = alloc::with_capacity(self.rims.len())?;
+        for (r, rim) in self.rims.iter().enumerate() {
             job.step(r as f64 / self.rims.len() as f64, "looking for loops that face each other")?;
             let own = loops.groups[loops.firsts[r] as usize];
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius.max(MAX_PART_OF_SIZE * self.largest()));
-            let mut others = Vec::new();
-            for i in (0..rim.points.len()).step_by(rim.points.len().div_ceil(CANDIDATE_SAMPLES)) {
+            let mut of_loop = Vec::new();
+            let asked = if self.used[r] { 0 } else { rim.points.len() };
+            for i in (0..asked).step_by(rim.points.len().div_ceil(CANDIDATE_SAMPLES)) {
                 let (p, ahead) = (rim.points[i], conormals[r][i]);
                 let accept = |v: u32| {
                     let k = loops.owners[v as usize] as usize;
                     let way = loops.points[v as usize] - p;
-                    k != r && self.may_join(r, k) && way.dot(ahead) >= 0.5 * way.length()
+                    k != r && self.may_join(r, k) && way.dot(ahead) >= MIN_COSINE_AHEAD * way.length()
                 };
                 // A gap in the mean may be wider in places.
-                if let Some((_, v)) = tree.nearest_elsewhere(p, 4.0 * widest * widest, own, accept) {
-                    alloc::push(&mut others, loops.owners[v as usize])?;
+                if let Some((squared, v)) = tree.nearest_elsewhere(p, 4.0 * widest * widest, own, accept) {
+                    let rim = loops.owners[v as usize];
+                    alloc::push(&mut of_loop, Ahead { place: i as u32, rim, distance: squared.sqrt() })?;
                 }
             }
-            let asked = others.len();
-            add_shares(r as u32, others, asked, &mut seen)?;
+            before.push(of_loop);
         }
-        Ok(seen)
+        Ok(before)
     }
 
     /// The size of the largest component.
@@ -176,6 +194,16 @@ pub(super) fn add_shares(r: u32, mut others: Vec<u32>, asked: usize, seen: &mut 
     let groups = others.chunk_by(|x, y| x == y);
     let shares = groups.map(|group| Seen { rims: [r, group[0]], share: group.len() as f64 / asked as f64 });
     shares.into_iter().try_for_each(|share| alloc::push(seen, share))
+}
+
+/// The share of a loop's vertices with any loop before them that have another one, whose vertices
+/// are in `tree`, hardly farther away.
+fn share_before(of_loop: &[Ahead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
+    let is_near = |ahead: &&Ahead| {
+        let limit = HARDLY_FARTHER * ahead.distance;
+        tree.nearest(rim.points[ahead.place as usize], limit * limit, |_| true).is_some()
+    };
+    of_loop.iter().filter(is_near).count() as f64 / of_loop.len().max(1) as f64
 }
 
 /// The share of vertices of the first loop that see the second.
