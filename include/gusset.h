@@ -349,7 +349,7 @@
 
 /**
  * Coincident borders are sewn, by default up to what rounding can have done; see
- * gusset_weld_options.
+ * gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
  */
 #define GUSSET_ASSEMBLY_WELD 0
 
@@ -357,6 +357,11 @@
  * Nothing is welded.
  */
 #define GUSSET_ASSEMBLY_NO_WELD 1
+
+/**
+ * Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
+ */
+#define GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE 2
 
 /**
  * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller
@@ -1291,6 +1296,11 @@ typedef struct gusset_scene gusset_scene;
  * The sections of outlines. Opaque and immutable.
  */
 typedef struct gusset_sections gusset_sections;
+
+/**
+ * A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_sew gusset_sew;
 
 /**
  * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all
@@ -2324,7 +2334,7 @@ typedef struct gusset_assembly_options {
      */
     size_t struct_size;
     /**
-     * GUSSET_ASSEMBLY_WELD or GUSSET_ASSEMBLY_NO_WELD.
+     * GUSSET_ASSEMBLY_WELD, GUSSET_ASSEMBLY_NO_WELD or GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE.
      */
     uint32_t weld;
     /**
@@ -2410,7 +2420,8 @@ typedef struct gusset_piece_map {
      */
     struct gusset_indices vertices;
     /**
-     * Per face, its index in the result, or UINT32_MAX.
+     * Per face, its index in the result, or UINT32_MAX; of a triangle that was cut, that of the
+     * first part, which the others follow.
      */
     struct gusset_indices faces;
 } gusset_piece_map;
@@ -2596,6 +2607,14 @@ typedef struct gusset_assembly_view {
      * Edges of the result with three or more faces.
      */
     uint32_t non_manifold_edges;
+    /**
+     * Points at which free edges were split for borders to match.
+     */
+    uint32_t splits;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_assembly_view;
 
 /**
@@ -2957,6 +2976,63 @@ typedef struct gusset_orient_view {
      */
     uint32_t reserved;
 } gusset_orient_view;
+
+/**
+ * What became of the old mesh. Lists are ascending; pointers are valid until the sewn mesh is
+ * destroyed.
+ */
+typedef struct gusset_sew_view {
+    /**
+     * sizeof(gusset_sew_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+     */
+    struct gusset_indices vertex_map;
+    /**
+     * Per old face, the index in the result of the first face that it became; UINT32_MAX if it
+     * was dropped.
+     */
+    struct gusset_indices face_map;
+    /**
+     * Per face of the result, the old face that it is, or is a part of; ascending.
+     */
+    struct gusset_indices face_origin;
+    /**
+     * Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
+     */
+    struct gusset_indices left_vertices;
+    /**
+     * Vertices that became one with a smaller one.
+     */
+    uint32_t welded_vertices;
+    /**
+     * Edges of two faces that were free edges, or parts of such.
+     */
+    uint32_t sewn_edges;
+    /**
+     * Points at which free edges were split.
+     */
+    uint32_t splits;
+    /**
+     * Old faces that were cut or gained corners.
+     */
+    uint32_t split_faces;
+    /**
+     * Old faces that were dropped.
+     */
+    uint32_t dropped_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * How far apart what lies together was allowed to be, short edges apart; 0 for equal
+     * positions.
+     */
+    double tolerance;
+} gusset_sew_view;
 
 /**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1
@@ -7673,6 +7749,78 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
                                      struct gusset_orient_view *parts);
+
+/**
+ * Sews borders that lie on one another, also where their vertices do not match.
+ *
+ * Vertices are welded first, as by gusset_weld_create. Where a vertex of one border then lies
+ * inside a free edge of another (a T-junction), the edge is split there, if that makes pieces of
+ * which exactly two lie on one another; triangles with split edges are cut into triangles, none of
+ * them turned over, and larger faces gain corners. Then borders are welded again. So the result
+ * has no edge of three or more faces and no degenerate face that welding alone would not have
+ * made. Vertices that lie inside an edge which is not split there are listed as left, as are those
+ * that welding leaves.
+ *
+ * A vertex lies inside an edge that is longer than twice the tolerance if it is within the
+ * tolerance of it and beyond that from both its ends. By default it is that of welding: see
+ * gusset_weld_options.
+ *
+ * The result has the old faces in their order, and the parts of one in place of it, one after the
+ * other. Of vertices made one the smallest is left, and its position keeps its bits; new vertices
+ * have the position of an old one.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param options how to weld, NULL for the defaults. With GUSSET_WELD_ALL all vertices are welded
+ *     before edges are split, and borders after it.
+ * @param[out] sew receives the result, for gusset_sew_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_weld_create, TOO_LARGE (the result has too many
+ *     elements).
+ * @complexity O(H log H) for H half-edges, if no vertex has very many and few vertices lie inside
+ *     each edge; linear extra memory.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sew_create(const struct gusset_context *context,
+                                const struct gusset_mesh_view *mesh,
+                                const struct gusset_weld_options *options,
+                                struct gusset_sew **sew);
+
+/**
+ * Destroys a sewn mesh; NULL is allowed.
+ *
+ * @param[in,out] sew the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_sew_destroy(struct gusset_sew *sew);
+
+/**
+ * Lends the sewn mesh, valid until its handle is destroyed.
+ *
+ * @param sew the sewn mesh.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sew_get_mesh(const struct gusset_sew *sew,
+                                  struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, lists and counts.
+ *
+ * @param sew the sewn mesh.
+ * @param[out] parts receives the parts; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_sew_get_mesh.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sew_get_view(const struct gusset_sew *sew,
+                                  struct gusset_sew_view *parts);
 
 /**
  * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band

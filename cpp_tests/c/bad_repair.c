@@ -1,4 +1,4 @@
-/* What a host can get wrong with welding and orienting, and what they give if it does not. */
+/* What a host can get wrong with welding, sewing and orienting, and what they give if it does not. */
 #include "check.h"
 #include <math.h>
 
@@ -100,6 +100,55 @@ static void weld(void) {
     gusset_weld_destroy(weld);
 }
 
+static void sew(void) {
+    const gusset_mesh_view mesh = triangles();
+    gusset_mesh_view view, bad = mesh;
+    gusset_weld_options options = {0};
+    gusset_sew_view parts;
+    gusset_sew *sew = (gusset_sew *)misaligned();
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sew_create(context, NULL, NULL, &sew));
+    CHECK(sew == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sew_create(context, &mesh, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sew_create(misaligned(), &mesh, NULL, &sew));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sew_create(context, misaligned(), NULL, &sew));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sew_create(context, &mesh, misaligned(), &sew));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sew_create(context, &mesh, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sew_create(context, &mesh, &options, &sew));
+    options.struct_size = sizeof options, options.tolerance_mode = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sew_create(context, &mesh, &options, &sew));
+    options.tolerance_mode = GUSSET_TOLERANCE_GIVEN, options.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sew_create(context, &mesh, &options, &sew));
+    points[4][1] = NAN;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_sew_create(context, &mesh, NULL, &sew));
+    points[4][1] = 1.0;
+    bad.vertex_count = 5;
+    EXPECT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, gusset_sew_create(context, &bad, NULL, &sew));
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sew_create(context, &mesh, NULL, &sew));
+    gusset_context_reset(context);
+    CHECK(sew == NULL);
+
+    EXPECT(GUSSET_OK, gusset_sew_create(context, &mesh, NULL, &sew));
+    memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sew_get_view(NULL, &parts));
+    CHECK(parts.vertex_map.data == NULL && parts.sewn_edges == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sew_get_view(sew, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sew_get_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sew_get_view(sew, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sew_get_mesh(sew, NULL));
+    memset(&view, 0xff, sizeof view), view.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sew_get_mesh(sew, &view));
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sew_get_mesh(NULL, &view));
+    EXPECT(GUSSET_OK, gusset_sew_get_mesh(sew, &view));
+    EXPECT(GUSSET_OK, gusset_sew_get_view(sew, &parts));
+    CHECK(view.vertex_count == 4 && view.face_count == 2 && parts.sewn_edges == 1 && parts.splits == 0);
+    CHECK(parts.face_origin.count == 2 && parts.face_map.data[1] == 1 && parts.dropped_faces == 0);
+    gusset_sew_destroy(sew);
+    gusset_sew_destroy(NULL);
+}
+
 static void orient(void) {
     /* Both triangles on the same vertices, run the same way along the common side. */
     static const uint32_t shared[6] = {0, 1, 2, 1, 2, 5};
@@ -156,6 +205,7 @@ int main(void) {
     }
     CHECK(other.vertex_count == 5);
     weld();
+    sew();
     orient();
     gusset_context_destroy(context);
     return failures != 0;

@@ -199,6 +199,27 @@ TEST_CASE("what seven digits of a file round apart is sewn by default") {
     CHECK(gusset::Weld(pieces.view(), exact).sewn_edges() < weld.sewn_edges());
 }
 
+TEST_CASE("borders with different vertices are sewn") {
+    // A square of two triangles on a square of one, below, whose upper side has three further vertices.
+    Soup soup;
+    soup.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {4, -4, 0}, {0, -4, 0}};
+    soup.add_face({0, 1, 2});
+    soup.add_face({0, 2, 3});
+    soup.add_face({10, 9, 8, 7, 6, 5, 4});
+    CHECK(gusset::Weld(soup.view()).sewn_edges() == 0);
+    const gusset::Sew sew(soup.view());
+    CHECK(sew.splits() == 3);
+    CHECK(sew.sewn_edges() == 4);
+    CHECK(sew.split_faces() == 1);
+    CHECK(sew.left_vertices().empty());
+    CHECK(std::vector<uint32_t>(sew.face_origin().begin(), sew.face_origin().end()) ==
+          std::vector<uint32_t>{0, 0, 0, 0, 1, 2});
+    CHECK(std::vector<uint32_t>(sew.face_map().begin(), sew.face_map().end()) == std::vector<uint32_t>{0, 4, 5});
+    const auto report = gusset::Check(sew.mesh()).view();
+    CHECK(report.euler == 1);
+    CHECK(report.boundary_edges.count == 6);
+}
+
 TEST_CASE("bad options are errors with their status") {
     const Soup soup = torus(5, 4);
     gusset::WeldOptions options;

@@ -1,4 +1,4 @@
-/* Meshes: what is loaded, contexts, loops, tables, checks, welding, orientation. */
+/* Meshes: what is loaded, contexts, loops, tables, checks, welding, sewing, orientation. */
 #include "example.h"
 
 /* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from outside. */
@@ -140,6 +140,32 @@ static void a_soup_of_triangles(void) {
 }
 //! [weld]
 
+//! [sew]
+static void borders_that_do_not_match(void) {
+    /* One triangle on the upper side of an edge, two on its lower side: vertex 3 lies inside the edge 0 1. */
+    static const double places[7][2] = {{0, 0}, {4, 0}, {2, 3}, {1, 0}, {0, 0}, {4, 0}, {2, -3}};
+    static const uint32_t faces[9] = {0, 1, 2, 4, 6, 3, 3, 6, 5};
+    double flat[7][3] = {{0}};
+    gusset_mesh_view mesh = pyramid, sewn = {.struct_size = sizeof sewn};
+    gusset_sew_view parts = {.struct_size = sizeof parts};
+    gusset_sew *sew = NULL;
+    uint32_t v;
+
+    for (v = 0; v < 7; ++v) {
+        memcpy(flat[v], places[v], sizeof places[v]);
+    }
+    mesh.positions = flat, mesh.vertex_count = 7, mesh.face_corners = faces, mesh.face_count = 3;
+    MUST(gusset_sew_create(NULL, &mesh, NULL, &sew));
+    MUST(gusset_sew_get_mesh(sew, &sewn));
+    MUST(gusset_sew_get_view(sew, &parts));
+    HOLDS(sewn.vertex_count == 5 && sewn.face_count == 4);
+    HOLDS(parts.splits == 1 && parts.sewn_edges == 2 && parts.left_vertices.count == 0);
+    /* The first old face is the first two now. */
+    HOLDS(parts.face_origin.data[1] == 0 && parts.face_map.data[1] == 2);
+    gusset_sew_destroy(sew);
+}
+//! [sew]
+
 //! [orient]
 static void a_face_turned_over(void) {
     const uint32_t mixed[12] = {0, 1, 2, 0, 2, 3, 0, 4, 3, 0, 4, 1};
@@ -164,6 +190,7 @@ int main(void) {
     tables();
     what_is_wrong();
     a_soup_of_triangles();
+    borders_that_do_not_match();
     a_face_turned_over();
     return 0;
 }

@@ -12,6 +12,8 @@ namespace gusset {
 struct AssemblyOptions {
     /// Empty: no welding.
     std::optional<WeldOptions> weld = WeldOptions();
+    /// Borders are sewn only where they match vertex by vertex: no edge is split.
+    bool edge_to_edge = false;
     /// No piece is turned over.
     bool keep_orientation = false;
     /// Closed results that are inside out stay so; otherwise they are turned over.
@@ -41,7 +43,9 @@ public:
         const gusset_stitch_options strips = detail::as_c(options.strips);
         const gusset_fill_options fill = detail::as_c(options.fill.value_or(FillOptions()));
         auto given = detail::sized<gusset_assembly_options>();
-        given.weld = options.weld ? GUSSET_ASSEMBLY_WELD : GUSSET_ASSEMBLY_NO_WELD;
+        given.weld = !options.weld          ? GUSSET_ASSEMBLY_NO_WELD
+                     : options.edge_to_edge ? GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE
+                                            : GUSSET_ASSEMBLY_WELD;
         given.orientation = options.keep_orientation ? GUSSET_ORIENTATION_KEEP : GUSSET_ORIENTATION_FIX;
         given.keep_inside_out = options.keep_inside_out ? 1 : 0;
         given.gap = options.max_gap ? GUSSET_GAP_GIVEN : GUSSET_GAP_AUTO;

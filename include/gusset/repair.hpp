@@ -1,4 +1,4 @@
-// Welding and orienting. Include gusset.hpp, not this.
+// Welding, sewing and orienting. Include gusset.hpp, not this.
 #ifndef GUSSET_REPAIR_HPP
 #define GUSSET_REPAIR_HPP
 
@@ -69,6 +69,49 @@ public:
 private:
     gusset_weld_view view() const { return detail::lent(gusset_weld_get_view, weld_.get()); }
     detail::Handle<gusset_weld, gusset_weld_destroy> weld_;
+};
+
+/// A mesh whose borders are sewn, also where their vertices do not match; see gusset_sew_create.
+class Sew {
+public:
+    /// The index of an element that is not in the result.
+    static constexpr uint32_t none = UINT32_MAX;
+
+    explicit Sew(const MeshView &mesh, const WeldOptions &options = {}, const Context &context = Context()) {
+        const gusset_weld_options given = detail::as_c(options);
+        sew_.reset(context.result(gusset_sew_create, &mesh.get(), &given));
+    }
+
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_sew_get_mesh, sew_.get())); }
+    MeshView mesh() const && = delete;
+    /// Of each old vertex its index in the result, or none.
+    Indices vertex_map() const & { return detail::indices(view().vertex_map); }
+    Indices vertex_map() const && = delete;
+    /// Of each old face the index of the first face that it became, or none.
+    Indices face_map() const & { return detail::indices(view().face_map); }
+    Indices face_map() const && = delete;
+    /// Of each face of the result, the old face that it is, or is a part of.
+    Indices face_origin() const & { return detail::indices(view().face_origin); }
+    Indices face_origin() const && = delete;
+    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
+    Indices left_vertices() const & { return detail::indices(view().left_vertices); }
+    Indices left_vertices() const && = delete;
+    /// The number of vertices welded to one of a smaller index.
+    uint32_t welded_vertices() const { return view().welded_vertices; }
+    /// The number of edges sewn from two free edges, or parts of such.
+    uint32_t sewn_edges() const { return view().sewn_edges; }
+    /// The number of points at which free edges were split.
+    uint32_t splits() const { return view().splits; }
+    /// The number of old faces that were cut or gained corners.
+    uint32_t split_faces() const { return view().split_faces; }
+    /// The number of old faces dropped.
+    uint32_t dropped_faces() const { return view().dropped_faces; }
+    /// How far apart what lies together was allowed to be, short edges apart; 0 for equal positions.
+    double tolerance() const { return view().tolerance; }
+
+private:
+    gusset_sew_view view() const { return detail::lent(gusset_sew_get_view, sew_.get()); }
+    detail::Handle<gusset_sew, gusset_sew_destroy> sew_;
 };
 
 /// A mesh whose faces agree with their neighbours; see gusset_orient_create.

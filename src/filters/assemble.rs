@@ -11,7 +11,7 @@ pub(super) const FILTER: Filter = Filter {
     id: "assemble",
     name: "Assemble pieces",
     category: "Stitching",
-    help: "Joins many open pieces to one mesh: coincident borders are welded, orientations made consistent, loops that face \
+    help: "Joins many open pieces to one mesh: coincident borders are sewn, orientations made consistent, loops that face \
            each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face \
            none are left as they are.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
@@ -40,10 +40,11 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 choices! {
-    /// Whether borders are welded.
-    WELDS: bool =
-        true => "Weld", "They are welded edge to edge.";
-        false => "Keep", "They stay apart.";
+    /// Whether borders are welded, and only edge to edge.
+    WELDS: Option<bool> =
+        Some(false) => "Sew", "They are sewn, and edges are split where vertices of another border lie on them.";
+        None => "Keep", "They stay apart.";
+        Some(true) => "Edge to edge", "They are sewn where they match vertex by vertex.";
 }
 
 choices! {
@@ -68,9 +69,11 @@ const HOLES: &[Choice] = &[
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let max_gap = values.number("max_gap");
+    let edge_to_edge = values.choice("weld", WELDS);
     let weld = weld::Options { tolerance: tolerance(values), ..weld::Options::default() };
     let options = Options {
-        weld: values.choice("weld", WELDS).then_some(weld),
+        weld: edge_to_edge.map(|_| weld),
+        edge_to_edge: edge_to_edge == Some(true),
         max_gap: if max_gap < 0.0 { MaxGap::Auto } else { MaxGap::Given(max_gap) },
         keep_inside_out: values.is_set("keep_inside_out"),
         whole_loops_only: values.choice("extent", EXTENTS),

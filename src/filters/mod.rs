@@ -41,6 +41,7 @@ mod prelude;
 mod project;
 mod quads;
 pub mod report;
+mod sew;
 mod smooth;
 mod smooth_curve;
 mod smooth_distance;
@@ -97,6 +98,7 @@ pub static FILTERS: &[Filter] = &[
     smooth_line::FILTER,
     smooth_curve::FILTER,
     smooth_nearest::FILTER,
+    sew::FILTER,
 ];
 
 impl Filter {

@@ -18,14 +18,22 @@ pub(super) const FILTER: Filter = Filter {
         ),
         Param::choice("collapse", "Short edges", COLLAPSE.texts)
             .with_help("The treatment of coincident corners of one face."),
-        Param::choice("unused", "Unused vertices", UNUSED.texts)
-            .with_help("The treatment of vertices that no face uses."),
+        UNUSED_PARAM,
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
 
 /// Lengths from 0 on, and -1 for the one that the data call for.
 pub(super) const TOLERANCES: [f64; 2] = [-1.0, 1e15];
+
+/// What becomes of vertices that no face uses.
+pub(super) const UNUSED_PARAM: Param =
+    Param::choice("unused", "Unused vertices", UNUSED.texts).with_help("The treatment of vertices that no face uses.");
+
+/// True if vertices that no face uses are left out.
+pub(super) fn removes_unused(values: &Values<'_>) -> bool {
+    values.choice("unused", UNUSED)
+}
 
 /// The tolerance given, if one is.
 pub(super) fn tolerance(values: &Values<'_>) -> Option<f64> {
@@ -49,7 +57,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         vertices: values.choice("vertices", Vertices::CHOICES),
         tolerance: tolerance(values),
         collapse: values.choice("collapse", COLLAPSE),
-        remove_unused: values.choice("unused", UNUSED),
+        remove_unused: removes_unused(values),
     };
     let done = weld(inputs[0].mesh()?, &options, job)?;
     let report = report(&done);

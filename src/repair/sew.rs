@@ -1,229 +1,159 @@
-//! Sewing: free edges that lie on one another become one edge, two by two.
+//! Sewing: borders that lie on one another become one, also where they do not match vertex by
+//! vertex.
 //!
-//! Free edges are compared by the clusters of their ends, in either direction, as orientation is
-//! another matter. Where exactly two lie on one another they are to be one; where there are more,
-//! none is preferred. In the order of the half-edges, each pair is sewn, that is, its ends are made
-//! one vertex each, unless that would
-//!
-//! * make one of two corners of a face, which would collapse (where the caller does not allow
-//!   that), or
-//! * make one of two edges that together have more than two faces.
-//!
-//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two
-//! holes share; two solids that touch along an edge stay two, each sewn to itself; and a manifold
-//! stays a manifold: a sewn edge joins two fans into one.
-//!
-//! The smaller of two sets of vertices is looked through at each union, and an edge's faces are
-//! counted at the end with fewer corners: O(B log B) for B corners at border vertices of bounded
-//! degree.
+//! Borders that match are welded first ([`weld`](super::weld)). Where a vertex of one border then
+//! lies inside a free edge of another (a T-junction), the edge is split there if that makes pieces
+//! that match ([`junctions`](super::junctions)), its face follows ([`split`](super::split)), and the
+//! borders are welded again. Welding makes no edge of three faces and no degenerate face, and so
+//! does sewing; each free edge has one face and is split in one way. Vertices of the input do not
+//! move.
 
-use super::corners::Corners;
+use super::junctions::Junctions;
+use super::split::{SplitMesh, split_edges};
+use super::tolerance::Source;
+use super::weld::{Options, Vertices, Weld, weld, weld_within};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::{Across, MeshView, NONE, Topology, half_edges, unordered};
-use crate::sort::sort;
-use std::iter;
+use crate::mesh::{Mesh, MeshView, NONE, Topology};
 
-/// Pairs between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 14;
+const STAGE: &str = "sewing borders";
 
-const STAGE: &str = "sewing edges";
-
-/// The half-edge's face is the only one at its edge.
-pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
-    !topology.is_ignored(h) && topology.across(h) == Across::Free
+/// A sewn mesh, and what became of the old one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sew {
+    /// The old faces in their order. Triangles whose edges were split are triangles, one after the
+    /// other; larger faces have gained corners. Of vertices made one the smallest is left, and its
+    /// position keeps its bits; new vertices that are left come last.
+    pub mesh: Mesh,
+    /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
+    pub vertex_map: Vec<u32>,
+    /// Per old face, the first of those that it became; [`NONE`] if it was dropped.
+    pub face_map: Vec<u32>,
+    /// Per new face, the old one that it is, or is a part of; ascending.
+    pub face_origin: Vec<u32>,
+    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it;
+    /// ascending.
+    pub left_vertices: Vec<u32>,
+    /// Vertices that became one with a smaller one.
+    pub welded_vertices: u32,
+    /// Edges with two faces that were free edges, or parts of such.
+    pub sewn_edges: u32,
+    /// Points at which free edges were split.
+    pub splits: u32,
+    /// Old faces that were cut or gained corners.
+    pub split_faces: u32,
+    /// Old faces dropped.
+    pub dropped_faces: u32,
+    /// How far apart what lies together was allowed to be, short edges apart.
+    pub tolerance: f64,
 }
 
-/// The half-edges of free edges, with their ends.
-pub(super) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
-    let all = (0..mesh.faces().len()).flat_map(|f| half_edges(mesh, f));
-    all.filter(|&(h, ..)| is_free(topology, h)).map(|(h, u, v)| (h, [u, v]))
-}
-
-/// Sews what can be sewn; returns per vertex the smallest vertex of those that it is one with.
-pub(super) fn sew(
-    mesh: &MeshView<'_>,
-    topology: &Topology,
-    clusters: &[u32],
-    collapse: bool,
-    job: &Job<'_>,
-) -> Result<Vec<u32>> {
-    let pairs = pairs(mesh, topology, clusters, &job.part(0.0, 0.3))?;
-    let job = job.part(0.3, 1.0);
-    let corners = Corners::of(mesh)?;
-    job.step(0.0, STAGE)?;
-    let degree = alloc::collect((0..clusters.len()).map(|v| corners.at(v as u32).len() as u32))?;
-    let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
-    let mut sets = Sewing { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
-    for (i, &[g, h]) in pairs.iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, i, pairs.len(), STAGE)?;
-        let ([u, v], [a, b]) = (sets.ends(g), sets.ends(h));
-        let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
-        let of = |v: u32| sets.label[v as usize];
-        let seam = Seam([[of(u), of(a)], [of(v), of(b)]]);
-        if sets.fits(&seam) {
-            seam.0.iter().for_each(|&[a, b]| sets.unite(a, b));
-        }
+/// Sews a mesh. With [`Vertices::All`] all vertices are welded before edges are split, and borders
+/// after it. O(n log n) for meshes of bounded degree; linear extra memory.
+///
+/// # Errors
+/// Those of [`weld`], and [`Error::TooLarge`](crate::Error::TooLarge) if the result has too many
+/// elements.
+pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
+    let first = weld(mesh, options, &job.part(0.0, 0.4))?;
+    let source = match options.tolerance {
+        Some(tolerance) => Source::Given(tolerance),
+        None => Source::Found(first.tolerance),
+    };
+    let mut done = Sew::of(first)?;
+    if done.mesh.face_count() == 0 {
+        return Ok(done);
     }
-    sets.smallest()
-}
-
-/// The pairs of free edges that lie on one another and on no third, by their smaller half-edges. An
-/// edge whose ends lie together is in none: its neighbours decide.
-fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
-    job.step(0.0, STAGE)?;
-    let clustered = free_edges(mesh, topology).map(|(h, ends)| (ends.map(|v| clusters[v as usize]), h));
-    let mut free = alloc::gather(clustered.filter(|([u, v], _)| u != v).map(|(ends, h)| (unordered(ends), h)))?;
-    sort(&mut free, Ord::cmp, &job.part(0.0, 0.6), STAGE)?;
-    let mut pairs = alloc::gather(free.chunk_by(|a, b| a.0 == b.0).filter_map(|together| match *together {
-        [(_, g), (_, h)] => Some([g, h]),
-        _ => None,
-    }))?;
-    sort(&mut pairs, Ord::cmp, &job.part(0.6, 1.0), STAGE)?;
+    let (split, left) = {
+        let view = done.mesh.view(&job.part(0.4, 0.45))?;
+        let topology = Topology::new(&view, &job.part(0.45, 0.5))?;
+        let junctions = Junctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
+        (split_edges(&view, &junctions, &job.part(0.7, 0.75))?, junctions.left)
+    };
+    let second = match split.split_faces {
+        0 => None,
+        _ => {
+            let options = Options { vertices: Vertices::Boundary, ..*options };
+            let view = split.mesh.view(&job.part(0.75, 0.8))?;
+            Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
+        }
+    };
+    done.enter_left(&left, second.as_ref())?;
+    if let Some(second) = second {
+        done.follow(&split, second)?;
+    }
     job.step(1.0, STAGE)?;
-    Ok(pairs)
+    Ok(done)
 }
 
-/// Two edges about to be one: the sets of vertices at either end, which are equal if they are one
-/// already. No set of one end is at the other, as the ends lie apart.
-struct Seam([[u32; 2]; 2]);
-
-impl Seam {
-    /// The name of a set once the seam is sewn.
-    fn name(&self, label: u32) -> u32 {
-        self.0.iter().find(|&&[_, b]| b == label).map_or(label, |&[a, _]| a)
-    }
-
-    /// The sets that will have this name.
-    fn parts(&self, name: u32) -> impl Iterator<Item = u32> + use<> {
-        let other = self.0.iter().find(|&&[a, b]| a == name && b != name).map(|&[_, b]| b);
-        iter::once(name).chain(other)
-    }
-}
-
-/// The vertices made one so far.
-struct Sewing<'m> {
-    mesh: &'m MeshView<'m>,
-    topology: &'m Topology,
-    corners: Corners,
-    collapse: bool,
-    /// Per vertex, the name of its set: one of its vertices.
-    label: Vec<u32>,
-    /// Per vertex, the next one of its set, round and round.
-    next: Vec<u32>,
-    /// Per name of a set, the number of its corners.
-    degree: Vec<u32>,
-}
-
-impl Sewing<'_> {
-    fn ends(&self, h: u32) -> [u32; 2] {
-        let range = self.mesh.faces().range(self.corners.face(h));
-        let after = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };
-        [h, after].map(|h| self.mesh.faces().corner(h))
-    }
-
-    fn vertices(&self, label: u32) -> impl Iterator<Item = u32> {
-        iter::successors(Some(label), move |&v| Some(self.next[v as usize]).filter(|&v| v != label))
-    }
-
-    fn corners(&self, label: u32) -> impl Iterator<Item = u32> {
-        self.vertices(label).flat_map(|v| self.corners.at(v).iter().copied())
-    }
-
-    /// The sets at the other ends of the half-edges that leave and reach corner `h`.
-    fn neighbours(&self, h: u32) -> impl Iterator<Item = u32> {
-        let faces = self.mesh.faces();
-        let range = faces.range(self.corners.face(h));
-        let (start, end) = (range.start as u32, range.end as u32 - 1);
-        let before = if h == start { end } else { h - 1 };
-        let after = if h == end { start } else { h + 1 };
-        let far = [(h, after), (before, before)].into_iter().filter(|&(edge, _)| !self.topology.is_ignored(edge));
-        far.map(move |(_, corner)| self.label[faces.corner(corner) as usize])
-    }
-
-    /// True if the face of corner `h` has a corner in a set.
-    fn face_meets(&self, h: u32, label: u32) -> bool {
-        let range = self.mesh.faces().range(self.corners.face(h));
-        if range.len() <= self.degree[label as usize] as usize {
-            return self.face(h).any(|other| other == label);
-        }
-        self.corners(label).any(|corner| range.contains(&(corner as usize)))
-    }
-
-    /// The sets at the corners of the face of corner `h`.
-    fn face(&self, h: u32) -> impl Iterator<Item = u32> {
-        self.mesh.face(self.corners.face(h)).map(|v| self.label[v as usize])
-    }
-
-    /// True if the seam does no harm.
-    fn fits(&self, seam: &Seam) -> bool {
-        seam.0.iter().filter(|&[a, b]| a != b).all(|&[a, b]| {
-            let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
-            self.corners(small).all(|h| {
-                (self.collapse || !self.face_meets(h, large))
-                    && self.neighbours(h).all(|far| seam.name(far) == a || !self.crowds(seam, a, seam.name(far)))
-            })
+impl Sew {
+    /// What welding alone makes.
+    pub fn of(weld: Weld) -> Result<Self> {
+        let kept = weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE);
+        Ok(Sew {
+            face_origin: alloc::gather(kept.map(|(_, old)| old))?,
+            mesh: weld.mesh,
+            vertex_map: weld.vertex_map,
+            face_map: weld.face_map,
+            left_vertices: weld.left_vertices,
+            welded_vertices: weld.welded_vertices,
+            sewn_edges: weld.sewn_edges,
+            splits: 0,
+            split_faces: 0,
+            dropped_faces: weld.dropped_faces,
+            tolerance: weld.tolerance,
         })
     }
 
-    /// True if the seam makes one of several edges between sets `a` and `b` (names after sewing)
-    /// with more than two faces.
-    fn crowds(&self, seam: &Seam, a: u32, b: u32) -> bool {
-        let weight = |name| seam.parts(name).map(|label| u64::from(self.degree[label as usize])).sum::<u64>();
-        let [from, to] = if weight(a) <= weight(b) { [a, b] } else { [b, a] };
-        let (mut faces, mut first, mut several) = (0, None, false);
-        for label in seam.parts(from) {
-            for h in self.corners(label).filter(|&h| self.survives(seam, h)) {
-                for far in self.neighbours(h).filter(|&far| seam.name(far) == to) {
-                    faces += 1;
-                    several |= *first.get_or_insert((label, far)) != (label, far);
+    /// Lists the old vertices that are left: those that are vertices `left` of the mesh, and those
+    /// that welding left, where it was done again the second time.
+    fn enter_left(&mut self, left: &[u32], again: Option<&Weld>) -> Result<()> {
+        let mut is_left = alloc::filled(false, self.mesh.positions.len())?;
+        left.iter().for_each(|&v| is_left[v as usize] = true);
+        match again {
+            // The vertices of splits come after these.
+            Some(weld) => weld.left_vertices.iter().for_each(|&v| {
+                if let Some(is_left) = is_left.get_mut(v as usize) {
+                    *is_left = true;
                 }
+            }),
+            None => {
+                let now = self.left_vertices.iter().map(|&v| self.vertex_map[v as usize]);
+                now.filter(|&v| v != NONE).for_each(|v| is_left[v as usize] = true);
             }
         }
-        several && faces > 2
+        let is_marked = |&(&new, _): &(&u32, u32)| new != NONE && is_left[new as usize];
+        self.left_vertices = alloc::gather(self.vertex_map.iter().zip(0..).filter(is_marked).map(|(_, old)| old))?;
+        Ok(())
     }
 
-    /// True if the face of corner `h` keeps three different corners.
-    fn survives(&self, seam: &Seam, h: u32) -> bool {
-        if !self.collapse {
-            return true;
+    /// Goes on from this mesh to the one whose edges were split, and from there to what welding
+    /// made of it.
+    fn follow(&mut self, split: &SplitMesh, weld: Weld) -> Result<()> {
+        self.splits = (split.mesh.positions.len() - self.mesh.positions.len()) as u32;
+        let mut origin = alloc::with_capacity(weld.mesh.face_count())?;
+        let kept = weld.face_map.iter().zip(&split.face_origin).filter(|&(&new, _)| new != NONE);
+        origin.extend(kept.map(|(_, &middle)| self.face_origin[middle as usize]));
+        self.face_map.fill(NONE);
+        for (new, &old) in origin.iter().enumerate().rev() {
+            self.face_map[old as usize] = new as u32;
         }
-        let mut found = [NONE; 3];
-        for name in self.face(h).map(|label| seam.name(label)) {
-            match found.iter().position(|&known| known == name || known == NONE) {
-                Some(2) => return true,
-                Some(place) => found[place] = name,
-                None => {}
-            }
+        self.face_origin = origin;
+        self.dropped_faces = self.face_map.iter().filter(|&&new| new == NONE).count() as u32;
+        for new in self.vertex_map.iter_mut().filter(|new| **new != NONE) {
+            *new = weld.vertex_map[*new as usize];
         }
-        false
+        self.mesh = weld.mesh;
+        self.split_faces = split.split_faces;
+        self.sewn_edges += weld.sewn_edges;
+        self.count_welded()
     }
 
-    /// Makes one set of two; the smaller one is renamed.
-    fn unite(&mut self, a: u32, b: u32) {
-        if a == b {
-            return;
-        }
-        let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
-        let mut v = small;
-        loop {
-            self.label[v as usize] = large;
-            v = self.next[v as usize];
-            if v == small {
-                break;
-            }
-        }
-        self.degree[large as usize] += self.degree[small as usize];
-        self.next.swap(small as usize, large as usize);
-    }
-
-    /// Per vertex, the smallest one of its set.
-    fn smallest(self) -> Result<Vec<u32>> {
-        let mut smallest = alloc::filled(NONE, self.label.len())?;
-        for (v, &label) in self.label.iter().enumerate() {
-            smallest[label as usize] = smallest[label as usize].min(v as u32);
-        }
-        alloc::collect(self.label.iter().map(|&label| smallest[label as usize]))
+    fn count_welded(&mut self) -> Result<()> {
+        let mut seen = alloc::filled(false, self.mesh.positions.len())?;
+        let again = |&&new: &&u32| new != NONE && std::mem::replace(&mut seen[new as usize], true);
+        self.welded_vertices = self.vertex_map.iter().filter(again).count() as u32;
+        Ok(())
     }
 }

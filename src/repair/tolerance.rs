@@ -56,6 +56,17 @@ const REPORT_INTERVAL: usize = 1 << 16;
 
 const STAGE: &str = "tolerance";
 
+/// Where the tolerance is from.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Source {
+    /// The data call for it.
+    Data,
+    /// The data called for it before.
+    Found(f64),
+    /// The caller gave it, finite and not negative: it holds for short edges too.
+    Given(f64),
+}
+
 /// How far apart vertices that lie together may be.
 pub(super) struct Tolerance {
     /// The largest distance; 0 for equal positions.
@@ -65,17 +76,16 @@ pub(super) struct Tolerance {
 }
 
 impl Tolerance {
-    /// The one given, which is finite and not negative, or the one that the data call for: see
-    /// above. `members` have finite positions.
-    pub(super) fn of(mesh: &MeshView<'_>, members: &[u32], given: Option<f64>, job: &Job<'_>) -> Result<Self> {
-        let length = match given {
-            Some(length) => length,
-            None => round_off(mesh, members, &job.part(0.0, 0.5))?,
+    /// The tolerance for `members`, which have finite positions.
+    pub(super) fn of(mesh: &MeshView<'_>, members: &[u32], source: Source, job: &Job<'_>) -> Result<Self> {
+        let length = match source {
+            Source::Data => round_off(mesh, members, &job.part(0.0, 0.5))?,
+            Source::Found(length) | Source::Given(length) => length,
         };
-        let reach = match given {
+        let reach = match source {
             _ if length == 0.0 => Vec::new(),
-            Some(_) => alloc::filled(length, members.len())?,
-            None => {
+            Source::Given(_) => alloc::filled(length, members.len())?,
+            Source::Data | Source::Found(_) => {
                 let edges = shortest_edges(mesh, members, &job.part(0.5, 1.0))?;
                 alloc::collect(members.iter().map(|&v| length.min(MAX_EDGE_SHARE * edges[v as usize])))?
             }

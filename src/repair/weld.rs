@@ -14,8 +14,8 @@
 
 use super::cluster::Clusters;
 use super::corners::Corners;
-use super::sew::{free_edges, is_free, sew};
-use super::tolerance::Tolerance;
+use super::seams::{free_vertices, is_free, sew};
+use super::tolerance::{Source, Tolerance};
 use crate::alloc;
 use crate::choice::choices;
 use crate::error::{Error, Result};
@@ -92,11 +92,16 @@ pub struct Weld {
 pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
     let given = options.tolerance.unwrap_or(0.0);
     Error::require((0.0..f64::INFINITY).contains(&given), "tolerance", given)?;
+    weld_within(mesh, options, options.tolerance.map_or(Source::Data, Source::Given), job)
+}
+
+/// Welds by a tolerance from elsewhere than the options.
+pub(super) fn weld_within(mesh: &MeshView<'_>, options: &Options, source: Source, job: &Job<'_>) -> Result<Weld> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = members(mesh, &topology, sewing)?;
-    let tolerance = Tolerance::of(mesh, &members, options.tolerance, &job.part(0.2, 0.3))?;
+    let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh)?) };
     let mut clusters = Clusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
@@ -116,12 +121,11 @@ pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Wel
 
 /// The vertices that may be welded, ascending.
 fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
-    let mut marked = alloc::filled(false, mesh.positions().len())?;
-    let mark = |v: u32| marked[v as usize] = true;
-    match boundary {
-        true => free_edges(mesh, topology).flat_map(|(_, ends)| ends).for_each(mark),
-        false => mesh.faces().corners(0..mesh.faces().half_edge_count()).for_each(mark),
+    if boundary {
+        return free_vertices(mesh, topology);
     }
+    let mut marked = alloc::filled(false, mesh.positions().len())?;
+    mesh.faces().corners(0..mesh.faces().half_edge_count()).for_each(|v| marked[v as usize] = true);
     alloc::gather((0..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v))
 }
 

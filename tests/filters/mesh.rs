@@ -157,6 +157,27 @@ fn welding_and_checking_agree_in_their_words_and_numbers() {
 }
 
 #[test]
+fn borders_that_do_not_match_are_sewn_and_assembled() {
+    // A triangle on the side of a square that has a vertex more there.
+    let points = vec![[0.0; 3], [4.0, 0.0, 0.0], [2.0, 3.0, 0.0]];
+    let upper = Soup::new(points, &[&[0, 1, 2]]);
+    let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, -4.0, 0.0], [0.0, -4.0, 0.0]];
+    let lower = Soup::new(points, &[&[4, 3, 2, 1, 0]]);
+    let sewn = run_on("sew", &[upper.and(&lower)], &[]).unwrap();
+    assert_eq!(
+        text(&sewn[1]),
+        "2 vertices welded, 2 edges sewn, 1 face split at 1 point\n0 vertices left that lie on others or on edges\n"
+    );
+    let Output::Mesh(mesh) = &sewn[0] else { panic!("{sewn:?}") };
+    assert_eq!((mesh.positions.len(), mesh.face_count()), (6, 3));
+    let pieces = [upper, lower];
+    for (weld, edges, loops) in [(0.0, 2.0, 1.0), (1.0, 0.0, 2.0), (2.0, 0.0, 2.0)] {
+        let done = run_on("assemble", &pieces, &[weld, -1.0, 0.0]).unwrap();
+        assert_eq!((value(&done[1], "sewn_edges"), value(&done[1], "boundary_loops")), (edges, loops), "{weld}");
+    }
+}
+
+#[test]
 fn facing_arcs_are_on_the_side_of_the_other_loop() {
     // Two circles side by side in a plane: of each the half that looks at the other, without the
     // two points abreast.

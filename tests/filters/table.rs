@@ -49,6 +49,7 @@ const IDS: &[&str] = &[
     "smooth_line",
     "smooth_curve",
     "smooth_nearest",
+    "sew",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.

@@ -17,6 +17,7 @@ mod orient;
 mod outwards;
 mod pieces;
 mod rows;
+mod sew;
 mod stitch;
 mod weld;
 mod weld_tolerance;

@@ -156,7 +156,12 @@ fn unit_and_place_change_no_decision() {
             assert_eq!(done.vertex_map, wanted.vertex_map, "{unit}");
             assert!((done.tolerance / unit / wanted.tolerance - 1.0).abs() < 1e-6);
         }
-        for shift in [[1.0, 2.0, 3.0], [100.0, -30.0, 7.3], [0.123_456_789_012_3, -3.1, 99.9]] {
+        for shift in [
+            [1.0, 2.0, 3.0],
+            [100.0, -30.0, 7.3],
+            [0.123_456_789_012_3, -3.1, 99.9],
+            [0.577_215_664_901_5, 2.236_067_977_499, 1.618_033_988_749],
+        ] {
             let done = welded(&mapped(&soup, |p| [p[0] + shift[0], p[1] + shift[1], p[2] + shift[2]]), None);
             assert_eq!(done.vertex_map, wanted.vertex_map, "{shift:?}");
         }
@@ -170,7 +175,9 @@ fn fine_edges_do_not_collapse() {
     let coarse = mapped(&turned(torus(12, 9)), |p| p.map(|x| 0.3 * x));
     let count = fine.faces().count();
     for places in [6, 7] {
-        let soup = pieces(&coarse, 0.0, decimals(places)).and(&fine);
+        // A vertex with long edges does not take what its neighbour's short edges forbid.
+        let long = Soup::new(vec![[0.4, 0.2, 0.0], [-0.3, 0.2, 0.1], [-0.3, 0.1, 0.1]], &[&[0, 1, 2]]);
+        let soup = pieces(&coarse, 0.0, decimals(places)).and(&long).and(&fine);
         for vertices in [Vertices::All, Vertices::Boundary] {
             let options = Options { vertices, collapse: true, ..Options::default() };
             let done = weld(&soup.view(), &options, &Job::default()).unwrap();

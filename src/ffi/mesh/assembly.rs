@@ -11,10 +11,12 @@ use crate::stitch::IndexMap;
 use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector, assemble};
 
 /// Coincident borders are sewn, by default up to what rounding can have done; see
-/// gusset_weld_options.
+/// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
 pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
 /// Nothing is welded.
 pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
+/// Coincident borders are sewn where they match vertex by vertex; see gusset_weld_create.
+pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
 
 /// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller
 /// loop, which is the mean distance of its vertices from their centre; runs of loops where the gap
@@ -60,7 +62,7 @@ pub struct gusset_loop_pair {
 pub struct gusset_assembly_options {
     /// sizeof(gusset_assembly_options), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_ASSEMBLY_WELD or GUSSET_ASSEMBLY_NO_WELD.
+    /// GUSSET_ASSEMBLY_WELD, GUSSET_ASSEMBLY_NO_WELD or GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE.
     pub weld: u32,
     /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and
     /// components that face each other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is
@@ -112,7 +114,8 @@ pub struct gusset_piece_map {
     /// Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if
     /// it was left out.
     pub vertices: gusset_indices,
-    /// Per face, its index in the result, or UINT32_MAX.
+    /// Per face, its index in the result, or UINT32_MAX; of a triangle that was cut, that of the
+    /// first part, which the others follow.
     pub faces: gusset_indices,
 }
 
@@ -197,6 +200,10 @@ pub struct gusset_assembly_view {
     pub loops_left: u32,
     /// Edges of the result with three or more faces.
     pub non_manifold_edges: u32,
+    /// Points at which free edges were split for borders to match.
+    pub splits: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
@@ -209,7 +216,7 @@ pub struct gusset_assembly {
     turned: Vec<u32>,
 }
 
-versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 136 }
+versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 144 }
 fixed! { gusset_joint: 104, gusset_left_loop: 24, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
@@ -237,8 +244,12 @@ c_enum! {
 impl gusset_assembly_options {
     fn checked<'a>(&self, pairs: &'a [[Selector; 2]], excluded: &'a [[Selector; 2]]) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
-            GUSSET_ASSEMBLY_WELD if self.weld_options.is_null() => Some(weld::Options::default()),
-            GUSSET_ASSEMBLY_WELD => Some(input::read(self.weld_options, true, "weld_options")?.checked()?),
+            GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE if self.weld_options.is_null() => {
+                Some(weld::Options::default())
+            }
+            GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE => {
+                Some(input::read(self.weld_options, true, "weld_options")?.checked()?)
+            }
             GUSSET_ASSEMBLY_NO_WELD => None,
             other => return Err(Failure::unknown("weld", other.into())),
         };
@@ -255,6 +266,7 @@ impl gusset_assembly_options {
         let fill = input::read(self.fill_options, true, "fill_options")?.checked()?;
         Ok(Options {
             weld,
+            edge_to_edge: self.weld == GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE,
             keep_orientation,
             keep_inside_out: flag(self.keep_inside_out, "keep_inside_out")?,
             max_gap,
@@ -414,5 +426,7 @@ pub unsafe extern "C" fn gusset_assembly_get_view(
         sewn_edges: all.done.sewn_edges,
         loops_left: all.done.loops_left,
         non_manifold_edges: all.done.non_manifold_edges,
+        splits: all.done.splits,
+        reserved: 0,
     })
 }

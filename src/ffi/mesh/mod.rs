@@ -6,6 +6,7 @@ pub mod check;
 pub mod facing;
 pub mod fill;
 pub mod orient;
+pub mod sew;
 pub mod stitch;
 pub mod stitch_options;
 pub mod strip;

@@ -2,7 +2,7 @@
 //!
 //! The stages in order:
 //!
-//! 1. The pieces are concatenated, and coincident borders sewn ([`weld`](crate::repair::weld)).
+//! 1. The pieces are concatenated, and coincident borders sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Loops of different components that face each other across a gap are paired
 //!    (`facing_loops`): whole loops that look at each other, by the best one-to-one choice

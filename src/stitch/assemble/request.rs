@@ -41,6 +41,9 @@ impl Selector {
 pub struct Options<'a> {
     /// How coincident borders are sewn; `None`: not at all.
     pub weld: Option<repair::weld::Options>,
+    /// Borders are sewn only where they match vertex by vertex. Otherwise free edges are split at
+    /// the vertices of other borders; see [`sew`](repair::sew::sew).
+    pub edge_to_edge: bool,
     /// The pieces keep their orientation as it is: nothing is turned, nor in the end.
     pub keep_orientation: bool,
     /// Closed components of the result that are inside out stay so. Otherwise each is turned over as
@@ -126,7 +129,8 @@ pub struct Assembly {
     /// Vertices: those of the pieces that are left after welding, in order; then those of the
     /// strips; then those of the patches. Faces in the same way.
     pub mesh: Mesh,
-    /// For each piece, its old indices to new ones; [`NONE`] for what welding dropped.
+    /// For each piece, its old indices to new ones; [`NONE`] for what welding dropped. Of a face
+    /// that was cut, the first part, which the others follow.
     pub maps: Vec<IndexMap>,
     /// Per face of the pieces in the result, whether it runs the other way than it did in its
     /// piece: turned to agree with others, or with its component to face outwards, but not both.
@@ -137,6 +141,8 @@ pub struct Assembly {
     pub welded_vertices: u32,
     /// See above.
     pub sewn_edges: u32,
+    /// Points at which free edges were split for borders to match.
+    pub splits: u32,
     /// Components that cannot be oriented: a face of each.
     pub one_sided: Vec<u32>,
     /// The pairs that face each other, nearest first, pairs that were given before all others.

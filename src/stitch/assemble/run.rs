@@ -13,7 +13,8 @@ use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Defect, Mesh, MeshView, NONE, concat, vertex_components};
 use crate::repair::orient::{self, Outward, turn_outwards};
-use crate::repair::weld;
+use crate::repair::sew::{Sew, sew};
+use crate::repair::weld::weld;
 use crate::sort::sort_distinct;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
@@ -117,11 +118,15 @@ impl Base {
         let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
         let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
         let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
-        let (mut welded_vertices, mut sewn_edges) = (0, 0);
+        let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
         if let Some(how) = &options.weld {
-            let welded = weld::weld(&mesh.view(&job.part(0.0, 0.1))?, how, &job.part(0.1, 0.5))?;
-            (welded_vertices, sewn_edges) = (welded.welded_vertices, welded.sewn_edges);
-            (mesh, vertex_map, face_map) = (welded.mesh, welded.vertex_map, welded.face_map);
+            let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
+            let sewn = match options.edge_to_edge {
+                true => Sew::of(weld(&view, how, &part)?)?,
+                false => sew(&view, how, &part)?,
+            };
+            (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
+            (mesh, vertex_map, face_map) = (sewn.mesh, sewn.vertex_map, sewn.face_map);
         }
         let mut turned = alloc::filled(false, mesh.face_count())?;
         let mut one_sided = Vec::new();
@@ -147,6 +152,7 @@ impl Base {
             turned,
             welded_vertices,
             sewn_edges,
+            splits,
             one_sided,
             joints: Vec::new(),
             left: Vec::new(),
