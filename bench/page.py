@@ -36,10 +36,18 @@ that is built already. `boundary` is GUSSET_SURVEY_BOUNDARY_ONLY, `boundary-full
     "join": """## Joins, from arrays to arrays
 
 Loops found, the strip made, the whole mesh handed back. `gusset-index` and the like are other choices of meridians of our own
-beside the default, the least area.""",
+beside the default, the best continuation.""",
     "join-strip": """## Joins, the strip alone
 
 Everything else is known: for gusset two rims and their first meridian, for the peers a mesh with its holes found.""",
+    "truth": """## Joins beside the surface that was there
+
+Slabs cut out of closed meshes, 1, 2, 4 and 8 % of their size wide, exactly or along their own edges: six of CGAL's collection
+(the Debian package libcgal-demo), the bunny, and two that are made at run time. `ratio`: how much nearer to what was cut out ours
+are, root mean square both ways, the geometric mean over the slabs. `default` has the loops' pairs given, as MeshLib has; for
+`untuned` nothing is given but the pieces. `best`: rows by the mean edge, faired; `cgal` is a bridge of two triangles, the hole
+triangulated, refined and faired. `clean`: closed, and no new face meets another; `wrong_bridges`: between loops that do not belong
+together; `under_15_share`: of the new triangles.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
 
@@ -106,6 +114,10 @@ ACCURACIES = {
     "unproven_error": "their error", "hits": "hits", "curves": "curves",
     "points": "points", "closed": "closed", "ordered": "ordered",
     "unresolved": "unresolved"}
+TRUTHS = {
+    "cases": "slabs", "closed": "closed", "clean": "clean", "untuned_closed": "untuned closed", "untuned_clean": "untuned clean",
+    "wrong_bridges": "wrong bridges", "min_angle_median": "least angle, median", "dihedral_p95_median": "dihedral p95, median",
+    "under_15_share": "under 15 degrees"}
 ACCURACY_CAPTION = """
 Beside the formula of the surface. Closest points: the error of the distance; wrong: by more than 0.002; unproven: those of
 which it is said that they may not be the nearest, which count in neither. Lines: how far the hits are
@@ -169,6 +181,16 @@ def accuracies(entries):
     return table(["case", "by", *ACCURACIES.values()], [rows[key] for key in ordered]) + ACCURACY_CAPTION if rows else ""
 
 
+def truths(entries):
+    """Shares and medians over the slabs; one row for each contender."""
+    rows = []
+    for e in entries:
+        _, name, peer = split(e)
+        for who, quality in (("gusset", e["quality"]), (peer, e["quality"]["peer"])):
+            rows.append([f"`{name}`", who, *("-" if quality.get(q) is None else shown(quality[q]) for q in TRUTHS)])
+    return table(["case", "by", *TRUTHS.values()], rows)
+
+
 def exact(value):
     return f"{value:.2g}" if isinstance(value, float) else shown(value)
 
@@ -211,6 +233,8 @@ def write_page(entries, folder, gusset):
         if mine and module in ("join-strip", "rows", "assemble"):
             judged = [e for e in entries if split(e)[0] in (module, module.removesuffix("-strip"))]
             parts.append(qualities(judged))
+        if mine and module == "truth":
+            parts.append(truths(mine))
         if module == "carcass":
             parts.append(accuracies(mine))
     (folder / "benchmarks.md").write_text("\n".join(part for part in parts if part))

@@ -9,6 +9,7 @@ from pathlib import Path
 import surface
 import meshes
 import outlines
+import truth
 from cases import BOUNDARIES, OUTLINES, Cases
 from gusset import Library
 from net_cases import CPP as NETS
@@ -66,6 +67,8 @@ def main():
     report = Report()
     in_cpp(report, options.tools, folder, options.only, options.slow)
     Cases(library, report, options.tools, folder, options.only, options.slow).run()
+    if truth.wanted(options.only):
+        truth.run(library, report, options.tools, folder, options.only)
     report.write(options.out)
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
     if options.docs:

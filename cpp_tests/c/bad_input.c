@@ -221,7 +221,7 @@ static void stitch_pointers(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, misaligned()));
     options.struct_size = sizeof options;
-    options.meridians = 7;
+    options.meridians = 8;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     options.meridians = 0, options.orientation = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));

@@ -15,6 +15,7 @@ mod facing;
 mod fill;
 mod orient;
 mod outwards;
+mod pairing;
 mod pieces;
 mod rows;
 mod sew;

@@ -7,16 +7,16 @@
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
-use super::whole_loops::{Seen, add_shares};
+use super::candidates::{Facing, FacingSearch, LoopVertices};
+use super::whole_loops::{Seen, add_shares, conormals};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort::sort_distinct;
-use crate::stitch::facing::{Arc, centre, cyclic_runs};
+use crate::stitch::facing::{Arc, cyclic_runs};
 use crate::stitch::pairing::mean_gap;
-use crate::stitch::rim::Rim;
 use glam::DVec3;
 
 /// Largest gap between facing arcs, in mean edge lengths, unless one is given.
@@ -27,67 +27,11 @@ const MIN_ARC_VERTICES: usize = 2;
 /// An arc is at least this part of its loop's vertices.
 const MIN_ARC_SHARE: f64 = 1.0 / 64.0;
 
+/// The least that two arcs look at each other in sum: those of tubes side by side do not.
+const MIN_SUM_OF_LOOKS_OF_ARCS: f64 = 0.3;
+
 /// Vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
-
-/// Two loops, by their numbers, or arcs of them.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Facing {
-    pub(super) rims: [usize; 2],
-    pub(super) arcs: Option<[Arc; 2]>,
-    /// The mean distance from the vertices of one to the nearest of the other, the larger of the
-    /// two means.
-    pub(super) gap: f64,
-}
-
-/// Measures of a loop.
-pub(super) struct Candidate {
-    /// Pairs of one component are not looked for unless `within` says so.
-    pub(super) component: u32,
-    /// The piece that its first vertex is of.
-    pub(super) piece: u32,
-    /// The largest extent of its component along an axis.
-    pub(super) size: f64,
-    /// The mean distance of its vertices from their centre.
-    pub(super) radius: f64,
-    pub(super) length: f64,
-    /// The mean length of its edges.
-    spacing: f64,
-}
-
-impl Candidate {
-    pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
-        let middle = centre(&rim.points);
-        let n = rim.points.len();
-        let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / n as f64;
-        let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
-        Candidate { component, piece, size, radius, length, spacing: length / n as f64 }
-    }
-}
-
-pub(super) struct FacingSearch<'a> {
-    pub(super) rims: &'a [Rim],
-    pub(super) candidates: &'a [Candidate],
-    /// Loops that are already joined.
-    pub(super) used: &'a [bool],
-    /// Pairs (smaller, larger) that are not wanted, in ascending order.
-    pub(super) excluded: &'a [[u32; 2]],
-    pub(super) within_components: bool,
-    pub(super) arcs: bool,
-    /// In the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
-    pub(super) max_gap: Option<f64>,
-}
-
-/// The vertices of all loops, one loop after another.
-pub(super) struct LoopVertices {
-    pub(super) points: Vec<DVec3>,
-    /// Of each, its loop.
-    pub(super) owners: Vec<u32>,
-    /// Of each, what nothing is looked for among.
-    pub(super) groups: Vec<u32>,
-    /// Of each loop, the number of its first vertex.
-    pub(super) firsts: Vec<u32>,
-}
 
 #[derive(Clone, Copy)]
 struct NearestVertex {
@@ -102,13 +46,6 @@ impl FacingSearch<'_> {
     fn arc_limit(&self, r: usize, k: usize) -> f64 {
         let [r, k] = [&self.candidates[r], &self.candidates[k]];
         self.max_gap.unwrap_or((MAX_ARC_GAP * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
-    }
-
-    pub(super) fn may_join(&self, r: usize, k: usize) -> bool {
-        let [r, k] = [r.min(k), r.max(k)];
-        !self.used[k]
-            && (self.within_components || self.candidates[r].component != self.candidates[k].component)
-            && self.excluded.binary_search(&[r as u32, k as u32]).is_err()
     }
 
     /// The pairs, nearest first. No loop is in two pairs of wholes; arcs do not overlap.
@@ -136,24 +73,6 @@ impl FacingSearch<'_> {
             return Ok(None);
         }
         Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1])? }))
-    }
-
-    pub(super) fn all_vertices(&self) -> Result<LoopVertices> {
-        let total = self.rims.iter().map(|rim| rim.points.len()).sum();
-        let (mut points, mut owners) = (alloc::with_capacity::<DVec3>(total)?, alloc::with_capacity(total)?);
-        let mut firsts = alloc::with_capacity(self.rims.len())?;
-        for (r, rim) in self.rims.iter().enumerate() {
-            firsts.push(points.len() as u32);
-            points.extend(&rim.points);
-            owners.extend(std::iter::repeat_n(r as u32, rim.points.len()));
-        }
-        // Of one component at a time nothing is looked for: whole parts of the tree are passed
-        // over.
-        let groups = alloc::collect(owners.iter().map(|&r| match self.within_components {
-            true => r,
-            false => self.candidates[r as usize].component,
-        }))?;
-        Ok(LoopVertices { points, owners, groups, firsts })
     }
 
     /// What each vertex of each loop has nearest to it, within twice the limit of arcs.
@@ -240,9 +159,20 @@ impl FacingSearch<'_> {
             Ok((most, places.map(|i| nearest_vertices[r][i].distance).sum::<f64>() / arc.count as f64))
         };
         let partners = alloc::try_collect(arcs.iter().map(partner))?;
+        let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
+        let look = |&(r, k, arc): &(usize, usize, Arc)| {
+            let cosine = |i: usize| {
+                let way = self.rims[k].points[nearest_vertices[r][i].place as usize] - self.rims[r].points[i];
+                if way == DVec3::ZERO { 1.0 } else { way.dot(conormals[r][i]) / way.length() }
+            };
+            arc.places(nearest_vertices[r].len()).map(cosine).sum::<f64>() / arc.count as f64
+        };
         for (x, &(y, gap)) in partners.iter().enumerate() {
             if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
                 let (first, second) = (arcs[x], arcs[y as usize]);
+                if look(&first) + look(&second) < MIN_SUM_OF_LOOKS_OF_ARCS {
+                    continue;
+                }
                 let gap = gap.max(partners[y as usize].1);
                 alloc::push(found, Facing { rims: [first.0, second.0], arcs: Some([first.2, second.2]), gap })?;
             }

@@ -18,6 +18,7 @@
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 
 mod assignment;
+mod candidates;
 mod facing_loops;
 mod given_pair;
 mod request;

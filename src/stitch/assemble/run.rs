@@ -1,6 +1,6 @@
 //! The stages of assembly in order, from pieces to one mesh and its report.
 
-use super::facing_loops::{Candidate, Facing, FacingSearch};
+use super::candidates::{Candidate, Facing, FacingSearch};
 use super::given_pair::GivenPair;
 use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
 use crate::alloc;

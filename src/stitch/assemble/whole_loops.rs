@@ -19,13 +19,13 @@
 //! (`make bench ONLY=truth`) the worse look is above 0.16 and the sum of both above 0.9, and the gap
 //! at most 0.19 of the mesh's size; of wrong pairs less than one in ten looks like that.
 
-use super::facing_loops::{Candidate, Facing, FacingSearch};
+use super::assignment::{Match, best_matches};
+use super::candidates::{Candidate, Facing, FacingSearch};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::sort::sort_distinct;
-use crate::stitch::assemble::assignment::{Match, best_matches};
 use crate::stitch::polyline;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
@@ -212,7 +212,7 @@ fn share(seen: &[Seen], rims: [u32; 2]) -> f64 {
 }
 
 /// The conormals at a loop's vertices: square to the surface's border, in the surface, off it.
-fn conormals(rim: &Rim) -> Result<Vec<DVec3>> {
+pub(super) fn conormals(rim: &Rim) -> Result<Vec<DVec3>> {
     let n = rim.points.len();
     let of_edge = |i: usize| {
         let along = (rim.points[(i + 1) % n] - rim.points[i]).normalize_or_zero();

@@ -1,0 +1,93 @@
+//! What is known of the loops among which those are looked for that face each other.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::stitch::facing::{Arc, centre};
+use crate::stitch::rim::Rim;
+use glam::DVec3;
+
+/// Two loops, by their numbers, or arcs of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facing {
+    pub(super) rims: [usize; 2],
+    pub(super) arcs: Option<[Arc; 2]>,
+    /// The mean distance from the vertices of one to the nearest of the other, the larger of the
+    /// two means.
+    pub(super) gap: f64,
+}
+
+/// Measures of a loop.
+pub(super) struct Candidate {
+    /// Pairs of one component are not looked for unless `within` says so.
+    pub(super) component: u32,
+    /// The piece that its first vertex is of.
+    pub(super) piece: u32,
+    /// The largest extent of its component along an axis.
+    pub(super) size: f64,
+    /// The mean distance of its vertices from their centre.
+    pub(super) radius: f64,
+    pub(super) length: f64,
+    /// The mean length of its edges.
+    pub(super) spacing: f64,
+}
+
+impl Candidate {
+    pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
+        let middle = centre(&rim.points);
+        let n = rim.points.len();
+        let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / n as f64;
+        let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
+        Candidate { component, piece, size, radius, length, spacing: length / n as f64 }
+    }
+}
+
+pub(super) struct FacingSearch<'a> {
+    pub(super) rims: &'a [Rim],
+    pub(super) candidates: &'a [Candidate],
+    /// Loops that are already joined.
+    pub(super) used: &'a [bool],
+    /// Pairs (smaller, larger) that are not wanted, in ascending order.
+    pub(super) excluded: &'a [[u32; 2]],
+    pub(super) within_components: bool,
+    pub(super) arcs: bool,
+    /// In the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
+    pub(super) max_gap: Option<f64>,
+}
+
+/// The vertices of all loops, one loop after another.
+pub(super) struct LoopVertices {
+    pub(super) points: Vec<DVec3>,
+    /// Of each, its loop.
+    pub(super) owners: Vec<u32>,
+    /// Of each, what nothing is looked for among.
+    pub(super) groups: Vec<u32>,
+    /// Of each loop, the number of its first vertex.
+    pub(super) firsts: Vec<u32>,
+}
+
+impl FacingSearch<'_> {
+    pub(super) fn may_join(&self, r: usize, k: usize) -> bool {
+        let [r, k] = [r.min(k), r.max(k)];
+        !self.used[k]
+            && (self.within_components || self.candidates[r].component != self.candidates[k].component)
+            && self.excluded.binary_search(&[r as u32, k as u32]).is_err()
+    }
+
+    pub(super) fn all_vertices(&self) -> Result<LoopVertices> {
+        let total = self.rims.iter().map(|rim| rim.points.len()).sum();
+        let (mut points, mut owners) = (alloc::with_capacity::<DVec3>(total)?, alloc::with_capacity(total)?);
+        let mut firsts = alloc::with_capacity(self.rims.len())?;
+        for (r, rim) in self.rims.iter().enumerate() {
+            firsts.push(points.len() as u32);
+            points.extend(&rim.points);
+            owners.extend(std::iter::repeat_n(r as u32, rim.points.len()));
+        }
+        // Of one component at a time nothing is looked for: whole parts of the tree are passed
+        // over.
+        let groups = alloc::collect(owners.iter().map(|&r| match self.within_components {
+            true => r,
+            false => self.candidates[r as usize].component,
+        }))?;
+        Ok(LoopVertices { points, owners, groups, firsts })
+    }
+}
