@@ -364,10 +364,13 @@
 #define GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE 2
 
 /**
- * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller
- * loop, which is the mean distance of its vertices from their centre; runs of loops where the gap
- * is at most half that wide, and four edges of the loop with the longer ones. The width is the
- * mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
+ * Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
+ * size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
+ * from their centre) if that is more; two loops that are the only ones, whatever it is. Runs of
+ * loops are joined where the gap is at most half that radius wide, and four edges of the loop with
+ * the longer ones. The width is the mean distance from each loop to the nearest points of the
+ * other, the larger of the two. Loops must look at each other, or lie round each other: of all that
+ * do, the best one-to-one choice is joined.
  */
 #define GUSSET_GAP_AUTO 0
 
@@ -708,8 +711,10 @@
 #define GUSSET_FAIRING_THIN_PLATE 1
 
 /**
- * Faces of the strip that cut others are looked for where rows are faired; there the fairing is
- * taken back in places until nothing cuts, or nothing is left to take back.
+ * Faces of the strip that cut others are looked for. Where rows are faired the fairing is taken
+ * back in places until nothing cuts, or nothing is left to take back; a strip of triangles without
+ * rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it cuts, and of the strips tried the
+ * one that cuts least is kept. Other strips stay as they are.
  */
 #define GUSSET_INTERSECTIONS_AUTO 0
 
@@ -719,7 +724,7 @@
 #define GUSSET_INTERSECTIONS_IGNORE 1
 
 /**
- * They are always looked for; where rows are faired, with the same consequences.
+ * They are looked for; faired rows are taken back, and other strips stay as they are.
  */
 #define GUSSET_INTERSECTIONS_REPORT 2
 

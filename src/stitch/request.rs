@@ -78,8 +78,9 @@ choices! { for Fairing:
 /// or an edge, is no cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Intersections {
-    /// Where rows are faired: there the fairing is taken back until nothing cuts that did not
-    /// before.
+    /// Always, and they are avoided: faired rows are taken back until nothing cuts that did not
+    /// before, and a strip of triangles without rows by [`Meridians::Continuation`] goes another way
+    /// where it cuts (`avoid`). Other strips stay as they are.
     #[default]
     Auto,
     /// Never.
@@ -89,7 +90,7 @@ pub enum Intersections {
 }
 
 choices! { for Intersections:
-    Auto => "Automatic", "Where rows are faired; there they are avoided.";
+    Auto => "Automatic", "They are looked for, and avoided by faired rows and by the best continuation.";
     Ignore => "Ignore", "No search.";
     Report => "Report", "Always.";
 }

@@ -103,7 +103,7 @@ fn two_loops_side_by_side_that_face_two_others() {
 
 #[test]
 fn a_jagged_loop_and_a_coarser_one() {
-    let teeth = |high: f64| move |i: u32| if i % 3 == 0 { high } else { 0.0 };
+    let teeth = |high: f64| move |i: u32| if i.is_multiple_of(3) { high } else { 0.0 };
     let pieces =
         [tube(53, [0.0; 2], 1.0, 0.0, -0.3, 4, teeth(-0.12)), tube(34, [0.0; 2], 1.0, 0.15, 0.3, 4, teeth(0.18))];
     let done = run(&pieces);

@@ -52,12 +52,14 @@ pub const GUSSET_FAIRING_NONE: u32 = 0;
 /// ends of an open strip, stay where they are.
 pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 
-/// Faces of the strip that cut others are looked for where rows are faired; there the fairing is
-/// taken back in places until nothing cuts, or nothing is left to take back.
+/// Faces of the strip that cut others are looked for. Where rows are faired the fairing is taken
+/// back in places until nothing cuts, or nothing is left to take back; a strip of triangles without
+/// rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it cuts, and of the strips tried the
+/// one that cuts least is kept. Other strips stay as they are.
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
 /// They are not looked for.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
-/// They are always looked for; where rows are faired, with the same consequences.
+/// They are looked for; faired rows are taken back, and other strips stay as they are.
 pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
 
 /// A second piece that is oriented against the first is turned over: the component that rim B is
