@@ -107,6 +107,7 @@ openmfx:
 # Both sides at once: each has stretches where it keeps one core busy.
 test:
 	@scripts/install-packages.sh $(test_packages)
+	@mkdir -p '$(plain)' # Two that made it at once would be in each other's way.
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts check
 
 test-hosts: dist openmfx
