@@ -400,10 +400,9 @@
 #define GUSSET_JOINT_NO_STRIP 3
 
 /**
- * No other loop that it may be joined to (one of another component, not excluded) is near enough,
- * or not along enough of both.
+ * There is no other loop.
  */
-#define GUSSET_LEFT_FACES_NOTHING 0
+#define GUSSET_LEFT_ALONE 0
 
 /**
  * It is open, or the faces along it disagree in orientation or are not manifold there.
@@ -419,6 +418,31 @@
  * It faces another loop, but no strip could be made: see the joints.
  */
 #define GUSSET_LEFT_NOT_JOINED 3
+
+/**
+ * The nearest loop is farther than is allowed: see gap and allowed_gap.
+ */
+#define GUSSET_LEFT_TOO_FAR 4
+
+/**
+ * All other loops are of its own component, and within_components is not set.
+ */
+#define GUSSET_LEFT_SAME_COMPONENT 5
+
+/**
+ * The nearest loop is near enough, but they do not look at each other along enough of both.
+ */
+#define GUSSET_LEFT_LOOKS_AWAY 6
+
+/**
+ * The nearest loop is joined with another.
+ */
+#define GUSSET_LEFT_TAKEN 7
+
+/**
+ * It is not to be joined with the nearest loop.
+ */
+#define GUSSET_LEFT_EXCLUDED 8
 
 /**
  * At an edge with three or more faces each face has a border of its own; loops run along it and
@@ -2491,6 +2515,16 @@ typedef struct gusset_left_loop {
      */
     struct gusset_indices vertices;
     /**
+     * The mean distance from its vertices to the nearest of the loop that is nearest to most of
+     * them, of another component where there is one; infinite if there is none, or if this loop
+     * cannot carry a strip.
+     */
+    double gap;
+    /**
+     * How far that loop may be to be joined as a whole; 0 if there is none.
+     */
+    double allowed_gap;
+    /**
      * GUSSET_LEFT_...
      */
     uint32_t reason;
@@ -2617,9 +2651,10 @@ typedef struct gusset_assembly_view {
      */
     uint32_t splits;
     /**
-     * 0.
+     * Loops that were left although another one is within the gap that is allowed: those that look
+     * away, whose partner is taken, or that no strip could join.
      */
-    uint32_t reserved;
+    uint32_t near_loops_left;
 } gusset_assembly_view;
 
 /**

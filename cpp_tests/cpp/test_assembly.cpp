@@ -326,7 +326,8 @@ TEST_CASE("pairs, exclusions and widths through the wrapper") {
     const gusset::Assembly open(views(halves), options);
     CHECK(check_account(open, halves).boundary == Lengths{12, 12, 12, 12});
     for (const gusset_left_loop &left : open.left()) {
-        CHECK(left.reason == GUSSET_LEFT_FACES_NOTHING);
+        CHECK(left.reason == GUSSET_LEFT_TOO_FAR);
+        CHECK((left.gap > 0 && left.allowed_gap == 0));
     }
     REQUIRE(open.left().size() == 4);
     // The loops of the first half come first; one of them is joined to each of the other half's.

@@ -4,7 +4,7 @@ use super::stitch::FAIRING_HELP;
 use super::weld::{TOLERANCES, tolerance};
 use crate::fill;
 use crate::repair::weld;
-use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, assemble};
+use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, assemble};
 use crate::stitch::{self, Fairing, Meridians, Rows};
 
 pub(super) const FILTER: Filter = Filter {
@@ -114,6 +114,22 @@ fn report(done: &Assembly) -> Report {
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
     push_line!(text, "{} filled, {} left", counted(filled, ["hole", "holes"]), counted(done.loops_left, BOUNDARY_LOOP));
+    for left in &done.left {
+        let why = match left.reason {
+            Reason::Alone => "there is no other".to_owned(),
+            Reason::TooFar => {
+                format!("the nearest is {} apart, and {} is allowed", short(left.gap), short(left.allowed_gap))
+            }
+            Reason::SameComponent => "all others are of its own component".to_owned(),
+            Reason::LooksAway => "it and the nearest do not look at each other".to_owned(),
+            Reason::Taken => "the nearest is joined with another".to_owned(),
+            Reason::Excluded => "it is not to be joined with the nearest".to_owned(),
+            Reason::NotSimple => "it is open, or the faces along it disagree".to_owned(),
+            Reason::TooShort => "it has fewer than three vertices".to_owned(),
+            Reason::NotJoined => "no strip could be made".to_owned(),
+        };
+        text += &format!("loop of {} vertices left: {why}\n", left.vertices.len());
+    }
     let turned = done.turned.iter().filter(|&&turned| turned).count();
     if turned > 0 {
         push_line!(text, "{} of the pieces turned over", counted(turned, FACE));
@@ -125,6 +141,7 @@ fn report(done: &Assembly) -> Report {
         ("refused_joins", (done.joints.len() - joined) as f64),
         ("filled_holes", filled as f64),
         ("boundary_loops", f64::from(done.loops_left)),
+        ("near_loops_left", f64::from(done.near_loops_left)),
         ("turned_faces", turned as f64),
     ];
     Report::new(text, &values)

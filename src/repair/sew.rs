@@ -3,7 +3,7 @@
 //!
 //! Borders that match are welded first ([`weld`](super::weld)). Where a vertex of one border then
 //! lies inside a free edge of another (a T-junction), the edge is split there if that makes pieces
-//! that match ([`junctions`](super::junctions)), its face follows ([`split`](super::split)), and the
+//! that match (`junctions`), its face follows (`split`), and the
 //! borders are welded again. Welding makes no edge of three faces and no degenerate face, and so
 //! does sewing; each free edge has one face and is split in one way. Vertices of the input do not
 //! move.

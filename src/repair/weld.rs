@@ -10,7 +10,7 @@
 //! claims the unclaimed ones within the tolerance of it, nearest first. So nothing chains, and
 //! groups of vertices that are narrower than the tolerance and farther apart than it are found
 //! whatever the numbers of the vertices are. By default the tolerance is what rounding can have
-//! done to the coordinates, and no edge's ends lie together: see [`tolerance`](super::tolerance).
+//! done to the coordinates, and no edge's ends lie together: see `tolerance`.
 
 use super::cluster::Clusters;
 use super::corners::Corners;

@@ -292,7 +292,7 @@ fn exclusions_and_pairs_are_minded() {
         let done = run(&pieces, &Options { excluded: &[excluded], ..Options::default() });
         assert_eq!((done.joints.len(), done.loops_left, euler(faces_of(&done.mesh))), (2, 2, 0));
         let reasons: Vec<_> = done.left.iter().map(|left| left.reason).collect();
-        assert_eq!(reasons, [Reason::FacesNothing; 2]);
+        assert_eq!(reasons, [Reason::Excluded; 2]);
         assert!(done.left[0].vertices.contains(&done.maps[0].vertices[vertex as usize]));
     }
     // A pair that was given comes first, and is joined when no other is.
@@ -329,10 +329,11 @@ fn pieces_that_face_nothing_are_left() {
         soup
     };
     let done = run(&[sheet(4, 4)], &welding());
-    assert_eq!((done.loops_left, done.left.len(), done.left[0].reason), (1, 1, Reason::FacesNothing));
+    assert_eq!((done.loops_left, done.left.len(), done.left[0].reason), (1, 1, Reason::Alone));
     let done = run(&[far(0.0), far(1000.0), far(-1000.0)], &welding());
     assert!(done.joints.is_empty());
-    assert_eq!(done.left.iter().map(|left| left.reason).collect::<Vec<_>>(), [Reason::FacesNothing; 3]);
+    assert_eq!(done.left.iter().map(|left| left.reason).collect::<Vec<_>>(), [Reason::TooFar; 3]);
+    assert!(done.left.iter().all(|left| left.gap > 990.0 && left.allowed_gap < 5.0) && done.near_loops_left == 0);
     // A closed piece has nothing to be joined.
     let done = run(&[cube(3), far(0.5)], &Options::default());
     assert_eq!((done.joints.len(), done.left.len(), done.loops_left), (0, 1, 1));

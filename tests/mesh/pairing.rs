@@ -3,7 +3,7 @@
 use crate::common::{Soup, euler, faces_of};
 use gusset::Job;
 use gusset::mesh::MeshView;
-use gusset::stitch::assemble::{Assembly, Options, Outcome, assemble};
+use gusset::stitch::assemble::{Assembly, Options, Outcome, Reason, assemble};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
@@ -99,6 +99,8 @@ fn two_loops_side_by_side_that_face_two_others() {
     assert_joined(&[a.clone(), b.clone(), c.clone(), d], &pairs, 4);
     let done = run(&[a, b, c]);
     assert_eq!((joined(&done), done.loops_left), (BTreeSet::from([pairs[0]]), 1));
+    // As a whole the loop beside it is farther than the radius, though it is near in one place.
+    assert!(done.left[0].reason == Reason::TooFar && done.left[0].gap > done.left[0].allowed_gap);
 }
 
 #[test]
@@ -116,10 +118,11 @@ fn a_jagged_loop_and_a_coarser_one() {
 #[test]
 fn bones_of_one_piece_are_not_joined_sideways() {
     // Five bones beside each other, 0.1 apart, open at their upper ends.
-    let bones: Vec<Soup> = (0..5).map(|k| tube(16, [2.1 * f64::from(k), 0.0], 1.0, 0.0, -0.5, 6, flat)).collect();
+    let bones: Vec<Soup> = (0..5).map(|k| tube(16, [2.1 * f64::from(k), 0.0], 1.0, 0.0, -3.0, 6, flat)).collect();
     for pieces in [vec![together(&bones)], bones] {
         let done = run(&pieces);
         assert!(joined(&done).is_empty() && done.loops_left == 5, "{:?}", joined(&done));
+        assert!(done.left.iter().all(|left| left.reason == Reason::LooksAway) && done.near_loops_left == 5);
     }
 }
 

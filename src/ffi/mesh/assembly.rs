@@ -38,15 +38,24 @@ pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
 /// Left: every strip would repeat an edge that the mesh already has.
 pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
 
-/// No other loop that it may be joined to (one of another component, not excluded) is near enough,
-/// or not along enough of both.
-pub const GUSSET_LEFT_FACES_NOTHING: u32 = 0;
+/// There is no other loop.
+pub const GUSSET_LEFT_ALONE: u32 = 0;
 /// It is open, or the faces along it disagree in orientation or are not manifold there.
 pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
 /// It has fewer than three vertices.
 pub const GUSSET_LEFT_TOO_SHORT: u32 = 2;
 /// It faces another loop, but no strip could be made: see the joints.
 pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
+/// The nearest loop is farther than is allowed: see gap and allowed_gap.
+pub const GUSSET_LEFT_TOO_FAR: u32 = 4;
+/// All other loops are of its own component, and within_components is not set.
+pub const GUSSET_LEFT_SAME_COMPONENT: u32 = 5;
+/// The nearest loop is near enough, but they do not look at each other along enough of both.
+pub const GUSSET_LEFT_LOOKS_AWAY: u32 = 6;
+/// The nearest loop is joined with another.
+pub const GUSSET_LEFT_TAKEN: u32 = 7;
+/// It is not to be joined with the nearest loop.
+pub const GUSSET_LEFT_EXCLUDED: u32 = 8;
 
 /// Two loops of the input.
 #[repr(C)]
@@ -157,6 +166,12 @@ pub struct gusset_joint {
 pub struct gusset_left_loop {
     /// Its vertices in the result, in order.
     pub vertices: gusset_indices,
+    /// The mean distance from its vertices to the nearest of the loop that is nearest to most of
+    /// them, of another component where there is one; infinite if there is none, or if this loop
+    /// cannot carry a strip.
+    pub gap: f64,
+    /// How far that loop may be to be joined as a whole; 0 if there is none.
+    pub allowed_gap: f64,
     /// GUSSET_LEFT_...
     pub reason: u32,
     /// 0.
@@ -205,8 +220,9 @@ pub struct gusset_assembly_view {
     pub non_manifold_edges: u32,
     /// Points at which free edges were split for borders to match.
     pub splits: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Loops that were left although another one is within the gap that is allowed: those that look
+    /// away, whose partner is taken, or that no strip could join.
+    pub near_loops_left: u32,
 }
 
 /// An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
@@ -220,7 +236,7 @@ pub struct gusset_assembly {
 }
 
 versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 144 }
-fixed! { gusset_joint: 104, gusset_left_loop: 24, gusset_loop_pair: 16 }
+fixed! { gusset_joint: 104, gusset_left_loop: 40, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
 fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Result<Vec<[Selector; 2]>, Failure> {
@@ -237,10 +253,15 @@ c_enum! {
         GUSSET_JOINT_NO_STRIP => NoStrip,
     }
     reason: Reason {
-        GUSSET_LEFT_FACES_NOTHING => FacesNothing,
+        GUSSET_LEFT_ALONE => Alone,
         GUSSET_LEFT_NOT_SIMPLE => NotSimple,
         GUSSET_LEFT_TOO_SHORT => TooShort,
         GUSSET_LEFT_NOT_JOINED => NotJoined,
+        GUSSET_LEFT_TOO_FAR => TooFar,
+        GUSSET_LEFT_SAME_COMPONENT => SameComponent,
+        GUSSET_LEFT_LOOKS_AWAY => LooksAway,
+        GUSSET_LEFT_TAKEN => Taken,
+        GUSSET_LEFT_EXCLUDED => Excluded,
     }
 }
 
@@ -304,6 +325,8 @@ impl gusset_assembly {
         };
         let left = |left: &LeftLoop| gusset_left_loop {
             vertices: gusset_indices::lend(&left.vertices),
+            gap: left.gap,
+            allowed_gap: left.allowed_gap,
             reason: left.reason.number(),
             reserved: 0,
         };
@@ -430,6 +453,6 @@ pub unsafe extern "C" fn gusset_assembly_get_view(
         loops_left: all.done.loops_left,
         non_manifold_edges: all.done.non_manifold_edges,
         splits: all.done.splits,
-        reserved: 0,
+        near_loops_left: all.done.near_loops_left,
     })
 }

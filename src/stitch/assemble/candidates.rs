@@ -70,7 +70,11 @@ impl FacingSearch<'_> {
         let [r, k] = [r.min(k), r.max(k)];
         !self.used[k]
             && (self.within_components || self.candidates[r].component != self.candidates[k].component)
-            && self.excluded.binary_search(&[r as u32, k as u32]).is_err()
+            && !self.is_excluded(r, k)
+    }
+
+    pub(super) fn is_excluded(&self, r: usize, k: usize) -> bool {
+        self.excluded.binary_search(&[r.min(k) as u32, r.max(k) as u32]).is_ok()
     }
 
     pub(super) fn all_vertices(&self) -> Result<LoopVertices> {

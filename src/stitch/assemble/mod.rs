@@ -21,6 +21,7 @@ mod assignment;
 mod candidates;
 mod facing_loops;
 mod given_pair;
+mod left;
 mod request;
 mod run;
 mod whole_loops;

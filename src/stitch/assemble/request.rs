@@ -104,8 +104,18 @@ pub struct Joint {
 /// Why a loop, or part of one, was left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// No other loop is near enough, or not along enough of both.
-    FacesNothing,
+    /// There is no other loop.
+    Alone,
+    /// The nearest loop is farther than is allowed.
+    TooFar,
+    /// All other loops are of its own component, and such are not joined.
+    SameComponent,
+    /// The nearest loop is near enough, but they do not look at each other along enough of both.
+    LooksAway,
+    /// The nearest loop is joined with another.
+    Taken,
+    /// It is not to be joined with the nearest loop.
+    Excluded,
     /// It is open, or the faces along it disagree in orientation or are not manifold there.
     NotSimple,
     /// It has fewer than three vertices.
@@ -121,6 +131,12 @@ pub struct LeftLoop {
     pub vertices: Vec<u32>,
     /// Why it was left.
     pub reason: Reason,
+    /// The mean distance from its vertices to the nearest of the loop that is nearest to most of
+    /// them, of another component where there is one; infinite if there is none, or if this loop
+    /// cannot carry a strip.
+    pub gap: f64,
+    /// How far that loop may be to be joined as a whole; 0 if there is none.
+    pub allowed_gap: f64,
 }
 
 /// The assembled mesh and its account.
@@ -155,6 +171,9 @@ pub struct Assembly {
     pub hole_rims: Vec<u32>,
     /// Boundary loops of the result.
     pub loops_left: u32,
+    /// Loops that were left although another one is within the gap that is allowed: those that look
+    /// away, whose partner is taken, or that no strip could join.
+    pub near_loops_left: u32,
     /// Edges of the result with three or more faces.
     pub non_manifold_edges: u32,
 }

@@ -44,7 +44,8 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     }
     let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
     let mut loops = Loops::of(&base, &job.part(0.3, 0.4))?;
-    let mut found = chosen_pairs(&base, &loops, options, &job.part(0.4, 0.5))?;
+    let excluded = excluded_pairs(&base, &loops, options)?;
+    let mut found = chosen_pairs(&base, &loops, options, &excluded, &job.part(0.4, 0.5))?;
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
     // Components that face each other are made to agree, nearest first.
@@ -101,7 +102,12 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         }
         base.done.joints.push(joint);
     }
-    base.done.left = loops.left(&hangs, &tried)?;
+    base.done.left = left_loops(loops, options, &excluded, [&hangs, &tried])?;
+    let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
+    base.done.near_loops_left = base.done.left.iter().filter(is_near).count() as u32;
+    if base.done.near_loops_left > 0 {
+        job.note("loops are left although others are near: the account of the assembly says why");
+    }
     base.finish(options, &job.part(0.8, 1.0))
 }
 
@@ -159,6 +165,7 @@ impl Base {
             holes: Vec::new(),
             hole_rims: Vec::new(),
             loops_left: 0,
+            near_loops_left: 0,
             non_manifold_edges: 0,
         };
         Ok(Base { done, piece })
@@ -276,7 +283,10 @@ impl Loops {
                 alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
             } else {
                 let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
-                alloc::push(&mut loops.others, LeftLoop { vertices: alloc::copied(found.vertices)?, reason })?;
+                alloc::push(
+                    &mut loops.others,
+                    LeftLoop { vertices: alloc::copied(found.vertices)?, reason, gap: f64::INFINITY, allowed_gap: 0.0 },
+                )?;
             }
         }
         loops.unit = common_unit(loops.rims.iter().flat_map(|rim| &rim.points));
@@ -319,16 +329,20 @@ impl Loops {
         Ok(edges)
     }
 
-    fn left(self, hangs: &[bool], tried: &[bool]) -> Result<Vec<LeftLoop>> {
-        let mut left = self.others;
-        for (r, rim) in self.rims.into_iter().enumerate() {
-            if !hangs[r] {
-                let reason = if tried[r] { Reason::NotJoined } else { Reason::FacesNothing };
-                alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason })?;
-            }
+    fn search<'a>(&'a self, options: &Options<'_>, used: &'a [bool], excluded: &'a [[u32; 2]]) -> FacingSearch<'a> {
+        let max_gap = match options.max_gap {
+            MaxGap::Given(gap) => Some(gap / self.unit),
+            MaxGap::Auto => None,
+        };
+        FacingSearch {
+            rims: &self.rims,
+            candidates: &self.candidates,
+            used,
+            excluded,
+            within_components: options.within_components,
+            arcs: !options.whole_loops_only,
+            max_gap,
         }
-        left.sort_unstable_by(|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
-        Ok(left)
     }
 
     /// Each vertex on a loop with the loop, in ascending order.
@@ -417,8 +431,49 @@ impl Edges {
     }
 }
 
+/// The loops that no strip hangs on, with the reasons.
+fn left_loops(
+    loops: Loops,
+    options: &Options<'_>,
+    excluded: &[[u32; 2]],
+    [hangs, tried]: [&[bool]; 2],
+) -> Result<Vec<LeftLoop>> {
+    let without = alloc::collect(hangs.iter().map(|&hangs| !hangs))?;
+    let explained = loops.search(options, hangs, excluded).explain(&without)?;
+    let mut left = loops.others;
+    for (r, (rim, found)) in loops.rims.into_iter().zip(explained).enumerate() {
+        if let Some(found) = found {
+            let reason = if tried[r] { Reason::NotJoined } else { found.reason };
+            let [gap, allowed_gap] = [found.gap, found.allowed].map(|length| length * loops.unit);
+            alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap })?;
+        }
+    }
+    left.sort_unstable_by(|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
+    Ok(left)
+}
+
+/// The pairs of loops (smaller, larger) that are not to be joined, in ascending order.
+fn excluded_pairs(base: &Base, loops: &Loops, options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
+    let places = loops.places()?;
+    let mut excluded = Vec::new();
+    for (k, pair) in options.excluded.iter().enumerate() {
+        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.done.maps)?;
+        let (first, second) = (loops.named(base, &places, pair[0])?, loops.named(base, &places, pair[1])?);
+        let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
+        alloc::extend(&mut excluded, pairs)?;
+    }
+    excluded.sort_unstable();
+    Ok(excluded)
+}
+
 /// The pairs that were given, and after them those that are found.
-fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>) -> Result<Vec<Facing>> {
+fn chosen_pairs(
+    base: &Base,
+    loops: &Loops,
+    options: &Options<'_>,
+    excluded: &[[u32; 2]],
+    job: &Job<'_>,
+) -> Result<Vec<Facing>> {
     let places = loops.places()?;
     let mut taken = alloc::filled(false, loops.rims.len())?;
     let mut found = alloc::with_capacity(options.pairs.len())?;
@@ -429,29 +484,8 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
         rims.iter().for_each(|&r| taken[r] = true);
         found.push(Facing { rims, arcs: None, gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]])? });
     }
-    let mut excluded = Vec::new();
-    for (k, pair) in options.excluded.iter().enumerate() {
-        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.done.maps)?;
-        let (first, second) = (loops.named(base, &places, pair[0])?, loops.named(base, &places, pair[1])?);
-        let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
-        alloc::extend(&mut excluded, pairs)?;
-    }
-    excluded.sort_unstable();
     if options.max_gap != MaxGap::Given(0.0) {
-        let max_gap = match options.max_gap {
-            MaxGap::Given(gap) => Some(gap / loops.unit),
-            MaxGap::Auto => None,
-        };
-        let search = FacingSearch {
-            rims: &loops.rims,
-            candidates: &loops.candidates,
-            used: &taken,
-            excluded: &excluded,
-            within_components: options.within_components,
-            arcs: !options.whole_loops_only,
-            max_gap,
-        };
-        alloc::append(&mut found, &search.run(job)?)?;
+        alloc::append(&mut found, &loops.search(options, &taken, excluded).run(job)?)?;
     }
     Ok(found)
 }
