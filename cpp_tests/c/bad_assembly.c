@@ -58,7 +58,7 @@ static void strips_refused(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
     options.struct_size = sizeof options, options.meridians = 8;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
-    CHECK(reported_value() == 7.0);
+    CHECK(reported_value() == 8.0);
     options.meridians = 0, options.search = 2;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
     options.search = 0, options.start = 3;
@@ -250,7 +250,7 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     options.struct_size = sizeof options;
     for (int field = 0; field < 8; ++field) {
-        static const uint32_t unknown[8] = {2, GUSSET_ORIENTATION_REFUSE, 2, 2, 2, 2, 2, 1};
+        static const uint32_t unknown[8] = {3, GUSSET_ORIENTATION_REFUSE, 2, 2, 2, 2, 2, 1};
         uint32_t *fields[8];
         fields[0] = &options.weld, fields[1] = &options.orientation, fields[2] = &options.gap;
         fields[3] = &options.whole_loops_only, fields[4] = &options.within_components, fields[5] = &options.fill;

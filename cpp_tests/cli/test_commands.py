@@ -120,7 +120,7 @@ class Commands(unittest.TestCase):
                        "max_inputs": 1, "outputs": ["mesh", "text"]}, listed)
         weld = told(DONE, "filters", "weld", "low.obj")
         self.assertEqual([param["id"] for param in weld["parameters"]], ["vertices", "tolerance", "collapse", "unused"])
-        self.assertEqual(weld["parameters"][1]["suggested"], 0)
+        self.assertEqual(weld["parameters"][1]["suggested"], -1)
         self.assertEqual(told(DONE, "convert", "low.obj", "-o", "low.ply")["outputs"][0]["lost"], [])
 
     def test_colours_of_the_pieces_stay(self):

@@ -242,7 +242,7 @@ TEST_CASE("cuts are those that CGAL finds") {
     std::size_t cuts = 0, faired = 0;
     for (const Soup &quads : others) {
         const Soup other = fans(quads);
-        for (uint32_t rule = 0; rule < 7; ++rule) {
+        for (uint32_t rule = 0; rule < 8; ++rule) {
             for (uint32_t rows : {0u, 1u, 4u}) {
                 gusset::StitchOptions options;
                 options.meridians = static_cast<gusset::Meridians>(rule);

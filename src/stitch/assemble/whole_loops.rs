@@ -39,9 +39,6 @@ const MIN_SUM_OF_LOOKS: f64 = 0.8;
 /// A loop lies before a vertex within 45 degrees of its conormal.
 const MIN_COSINE_AHEAD: f64 = 0.7;
 
-/// The same for loops that lie round each other.
-const MIN_SUM_OF_LOOKS_ROUND: f64 = -0.25;
-
 /// Share of the vertices that have any loop before them, for whom the other one is hardly farther.
 const MIN_SHARE_BEFORE: f64 = 0.8;
 
@@ -134,7 +131,8 @@ impl FacingSearch<'_> {
             let looks = there.cosine + back.cosine;
             let face =
                 before >= MIN_SHARE_BEFORE && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_SUM_OF_LOOKS;
-            let round = near >= MIN_SHARE_NEAR && there.round && back.round && looks >= MIN_SUM_OF_LOOKS_ROUND;
+            // Rims that overlap, as hem and waist do, look away from each other.
+            let round = near >= MIN_SHARE_NEAR && there.round && back.round;
             if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
                 let nearness = 1.0 - (1.0 - LEAST_GAIN) * if limit > 0.0 { gap / limit } else { 0.0 };
