@@ -66,22 +66,22 @@ fn run_ordered<T: Send, R: Send, E>(
             finish(item);
         }
     };
-    let mut told = Ok(());
+    let mut reported = Ok(());
     let mut lead = || {
         while let Some((i, item)) = next() {
-            told = before(i);
-            if told.is_err() {
+            reported = before(i);
+            if reported.is_err() {
                 return stopped.store(true, Ordering::Relaxed);
             }
             finish((i, item));
         }
     };
     run_beside(wanted.saturating_sub(1), &help, &mut lead);
-    told.map(|()| results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect())
+    reported.map(|()| results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect())
 }
 
-/// Runs `lead` on this thread and `help` on `helpers` others, and returns when all have returned. Not generic: what starting a
-/// thread compiles to is there once, not for each use of [`map`].
+/// Runs `lead` on this thread and `help` on `helpers` others, and returns when all have returned.
+/// Not generic: what starting a thread compiles to is there once, not for each use of [`map`].
 fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut()) {
     if helpers == 0 {
         return lead();

@@ -43,6 +43,7 @@ struct Request {
 };
 
 const std::map<std::string, gusset::Meridians> meridians{
+    {"continuation", gusset::Meridians::continuation},
     {"area", gusset::Meridians::min_area},         {"index", gusset::Meridians::index},   {"arc", gusset::Meridians::arc_length}, {"greedy", gusset::Meridians::greedy},
     {"diagonal", gusset::Meridians::min_diagonal}, {"smooth", gusset::Meridians::smooth}, {"quad", gusset::Meridians::quad}};
 

@@ -17,7 +17,9 @@ bool stitched(const std::string &file) {
     drawing.caption(165, 368, "two open meshes");
 
     double x = 480;
-    for (const auto &[options, what] : {std::pair(gusset::StitchOptions(), "the strip of least area"), std::pair(faired_strip(), "rows of new vertices, fair")}) {
+    gusset::StitchOptions least;
+    least.meridians = gusset::Meridians::min_area;
+    for (const auto &[options, what] : {std::pair(least, "the strip of least area"), std::pair(faired_strip(), "rows of new vertices, fair")}) {
         const gusset::Stitch stitch = gusset::stitch(upper.view(), lower.view(), options);
         const std::size_t first = upper.view().face_count(), strip = stitch.strip_faces().first;
         drawing.place(x, 178);
@@ -70,6 +72,8 @@ bool filled(const std::string &file) {
     }
     drawing.caption(165, 338, "boundary loops");
     double x = 480;
+    gusset::StitchOptions least;
+    least.meridians = gusset::Meridians::min_area;
     for (const auto &[options, what] : {std::pair(gusset::FillOptions(), "least weight"), std::pair(faired_patch(), "refined, fair")}) {
         const gusset::Fill fill(torn.view(), options);
         const std::size_t old = torn.corners.size() / 3;

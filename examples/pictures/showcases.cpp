@@ -34,7 +34,9 @@ page::Showcase stitched() {
     const Mesh upper = shell(56, 10, 1, 0.25), lower = shell(41, 8, -1, 0.25);
     page::Showcase show = titled("stitch", "Two shells", {ivory, slate, gold}, {0.4, -1, 0.42});
     show.pairs = {{0, 2}, {1, 2}};
-    for (const gusset::StitchOptions &options : {gusset::StitchOptions(), faired_strip()}) {
+    gusset::StitchOptions least;
+    least.meridians = gusset::Meridians::min_area;
+    for (const gusset::StitchOptions &options : {least, faired_strip()}) {
         const gusset::Stitch stitch = gusset::stitch(upper.view(), lower.view(), options);
         const std::size_t first = upper.view().face_count(), strip = stitch.strip_faces().first;
         show.bodies.emplace_back().add(stitch.mesh(), [&](std::size_t f) { return f >= strip ? 2 : f < first ? 0 : 1; });

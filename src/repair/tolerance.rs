@@ -240,7 +240,7 @@ impl Decades {
 /// rounding of that power.
 fn decade(x: f64) -> Option<i32> {
     // A power of ten that a change of unit has rounded down is still one.
-    (x > 0.0 && x.is_finite()).then(|| (x.log10() + 1e-9).floor() as i32)
+    (x > 0.0 && x.is_finite()).then(|| (libm::log10(x) + 1e-9).floor() as i32)
 }
 
 /// Per vertex, the length of the shortest edge that ends there and has a length; infinite if there

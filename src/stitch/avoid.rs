@@ -1,11 +1,11 @@
 //! Another strip where one cuts itself or a piece.
 //!
-//! The steps whose triangles cut are made dearer, by what a few steps cost, and the cheapest
+//! The steps whose triangles cut get a penalty, of what a few steps cost, and the cheapest
 //! meridians near the old ones are found again: the strip goes another way there and stays as it was
-//! elsewhere. What still cuts becomes dearer still. After some rounds the same is tried from the
+//! elsewhere. What still cuts gets another. After some rounds the same is tried from the
 //! strips of other measures; of all strips the one that cuts least is kept, of equals the first.
 
-use super::meridian::{DearStep, Meridians, Pair};
+use super::meridian::{Meridians, Pair, StepPenalty};
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::request::Options;
 use super::rim::Bridges;
@@ -21,8 +21,8 @@ const MEASURES: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, M
 /// Strips tried for each measure.
 const ROUNDS: usize = 12;
 
-/// What a cut makes its step dearer by, in mean steps; twice that where it cuts an old face.
-const DEARER: f64 = 4.0;
+/// The penalty of a step for a cut, in mean steps; twice that where it cuts an old face.
+const PENALTY: f64 = 4.0;
 
 /// Looks for faces of a strip without rows that cut others, and for another strip if there are any.
 /// The pairs of faces that are left; see [`Stitch::intersections`](super::Stitch::intersections).
@@ -42,7 +42,7 @@ pub(super) fn avoid_cuts(
         start_far_from_cuts(strip, &best)?;
         let mut best_meridians = alloc::copied(&strip.meridians)?;
         // The faces are numbered from the start, which has moved.
-        strip.lay(alloc::copied(&best_meridians)?, bridges, options)?;
+        strip.set_meridians(alloc::copied(&best_meridians)?, bridges, options)?;
         best = test(strip, &job.part(0.1, 0.15))?;
         for (k, measure) in MEASURES.into_iter().enumerate() {
             let part = job.part(0.15 + 0.25 * k as f64, 0.4 + 0.25 * k as f64);
@@ -53,7 +53,7 @@ pub(super) fn avoid_cuts(
                 break;
             }
         }
-        strip.lay(best_meridians, bridges, options)?;
+        strip.set_meridians(best_meridians, bridges, options)?;
     }
     Neighbourhood::new(whole, strip, unit, Vec::new())?.faces(&old, &best)
 }
@@ -109,18 +109,18 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
         else {
             return Ok(());
         };
-        let unit = DEARER * first.cost / first.pairs.len() as f64;
-        let mut dear: Vec<DearStep> = Vec::new();
+        let unit = PENALTY * first.cost / first.pairs.len() as f64;
+        let mut penalties: Vec<StepPenalty> = Vec::new();
         let mut path = first.pairs;
         for round in 0..ROUNDS {
             let part =
                 job.part(0.1 + 0.9 * round as f64 / ROUNDS as f64, 0.1 + 0.9 * (round + 1) as f64 / ROUNDS as f64);
-            match self.strip.lay(alloc::copied(&path)?, self.bridges, self.options) {
+            match self.strip.set_meridians(alloc::copied(&path)?, self.bridges, self.options) {
                 Err(Error::NoStrip { .. }) => return Ok(()),
                 other => other?,
             }
             let found = (self.test)(self.strip, &part.part(0.0, 0.6))?;
-            self.make_dearer(&path, &found, unit, &mut dear)?;
+            self.penalise(&path, &found, unit, &mut penalties)?;
             let done = found.pairs.is_empty();
             if found.pairs.len() < best.pairs.len() {
                 (*best, *kept) = (found, alloc::copied(&path)?);
@@ -128,8 +128,15 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
             if done {
                 return Ok(());
             }
-            let again =
-                near(&self.strip.a, &self.strip.b, self.bridges, self.options, &path, &dear, &part.part(0.6, 1.0))?;
+            let again = near(
+                &self.strip.a,
+                &self.strip.b,
+                self.bridges,
+                self.options,
+                &path,
+                &penalties,
+                &part.part(0.6, 1.0),
+            )?;
             let Some(next) = again else {
                 return Ok(());
             };
@@ -138,23 +145,23 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
         Ok(())
     }
 
-    /// Makes the steps dearer whose triangles are in `found`.
-    fn make_dearer(
+    /// Adds penalties for the steps whose triangles are in `found`.
+    fn penalise(
         &self,
         path: &[Pair],
         found: &IntersectingTriangles,
         unit: f64,
-        dear: &mut Vec<DearStep>,
+        penalties: &mut Vec<StepPenalty>,
     ) -> Result<()> {
         for pair in &found.pairs {
             let with_old = pair.iter().any(|&k| k as usize >= path.len() - 1);
             for &k in pair.iter().filter(|&&k| (k as usize) < path.len() - 1) {
                 let (from, to) = (path[k as usize], path[k as usize + 1]);
                 let extra = if with_old { 2.0 * unit } else { unit };
-                alloc::push(dear, DearStep { to, on_b: to[0] == from[0], extra })?;
+                alloc::push(penalties, StepPenalty { to, on_b: to[0] == from[0], extra })?;
             }
         }
-        dear.sort_by_key(|step| (step.to, step.on_b));
+        penalties.sort_unstable_by_key(|step| (step.to, step.on_b));
         Ok(())
     }
 }

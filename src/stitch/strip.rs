@@ -1,7 +1,7 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
 use super::grid::{FaceList, Grid};
-use super::meridian::{DearStep, MeridianChoice, Pair, RimPair, forbidden_nodes, meridians, meridians_near};
+use super::meridian::{MeridianChoice, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near};
 use super::request::{Cells, Options, Rows};
 use super::rim::{Bridges, Rim};
 use super::start::{Start, by_rotation, closest_pair};
@@ -63,7 +63,7 @@ impl Strip {
     ///
     /// # Errors
     /// [`Error::NoStrip`], [`Error::OutOfMemory`].
-    pub(super) fn lay(&mut self, meridians: Vec<Pair>, bridges: &Bridges, options: &Options) -> Result<()> {
+    pub(super) fn set_meridians(&mut self, meridians: Vec<Pair>, bridges: &Bridges, options: &Options) -> Result<()> {
         self.grid = Grid::new(&self.a, &self.b, &meridians, 0)?;
         self.faces = self.grid.faces(&self.a, &self.b, bridges, options.cells == Cells::Quads)?;
         self.meridians = meridians;
@@ -118,17 +118,17 @@ pub(crate) fn from_given_start(
     between_rims(a, b, bridges, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
 }
 
-/// The best meridians near others, where some steps are dearer.
+/// The best meridians near others, where some steps have penalties.
 pub(super) fn near(
     a: &Rim,
     b: &Rim,
     bridges: &Bridges,
     options: &Options,
     path: &[Pair],
-    dear: &[DearStep],
+    penalties: &[StepPenalty],
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    between_rims(a, b, bridges, options, dear, |rims| meridians_near(rims, options.meridians, path, job))
+    between_rims(a, b, bridges, options, penalties, |rims| meridians_near(rims, options.meridians, path, job))
 }
 
 fn between_rims<T>(
@@ -136,7 +136,7 @@ fn between_rims<T>(
     b: &Rim,
     bridges: &Bridges,
     options: &Options,
-    dear: &[DearStep],
+    penalties: &[StepPenalty],
     find: impl FnOnce(&RimPair<'_>) -> Result<T>,
 ) -> Result<T> {
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
@@ -147,5 +147,5 @@ fn between_rims<T>(
     };
     let (line_a, line_b) = (a.line()?, b.line()?);
     let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
-    find(&RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides, dear })
+    find(&RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides, penalties })
 }

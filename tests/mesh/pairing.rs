@@ -66,17 +66,17 @@ fn joined(done: &Assembly) -> BTreeSet<[[i64; 3]; 2]> {
 }
 
 fn assert_joined(pieces: &[Soup], pairs: &[[[i64; 3]; 2]], chi: i64) {
-    for unit in [1.0, 1e-6, 1e6] {
+    for (unit, shift) in [(1.0, 0.0), (1e-6, 0.0), (1e6, 0.0), (1.0, 37.0)] {
         let scaled = |soup: &Soup| {
             let mut soup = soup.clone();
-            soup.points.iter_mut().for_each(|p| *p = p.map(|x| unit * x));
+            soup.points.iter_mut().for_each(|p| *p = p.map(|x| unit * x + shift));
             soup
         };
         let mut scaled: Vec<Soup> = pieces.iter().map(scaled).collect();
         for _ in 0..2 {
             let mut done = run(&scaled);
             let count = done.mesh.positions.len() as u32;
-            let points: Vec<P> = (0..count).map(|v| (done.mesh.positions.get(v) / unit).to_array()).collect();
+            let points: Vec<P> = (0..count).map(|v| ((done.mesh.positions.get(v) - shift) / unit).to_array()).collect();
             done.mesh.positions = gusset::mesh::PositionBuffer::F64(points);
             assert_eq!(joined(&done), pairs.iter().copied().collect(), "{unit}");
             assert_eq!((euler(faces_of(&done.mesh)), done.loops_left), (chi, 0));

@@ -2,8 +2,8 @@
 //!
 //! Loops that look at each other are joined as wholes (`whole_loops`). Of the others, runs of
 //! neighbouring vertices whose nearest vertices lie on one loop, mutually, form facing arcs, as at
-//! the border of two scans that overlap others elsewhere. Two loops that are the only ones are
-//! joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
+//! the border of two scans that overlap others elsewhere. Two loops that are the only ones, of
+//! two pieces, are joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
@@ -67,9 +67,10 @@ impl FacingSearch<'_> {
         Ok(found)
     }
 
-    /// The only two loops, if they may be joined and no gap is given.
+    /// The only two loops, if they are of two pieces and may be joined, and no gap is given.
     fn lone_pair(&self) -> Result<Option<Facing>> {
-        if self.rims.len() != 2 || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
+        let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
+        if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
             return Ok(None);
         }
         Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1])? }))

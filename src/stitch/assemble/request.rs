@@ -12,7 +12,7 @@ pub enum MaxGap {
     /// For whole loops a fifth of the larger component's size, or the mean radius of the smaller
     /// loop (the mean distance of its vertices from their centre) if that is more; for runs of loops
     /// half the smaller radius, and at most four edges of the loop with the longer ones. Two loops
-    /// that are the only ones are joined however far they are.
+    /// that are the only ones, of two pieces, are joined however far they are.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.

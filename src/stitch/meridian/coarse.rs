@@ -48,7 +48,7 @@ pub(super) fn coarse_to_fine(
     };
     // A forbidden meridian forbids nothing in the large.
     let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
-    let coarse = RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], sides, dear: &[] };
+    let coarse = RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], sides, penalties: &[] };
     let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };

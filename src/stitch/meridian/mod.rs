@@ -35,7 +35,7 @@ use bend::{Bends, tie_break};
 use index_rule::index_meridians;
 use metric::Metric;
 pub use rims::Pair;
-pub(crate) use rims::{DearStep, RimPair, forbidden_nodes};
+pub(crate) use rims::{RimPair, StepPenalty, forbidden_nodes};
 use states::{Cost, cheapest, is_simple};
 
 /// How meridians are chosen.
@@ -132,7 +132,7 @@ pub(crate) fn meridians(
 /// Half the width of the band in which other meridians are looked for.
 const NEAR_HALF_BAND: usize = 32;
 
-/// The best meridians near `path`, where some steps may be dearer: those of the strip of least area,
+/// The best meridians near `path`, where some steps may have penalties: those of the strip of least area,
 /// of the least total length, or of the best continuation, which stands for all others.
 pub(crate) fn meridians_near(
     rims: &RimPair<'_>,

@@ -21,12 +21,12 @@ pub(crate) struct RimPair<'a> {
     /// the strip's triangles run A_i A_i-1 B_j.
     pub(crate) sides: Option<[&'a [DVec3]; 2]>,
     /// What steps cost more than their own, in ascending order of the nodes that they lead to.
-    pub(crate) dear: &'a [DearStep],
+    pub(crate) penalties: &'a [StepPenalty],
 }
 
-/// A step that is made to cost more.
+/// What a step costs more than its own.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DearStep {
+pub(crate) struct StepPenalty {
     /// The node that it leads to.
     pub(crate) to: Pair,
     /// It is one on rim B.
@@ -49,9 +49,9 @@ impl RimPair<'_> {
     /// What steps on A and on B into `node` cost more.
     pub(super) fn extra(&self, node: Pair) -> [f64; 2] {
         let mut extra = [0.0; 2];
-        if !self.dear.is_empty() {
-            let from = self.dear.partition_point(|step| step.to < node);
-            for step in self.dear[from..].iter().take_while(|step| step.to == node) {
+        if !self.penalties.is_empty() {
+            let from = self.penalties.partition_point(|step| step.to < node);
+            for step in self.penalties[from..].iter().take_while(|step| step.to == node) {
                 extra[usize::from(step.on_b)] += step.extra;
             }
         }

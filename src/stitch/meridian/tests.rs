@@ -222,8 +222,8 @@ proptest! {
         for few in [&[][..], &some] {
             let nodes = |closed| forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
             for sides in [None, Some(sides)] {
-                check(&RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides, dear: &[] });
-                check(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, dear: &[] });
+                check(&RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides, penalties: &[] });
+                check(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, penalties: &[] });
             }
         }
     }
@@ -247,7 +247,7 @@ proptest! {
             }
         }
         let band = Band::around(&middle, n, m, width).unwrap();
-        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, dear: &[] };
+        let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] };
         let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
@@ -272,7 +272,7 @@ proptest! {
     ) {
         // Two points give no strip to measure.
         prop_assume!(a.len() + b.len() > 2);
-        check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None, dear: &[] });
+        check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None, penalties: &[] });
     }
 }
 
@@ -332,7 +332,7 @@ proptest! {
 /// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most,
 /// over all costs of steps.
 fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
-    let rims = RimPair { a, b, closed: true, forbidden, sides: None, dear: &[] };
+    let rims = RimPair { a, b, closed: true, forbidden, sides: None, penalties: &[] };
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
     for metric in [Metric::area(a, b, &paper), Metric::Diagonal, Metric::Quad] {
@@ -356,7 +356,7 @@ fn a_plane_ring_gets_short_meridians() {
         (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
     };
     let (a, b) = (circle(48, 2.0), circle(32, 1.7));
-    let rims = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None, dear: &[] };
+    let rims = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None, penalties: &[] };
     let up = [vec![DVec3::NEG_Z; 48], vec![DVec3::NEG_Z; 32]];
     let known = RimPair { sides: Some([&up[0], &up[1]]), ..rims };
     for (choice, rims) in [(Meridians::MinArea, &rims), (Meridians::Smooth, &rims), (Meridians::Continuation, &known)] {
