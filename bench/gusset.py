@@ -12,6 +12,7 @@ MERIDIANS = {
 ROWS_MEAN_EDGE, ROWS_COUNT = 1, 2
 START_GIVEN = 2
 FAIRING_THIN_PLATE = 1
+FINISH_BLEND = 1
 SEARCH_EXACT = 1
 # Of nets: what becomes of the sides.
 SIDES = {"sheet": 0, "torus": 3, "two-poles": 13}
@@ -43,7 +44,7 @@ class StitchOptions(Structure):
         ("extent", c_uint32), ("run", c_uint32), ("rows", c_uint32), ("row_count", c_uint32), ("cells", c_uint32),
         ("tolerance_mode", c_uint32), ("tolerance", c_double), ("arc_a", c_uint32 * 2), ("arc_b", c_uint32 * 2),
         ("search", c_uint32), ("start", c_uint32), ("fairing", c_uint32), ("intersections", c_uint32),
-        ("centres", c_uint32), ("reserved", c_uint32)]
+        ("centres", c_uint32), ("outward", c_uint32), ("finish", c_uint32), ("reserved", c_uint32)]
 
 
 class StripOptions(Structure):
@@ -198,10 +199,10 @@ class Library:
         return view
 
     @staticmethod
-    def options(meridians="continuation", rows=0, row_count=0, fairing=0):
+    def options(meridians="continuation", rows=0, row_count=0, fairing=0, finish=0):
         options = sized(StitchOptions)
         options.meridians, options.rows, options.row_count = MERIDIANS[meridians], rows, row_count
-        options.fairing = fairing
+        options.fairing, options.finish = fairing, finish
         return options
 
     def boundary(self, mesh, survey=BOUNDARY_ONLY):

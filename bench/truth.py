@@ -29,7 +29,7 @@ def wanted(only):
 
 def run(library, report, tools, folder, only):
     """The rows that are wanted."""
-    best = library.options("quad", rows=gusset.ROWS_MEAN_EDGE, fairing=gusset.FAIRING_THIN_PLATE)
+    best = library.options(finish=gusset.FINISH_BLEND)
     cases = list(Truth(library, tools, folder, best).run().values())
     for row, (ours, peer) in ROWS.items():
         if only in row:

@@ -60,6 +60,7 @@ pub mod mesh;
 pub mod net;
 pub mod outline;
 mod par;
+mod remesh;
 pub mod repair;
 mod simd;
 mod sort;

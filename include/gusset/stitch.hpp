@@ -28,6 +28,8 @@ enum class StitchExtent : uint32_t {
     automatic = GUSSET_EXTENT_AUTO,
     arcs = GUSSET_EXTENT_ARCS
 };
+/// What lies between the rims in the end; the blend is the best-looking joint.
+enum class Finish : uint32_t { strip = GUSSET_FINISH_STRIP, blend = GUSSET_FINISH_BLEND };
 /// The faces of strips.
 enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
@@ -63,6 +65,7 @@ struct StitchOptions {
     Intersections intersections = Intersections::automatic;
     Centres centres = Centres::vertices;
     Outward outward = Outward::keep;
+    Finish finish = Finish::strip;
 };
 
 namespace detail {
@@ -88,6 +91,7 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
     given.intersections = static_cast<uint32_t>(options.intersections);
     given.centres = static_cast<uint32_t>(options.centres);
     given.outward = static_cast<uint32_t>(options.outward);
+    given.finish = static_cast<uint32_t>(options.finish);
     return given;
 }
 } // namespace detail

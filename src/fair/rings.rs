@@ -35,7 +35,7 @@ const MAX_COTANGENT: f64 = 20.0;
 /// An edge weighs at least this much, so that no vertex is let go by its neighbours.
 const MIN_COTANGENT: f64 = 1e-3;
 /// Areas below this part of the mean are taken to be this part.
-const MIN_AREA_SHARE: f64 = 1e-3;
+const MIN_AREA_SHARE: f64 = 1e-6;
 
 impl Rings {
     /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100

@@ -13,7 +13,6 @@
 //! | [`patch`](self) | the patch of one hole |
 //! | [`triangulate`](self) | minimum-weight triangulation |
 //! | [`clip`](self) | ear clipping of long loops |
-//! | [`patch_mesh`](self) | triangles with neighbours: splits and flips |
 //! | [`refine`](self) | new vertices at the density of the rim |
 //! | [`holes`](self) | all patches in one mesh |
 
@@ -21,7 +20,6 @@ mod choose;
 mod clip;
 mod holes;
 mod patch;
-mod patch_mesh;
 mod refine;
 mod request;
 mod surroundings;

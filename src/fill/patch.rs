@@ -1,8 +1,7 @@
 //! The patch of one hole: triangulation, refinement and fairing, in this order.
 
 use super::clip::{clip_ears, mean_normal};
-use super::patch_mesh::PatchMesh;
-use super::refine::{refine, relax};
+use super::refine::refine;
 use super::request::{Fairing, Options, Refinement, Weight};
 use super::triangulate::{Polygon, minimum_weight};
 use crate::alloc;
@@ -10,6 +9,7 @@ use crate::error::Result;
 use crate::fair::{Weights, thin_plate};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
+use crate::remesh::PatchMesh;
 use glam::DVec3;
 
 /// Loops of at most this many vertices are triangulated as a whole.
@@ -92,7 +92,7 @@ fn triangulate(
         };
         // The shape of the ears is what was left at their turn.
         let mut mesh = PatchMesh::new(alloc::copied(points)?, triangles)?;
-        relax(&mut mesh, n, taken);
+        mesh.relax(n, taken);
         return Ok(Some(mesh.triangles));
     }
     let squared = |i: usize| points[i].distance_squared(points[(i + 1) % n]);

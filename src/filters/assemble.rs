@@ -1,11 +1,11 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, EDGE, FACE};
-use super::stitch::FAIRING_HELP;
+use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};
 use crate::fill;
 use crate::repair::weld;
 use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, assemble};
-use crate::stitch::{self, Fairing, Meridians, Rows};
+use crate::stitch::{self, Fairing, Finish, Meridians, Rows};
 
 pub(super) const FILTER: Filter = Filter {
     id: "assemble",
@@ -30,6 +30,7 @@ pub(super) const FILTER: Filter = Filter {
             .with_help("The rule that joins vertices of one loop to vertices of the other."),
         Param::choice("rows", "Rows", ROWS.texts).with_help("The rows of new vertices between the rims."),
         Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
+        Param::choice("finish", "Finish", Finish::CHOICES.texts).with_help(FINISH_HELP),
         Param::choice("holes", "Remaining holes", HOLES).with_help("The treatment of holes that remain."),
         Param::flag("keep_inside_out", "Keep inside out").with_help(
             "Leaves closed components of the result as they are; otherwise the faces of those that are inside out are \
@@ -81,6 +82,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             meridians: values.choice("meridians", Meridians::CHOICES),
             rows: values.choice("rows", ROWS),
             fairing: values.choice("fairing", Fairing::CHOICES),
+            finish: values.choice("finish", Finish::CHOICES),
             ..stitch::Options::default()
         },
         fill: match values.place("holes") {

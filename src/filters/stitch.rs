@@ -7,7 +7,8 @@ use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
 use crate::stitch::facing::Run;
 use crate::stitch::{
-    Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Quality, Request, Rows, Stitch, stitch,
+    Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Quality, Request, Rows, Stitch,
+    stitch,
 };
 
 /// A bound on numbers of loops and vertices.
@@ -41,6 +42,7 @@ pub(super) const FILTER: Filter = Filter {
             .with_help("The number of rows of new vertices, if given."),
         Param::choice("cells", "Faces", Cells::CHOICES.texts).with_help("The faces of the strip."),
         Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
+        Param::choice("finish", "Finish", Finish::CHOICES.texts).with_help(FINISH_HELP),
         Param::choice("intersections", "Intersections", Intersections::CHOICES.texts)
             .with_help("The search for faces that intersect each other."),
         Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
@@ -48,6 +50,7 @@ pub(super) const FILTER: Filter = Filter {
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
 
+pub(super) const FINISH_HELP: &str = "What lies between the rims in the end. A blend has no rows: the rows, their shape and the kind of face are not read.";
 pub(super) const FAIRING_HELP: &str = "The positions of the new vertices.";
 
 choices! {
@@ -89,6 +92,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         },
         cells: values.choice("cells", Cells::CHOICES),
         fairing: values.choice("fairing", Fairing::CHOICES),
+        finish: values.choice("finish", Finish::CHOICES),
         intersections: values.choice("intersections", Intersections::CHOICES),
         outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
         ..Options::default()

@@ -10,9 +10,10 @@
 //! nothing is left to take back.
 
 use super::avoid::avoid_cuts;
+use super::blend::{Blend, blend};
 use super::meridian::Meridians;
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
-use super::request::{Cells, Fairing, Intersections, Options};
+use super::request::{Cells, Fairing, Finish, Intersections, Options};
 use super::rim::Bridges;
 use super::strip::Strip;
 use crate::alloc;
@@ -41,9 +42,26 @@ pub(super) struct CheckedStrip {
     pub(super) back_offs: u32,
 }
 
-/// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has
-/// the pieces without the strip, and the rims' vertices are numbered as there.
+/// Fairs the strip's rows, or puts a blend in its place, and looks for faces that cut each other, as
+/// the options say. `whole` has the pieces without the strip, and the rims' vertices are numbered as
+/// there.
 pub(super) fn fair_and_check(
+    whole: &Mesh,
+    strip: &mut Strip,
+    unit: f64,
+    bridges: &Bridges,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<CheckedStrip> {
+    if options.finish == Finish::Blend && !strip.faces.corners.is_empty() {
+        let checked = check_strip(whole, strip, unit, bridges, options, &job.part(0.0, 0.3))?;
+        return check_blend(whole, strip, unit, checked, options, &job.part(0.3, 1.0));
+    }
+    check_strip(whole, strip, unit, bridges, options, job)
+}
+
+/// The same of a strip that stays one.
+fn check_strip(
     whole: &Mesh,
     strip: &mut Strip,
     unit: f64,
@@ -60,12 +78,7 @@ pub(super) fn fair_and_check(
         return Ok(CheckedStrip { intersections: Some(left), back_offs: 0 });
     }
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
-    let checks = match options.intersections {
-        Intersections::Auto => true,
-        Intersections::Ignore => false,
-        Intersections::Report => true,
-    };
-    let rims = strip.a.vertices.len() + strip.b.vertices.len();
+    let rims = strip.rim_count();
     let mut neighbourhood = Neighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
     // What is tested is what will be returned, in the result's scalar type.
     neighbourhood.round();
@@ -74,43 +87,83 @@ pub(super) fn fair_and_check(
         neighbourhood.fair(strip, &job.part(0.0, 0.4))?;
         neighbourhood.round();
     }
-    let mut checked = CheckedStrip { intersections: None, back_offs: 0 };
-    if checks {
-        let look = |round: u32| {
-            let done = |rounds: u32| 0.4 + 0.6 * f64::from(rounds) / f64::from(MAX_BACK_OFFS + 2);
-            job.part(done(round), done(round + 1))
-        };
-        let old = neighbourhood.old_triangles_nearby(&straight)?;
-        let mut found = neighbourhood.intersections(&old, &look(0))?;
-        let plate = alloc::copied(&neighbourhood.points)?;
-        let mut share = alloc::filled(1.0, plate.len())?;
-        while faired && checked.back_offs < MAX_BACK_OFFS && neighbourhood.back_off(&found, &mut share)? {
-            for (k, point) in neighbourhood.points.iter_mut().enumerate() {
-                *point = straight[k].lerp(plate[k], share[k]);
-            }
-            neighbourhood.round();
-            checked.back_offs += 1;
-            found = neighbourhood.intersections(&old, &look(checked.back_offs))?;
-        }
-        if faired && !found.pairs.is_empty() {
-            // The straight rows, if fewer cut there.
-            let faired = std::mem::replace(&mut neighbourhood.points, straight);
-            let intersections = neighbourhood.intersections(&old, &look(MAX_BACK_OFFS + 1))?;
-            if intersections.pairs.len() < found.pairs.len() {
-                found = intersections;
-            } else {
-                neighbourhood.points = faired;
-            }
-        }
-        checked.intersections = Some(neighbourhood.faces(&old, &found)?);
-    }
+    let checked = neighbourhood.check(straight, faired, options.intersections, &job.part(0.4, 1.0))?;
     let points = neighbourhood.points;
     strip.grid.points.truncate(rims);
-    strip.grid.points.extend(points);
+    alloc::append(&mut strip.grid.points, &points)?;
+    Ok(checked)
+}
+
+/// Puts a blend in the place of a strip, unless it cuts more than the strip does.
+fn check_blend(
+    whole: &Mesh,
+    strip: &mut Strip,
+    unit: f64,
+    plain: CheckedStrip,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<CheckedStrip> {
+    let rims = strip.rim_count();
+    let Blend { faces, points, unfaired, parents } = blend(whole, strip, unit, &job.part(0.0, 0.5))?;
+    let plain_faces = std::mem::replace(&mut strip.faces, faces);
+    let mut neighbourhood = Neighbourhood::new(whole, strip, unit, unfaired)?;
+    neighbourhood.round();
+    let straight = std::mem::replace(&mut neighbourhood.points, points);
+    neighbourhood.round();
+    let checked = neighbourhood.check(straight, true, options.intersections, &job.part(0.5, 1.0))?;
+    let points = neighbourhood.points;
+    let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
+    if cuts(&checked) > cuts(&plain) {
+        strip.faces = plain_faces;
+        return Ok(plain);
+    }
+    strip.grid.points.truncate(rims);
+    alloc::append(&mut strip.grid.points, &points)?;
+    strip.parents = parents;
     Ok(checked)
 }
 
 impl Neighbourhood<'_> {
+    /// Looks for faces that cut each other, if wanted. Where new vertices are `faired`, they are taken
+    /// back towards `straight` until none do that did not there.
+    fn check(
+        &mut self,
+        straight: Vec<DVec3>,
+        faired: bool,
+        intersections: Intersections,
+        job: &Job<'_>,
+    ) -> Result<CheckedStrip> {
+        let mut checked = CheckedStrip { intersections: None, back_offs: 0 };
+        if intersections == Intersections::Ignore {
+            return Ok(checked);
+        }
+        let look = |round: u32| job.share(round as usize, MAX_BACK_OFFS as usize + 2);
+        let old = self.old_triangles_nearby(&straight)?;
+        let mut found = self.intersections(&old, &look(0))?;
+        let plate = alloc::copied(&self.points)?;
+        let mut share = alloc::filled(1.0, plate.len())?;
+        while faired && checked.back_offs < MAX_BACK_OFFS && self.back_off(&found, &mut share)? {
+            for (k, point) in self.points.iter_mut().enumerate() {
+                *point = straight[k].lerp(plate[k], share[k]);
+            }
+            self.round();
+            checked.back_offs += 1;
+            found = self.intersections(&old, &look(checked.back_offs))?;
+        }
+        if faired && !found.pairs.is_empty() {
+            // The straight rows, if fewer cut there.
+            let faired = std::mem::replace(&mut self.points, straight);
+            let intersections = self.intersections(&old, &look(MAX_BACK_OFFS + 1))?;
+            if intersections.pairs.len() < found.pairs.len() {
+                found = intersections;
+            } else {
+                self.points = faired;
+            }
+        }
+        checked.intersections = Some(self.faces(&old, &found)?);
+        Ok(checked)
+    }
+
     /// Moves the new vertices to where a thin plate would have them.
     fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;

@@ -63,7 +63,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
             None => "the component of the second loop was inside out and has been turned over",
         });
     }
-    options.note_unread_fairing(job);
+    options.note_unread(job);
+    let options = &options.of_strip();
 
     // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing
     // else.
@@ -99,8 +100,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 
     let name = |v: u32| attached.names[v as usize];
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
-    let parents = alloc::collect(strip.grid.meridian_ends().map(|pair| pair.map(name)))?;
-    let weights = alloc::collect(strip.grid.new.iter().map(|&(_, t)| t))?;
+    let parents = alloc::collect(strip.parents.iter().map(|parents| parents.ends.map(name)))?;
+    let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weight))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
     let mut strip = strip_alone(&whole, strip, &attached.names)?;

@@ -22,6 +22,7 @@
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
 //! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip with itself and the pieces |
 //! | [`avoid`](self) | another strip where one cuts |
+//! | [`blend`](self) | finer triangles on a smooth surface in the place of the strip's |
 //! | [`neighbourhood`](self) | the faces round a strip |
 //! | [`ruled`](self) | a strip between polylines that belong to no mesh |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
@@ -31,6 +32,7 @@
 
 pub mod assemble;
 mod avoid;
+mod blend;
 mod combine;
 mod extent;
 pub mod facing;
@@ -57,6 +59,6 @@ pub use extent::Extent;
 pub use join::stitch;
 pub use meridian::{Meridians, Search};
 pub use quality::Quality;
-pub use request::{Cells, Fairing, IndexMap, Intersections, Options, Orientation, Request, Rows, Stitch};
+pub use request::{Cells, Fairing, Finish, IndexMap, Intersections, Options, Orientation, Request, Rows, Stitch};
 pub use ruled::{Ruled, RuledOptions, ruled};
 pub use start::Start;

@@ -74,6 +74,24 @@ choices! { for Fairing:
     ThinPlate => "Fair", "The strip bends as a thin plate and joins both pieces smoothly.";
 }
 
+/// What lies between the rims in the end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Finish {
+    /// The strip of meridians, with its rows.
+    #[default]
+    Strip,
+    /// The best-looking joint: triangles about as fine as those round the rims, graded between them,
+    /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
+    /// tangents. The strip, without rows, says which way it goes; rows, cells and fairing are not
+    /// read.
+    Blend,
+}
+
+choices! { for Finish:
+    Strip => "Strip", "The strip of meridians, with its rows.";
+    Blend => "Blend", "Triangles as fine as those round it, on a smooth surface: the best-looking joint.";
+}
+
 /// Whether faces of the strip that cut others are looked for. What they share by number, a vertex
 /// or an edge, is no cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -125,6 +143,8 @@ pub struct Options {
     pub cells: Cells,
     /// Whether the rows are faired; if none are asked for, a note says that this is not read.
     pub fairing: Fairing,
+    /// The strip itself, or a blend in its place.
+    pub finish: Finish,
     /// Whether faces that cut each other are looked for.
     pub intersections: Intersections,
     /// What becomes of closed components of the result: they stay as they are, or those that are
@@ -135,10 +155,23 @@ pub struct Options {
 }
 
 impl Options {
-    /// Tells the host if fairing is asked for without any rows that could be faired.
-    pub(super) fn note_unread_fairing(&self, job: &Job<'_>) {
-        if self.fairing == Fairing::ThinPlate && matches!(self.rows, Rows::None | Rows::Count(0)) {
+    /// Tells the host of what it asked for that is not read.
+    pub(super) fn note_unread(&self, job: &Job<'_>) {
+        let no_rows = matches!(self.rows, Rows::None | Rows::Count(0));
+        if self.finish == Finish::Blend {
+            if !no_rows || self.cells == Cells::Quads || self.fairing == Fairing::ThinPlate {
+                job.note("a blend has no rows or quads and is always fair: rows, cells and fairing are not read");
+            }
+        } else if self.fairing == Fairing::ThinPlate && no_rows {
             job.note("fairing moves the vertices of interior rows, and none were asked for: it does nothing");
+        }
+    }
+
+    /// How the strip is made: for a blend, of triangles without rows.
+    pub(super) fn of_strip(&self) -> Options {
+        match self.finish {
+            Finish::Strip => *self,
+            Finish::Blend => Options { rows: Rows::None, cells: Cells::Triangles, fairing: Fairing::None, ..*self },
         }
     }
 }
@@ -197,7 +230,7 @@ pub struct Stitch {
     /// Interior rows; the matrix has two rows more.
     pub rows: u32,
     /// Of each new vertex, the two vertices of [`Stitch::mesh`] that it lies between, on rim A and
-    /// on rim B.
+    /// on rim B: the ends of its meridian; of a blend the nearest ones.
     pub parents: Vec<[u32; 2]>,
     /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
     pub weights: Vec<f64>,

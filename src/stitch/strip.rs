@@ -5,6 +5,7 @@ use super::meridian::{MeridianChoice, Pair, RimPair, StepPenalty, forbidden_node
 use super::request::{Cells, Options, Rows};
 use super::rim::{Bridges, Rim};
 use super::start::{Start, by_rotation, closest_pair};
+use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 
@@ -19,6 +20,17 @@ pub(crate) struct Strip {
     pub(crate) meridians: Vec<Pair>,
     pub(crate) grid: Grid,
     pub(crate) faces: FaceList,
+    /// Of each new vertex.
+    pub(super) parents: Vec<Parents>,
+}
+
+/// The vertices of the rims that a new one lies between.
+#[derive(Clone, Copy)]
+pub(super) struct Parents {
+    /// One of rim A and one of rim B, by the strip's own numbers.
+    pub(super) ends: [u32; 2],
+    /// How much the second one counts; the first counts 1 less this.
+    pub(super) weight: f64,
 }
 
 impl Strip {
@@ -56,7 +68,9 @@ impl Strip {
         };
         let grid = Grid::new(&a, &b, &meridians, rows)?;
         let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
-        Ok(Strip { a, b, meridians, grid, faces })
+        let parents = grid.meridian_ends().zip(&grid.new).map(|(ends, &(_, weight))| Parents { ends, weight });
+        let parents = alloc::gather(parents)?;
+        Ok(Strip { a, b, meridians, grid, faces, parents })
     }
 
     /// Puts the strip on other meridians, without rows.

@@ -104,8 +104,8 @@ pub struct gusset_assembly_options {
     pub excluded_count: usize,
     /// How to weld; NULL for the defaults.
     pub weld_options: *const gusset_weld_options,
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing
-    /// and intersections are read; the other fields must be valid too.
+    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing,
+    /// intersections and finish are read; the other fields must be valid too.
     pub strip_options: *const gusset_stitch_options,
     /// How to fill, NULL for the defaults. outward is not read, but must be valid too.
     pub fill_options: *const gusset_fill_options,

@@ -2,7 +2,9 @@
 
 use crate::ffi::prelude::*;
 use crate::stitch::facing::{Arc, Centres, Run};
-use crate::stitch::{Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Rows, Search, Start};
+use crate::stitch::{
+    Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Rows, Search, Start,
+};
 
 /// The strip of triangles that best continues both surfaces, near the strip of least area: little
 /// turn between neighbours, along the rims above all, and meridians that lie on the surface which
@@ -106,6 +108,14 @@ pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
 /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
 pub const GUSSET_CELLS_QUADS: u32 = 1;
 
+/// The strip of meridians, with its rows.
+pub const GUSSET_FINISH_STRIP: u32 = 0;
+/// The best-looking joint: triangles about as fine as those round the rims, graded between them,
+/// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
+/// tangents. The strip, without rows, says which way it goes; rows, cells and fairing are not read
+/// (the log says so if they are set).
+pub const GUSSET_FINISH_BLEND: u32 = 1;
+
 /// No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the
 /// coordinates can do; see gusset_weld_options.
 pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
@@ -162,9 +172,13 @@ pub struct gusset_stitch_options {
     pub centres: u32,
     /// GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
     pub outward: u32,
+    /// GUSSET_FINISH_...: what lies between the rims in the end.
+    pub finish: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_stitch_options: 72 }
+versioned! { gusset_stitch_options: 72 reserved }
 
 c_enum! {
     meridians: Meridians {
@@ -184,6 +198,7 @@ c_enum! {
     centres: Centres { GUSSET_CENTRES_VERTICES => Vertices, GUSSET_CENTRES_LENGTH => Length }
     cells: Cells { GUSSET_CELLS_TRIANGLES => Triangles, GUSSET_CELLS_QUADS => Quads }
     fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
+    finish: Finish { GUSSET_FINISH_STRIP => Strip, GUSSET_FINISH_BLEND => Blend }
     intersections: Intersections {
         GUSSET_INTERSECTIONS_AUTO => Auto,
         GUSSET_INTERSECTIONS_IGNORE => Ignore,
@@ -221,6 +236,7 @@ impl gusset_stitch_options {
             rows,
             cells: choice(self.cells)?,
             fairing: choice(self.fairing)?,
+            finish: choice(self.finish)?,
             intersections: choice(self.intersections)?,
             outward: choice(self.outward)?,
         })

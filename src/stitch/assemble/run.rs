@@ -55,8 +55,8 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let mut tried = alloc::filled(false, loops.rims.len())?;
     let mut edges = loops.edges_between(&base.done.mesh)?;
     let mean_side = std::cell::OnceCell::new();
-    options.strip.note_unread_fairing(job);
-    let strips = stitch::Options { twist: 0, ..options.strip };
+    options.strip.note_unread(job);
+    let strips = stitch::Options { twist: 0, ..options.strip.of_strip() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.5 + 0.3 * k as f64 / found.len() as f64, 0.5 + 0.3 * (k + 1) as f64 / found.len() as f64);
         let sides = loops.sides(facing)?;

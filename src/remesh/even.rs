@@ -1,0 +1,100 @@
+//! Sides of about the length that is wanted: long ones are halved, short ones collapsed.
+//!
+//! Source: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004).
+
+use super::{PatchMesh, Sizing};
+use crate::error::Result;
+use glam::DVec3;
+
+/// Sides that are longer, in sizes, are halved.
+const MAX_LENGTH: f64 = 1.5;
+/// Sides that are shorter are collapsed.
+const MIN_LENGTH: f64 = 0.7;
+/// Passes over all sides, with flips between.
+const MAX_PASSES: u32 = 10;
+/// No collapse turns a triangle by more: the cosine.
+const MIN_TURN: f64 = 0.5;
+
+/// Makes the sides inside the patch as long as `sizing` says, by halving the long ones, which leaves
+/// the surface as it is, and collapsing the short ones. The vertices below `rim` stay.
+pub(crate) fn even(
+    mesh: &mut PatchMesh,
+    rim: usize,
+    sizing: &mut Sizing,
+    taken: &impl Fn(u32, u32) -> bool,
+) -> Result<()> {
+    halve(mesh, sizing)?;
+    let mut star = Vec::new();
+    for _ in 0..MAX_PASSES {
+        mesh.relax(rim, taken);
+        let before = mesh.points.len();
+        for t in 0..mesh.triangles.len() {
+            for k in 0..3 {
+                if !mesh.is_gone(t) && (mesh.triangles[t][k] as usize) >= rim {
+                    collapse(mesh, rim, sizing, taken, (t, k), &mut star)?;
+                }
+            }
+        }
+        let kept = mesh.compact(rim)?;
+        sizing.keep(&kept);
+        if kept.len() == before {
+            break;
+        }
+    }
+    mesh.relax(rim, taken);
+    Ok(())
+}
+
+fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing) -> Result<()> {
+    let mut t = 0;
+    while t < mesh.triangles.len() && mesh.points.len() < sizing.limit {
+        let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
+        let longest = (0..3).filter(|&k| mesh.beyond(t, k).is_some()).max_by(|&k, &j| length(k).total_cmp(&length(j)));
+        let Some((k, beyond)) = longest.and_then(|k| Some((k, mesh.beyond(t, k)?))) else {
+            t += 1;
+            continue;
+        };
+        let ends = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
+        if length(k) > MAX_LENGTH * sizing.between(ends[0], ends[1]) {
+            let middle = mesh.points[ends[0] as usize].midpoint(mesh.points[ends[1] as usize]);
+            sizing.insert([ends[0], ends[1], ends[1]], [0.5, 0.5, 0.0])?;
+            mesh.split_side((t, k), beyond, middle)?;
+        } else {
+            t += 1;
+        }
+    }
+    Ok(())
+}
+
+/// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are too
+/// near each other and nothing speaks against it.
+fn collapse(
+    mesh: &mut PatchMesh,
+    rim: usize,
+    sizing: &Sizing,
+    taken: &impl Fn(u32, u32) -> bool,
+    (t, k): (usize, usize),
+    star: &mut Vec<(usize, usize)>,
+) -> Result<()> {
+    let [from, onto] = [mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]];
+    let [p, q] = [from, onto].map(|v| mesh.points[v as usize]);
+    if p.distance(q) >= MIN_LENGTH * sizing.between(from, onto) || !mesh.round(t, k, star)? || star.len() < 4 {
+        return Ok(());
+    }
+    // All neighbours but the two beside the side.
+    for &(s, j) in &star[1..star.len() - 1] {
+        let [v, w] = [(j + 1) % 3, (j + 2) % 3].map(|j| mesh.triangles[s][j]);
+        let [r, x] = [v, w].map(|v| mesh.points[v as usize]);
+        let [old, new] = [(r - p).cross(x - p), (r - q).cross(x - q)];
+        let turns = old.dot(new) < MIN_TURN * old.length() * new.length() || new == DVec3::ZERO;
+        if turns || q.distance(x) > MAX_LENGTH * sizing.between(onto, w) && s != star[star.len() - 2].0 {
+            return Ok(());
+        }
+        let is_last = s == star[star.len() - 2].0;
+        if !is_last && (mesh.has_edge(t, (k + 1) % 3, w) || (w.max(onto) as usize) < rim && taken(w, onto)) {
+            return Ok(());
+        }
+    }
+    mesh.collapse((t, k), star);
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! Vertices moved within the surface to where the sharpest angle round them is larger.
+
+use super::PatchMesh;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::triangle::min_angle;
+use crate::sort::Buckets;
+use glam::DVec3;
+
+/// Parts of the way that are tried, the largest first.
+const STEPS: [f64; 3] = [1.0, 0.5, 0.25];
+
+impl PatchMesh {
+    /// Moves each vertex from `rim` on towards the centroid of its neighbours, square to its normal,
+    /// as far as that opens the sharpest angle round it; `rounds` times, with flips between.
+    pub(crate) fn settle(&mut self, rim: usize, taken: &impl Fn(u32, u32) -> bool, rounds: u32) -> Result<()> {
+        for _ in 0..rounds {
+            let corners = self.triangles.iter().enumerate().flat_map(|(t, corners)| corners.map(|v| (v as usize, t)));
+            let around = Buckets::new(self.points.len(), 0usize, corners)?;
+            let mut star = Vec::new();
+            for v in rim..self.points.len() {
+                star.clear();
+                alloc::extend(
+                    &mut star,
+                    around.get(v).iter().map(|&t| {
+                        let k = (0..3).find(|&k| self.triangles[t][k] as usize == v).unwrap_or(0);
+                        [self.triangles[t][(k + 1) % 3], self.triangles[t][(k + 2) % 3]]
+                            .map(|w| self.points[w as usize])
+                    }),
+                )?;
+                self.points[v] = settled(self.points[v], &star);
+            }
+            self.relax(rim, taken);
+        }
+        Ok(())
+    }
+}
+
+/// A better place for `point` inside the sides of its `star`.
+fn settled(point: DVec3, star: &[[DVec3; 2]]) -> DVec3 {
+    let least = |point: DVec3| star.iter().map(|&[p, q]| min_angle(point, p, q)).fold(f64::INFINITY, f64::min);
+    let area: DVec3 = star.iter().map(|&[p, q]| (p - point).cross(q - point)).sum();
+    let normal = area.normalize_or_zero();
+    let mut best = (least(point), point);
+    let centre = star.iter().map(|&[p, q]| p + q).sum::<DVec3>() / (2.0 * star.len() as f64);
+    // Away from the sharpest triangle: to where its angle at the centre is good.
+    for goal in [centre] {
+        let way = goal - point;
+        let way = way - normal * way.dot(normal);
+        for step in STEPS {
+            let place = point + step * way;
+            let keeps = star.iter().all(|&[p, q]| (p - place).cross(q - place).dot(normal) > 0.0);
+            let angle = least(place);
+            if keeps && angle > best.0 {
+                best = (angle, place);
+            }
+        }
+    }
+    best.1
+}

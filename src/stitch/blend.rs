@@ -1,0 +1,203 @@
+//! A blend: instead of the strip's long triangles, triangles as fine as those round it, on a surface
+//! that leaves both pieces along their tangents.
+//!
+//! The strip says which way the surface goes. Its sides are halved until they are as long as the old
+//! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
+//! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
+//! clamped to the old faces bends least ([`crate::fair`]), twice. At last the sharp triangles at the
+//! shortest edges of the rims are refined: there the plate would follow round-off.
+//!
+//! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
+//! order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants are
+//! those of the joints that were nearest to what had been cut out of closed meshes, and whose angles
+//! were best (`make bench ONLY=truth`).
+
+use super::grid::FaceList;
+use super::neighbourhood::Neighbourhood;
+use super::rim::Rim;
+use super::strip::{Parents, Strip};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::fair::{Weights, thin_plate};
+use crate::geom::kd_tree::KdTree;
+use crate::job::Job;
+use crate::mesh::{MAX_ELEMENTS, Mesh};
+use crate::remesh::{PatchMesh, Sizing, even, growth, insert};
+use crate::sort::sort_distinct;
+use glam::DVec3;
+
+/// How long new sides are, in old ones.
+const SIZE: f64 = 0.8;
+/// How often the plate is solved, with refinement before.
+const ROUNDS: u32 = 2;
+/// Before that sharp triangles are left whose shortest side is below this part of the size.
+const SHORTEST: f64 = 0.3;
+/// Rounds in which vertices move within the surface, before each solution and at last.
+const SETTLE: [u32; 2] = [2, 5];
+/// New vertices at the most, for rims of few vertices, and for each of the rims' vertices.
+const MAX_NEW: [usize; 2] = [50_000, 16];
+/// A rim vertex in more triangles than this is the apex of a fan.
+const MAX_FAN_TRIANGLES: usize = 64;
+
+/// What takes the place of a strip's faces and new vertices.
+pub(super) struct Blend {
+    pub(super) faces: FaceList,
+    /// The new vertices, in the rims' unit.
+    pub(super) points: Vec<DVec3>,
+    /// Where they would be without fairing.
+    pub(super) unfaired: Vec<DVec3>,
+    pub(super) parents: Vec<Parents>,
+}
+
+/// Plans a blend in the place of a strip of triangles without rows.
+///
+/// For T triangles of the strip and n new vertices O(T + n log n) and the plate's O(n^1.5), nearly
+/// linear on a narrow strip; and a pass over all old faces.
+pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Blend> {
+    let patch = OldRing::new(whole, strip, unit)?;
+    let rim = strip.rim_count();
+    let limit = MAX_NEW[0].max(MAX_NEW[1] * rim);
+    let corners = strip.faces.corners.as_chunks::<3>().0;
+    let mut mesh = PatchMesh::new(alloc::copied(&patch.points[..rim])?, alloc::copied(corners)?)?;
+    let mut size = patch.sizes(&[&strip.a, &strip.b])?;
+    let grown = SIZE * growth(&mesh, &size, limit as u32);
+    size.iter_mut().for_each(|s| *s *= grown);
+    let mut sizing =
+        Sizing { size, unfaired: alloc::copied(&mesh.points)?, limit: rim + 2 * limit, shortest: SHORTEST };
+    let taken = |u: u32, v: u32| patch.edges.binary_search(&(u.min(v), u.max(v))).is_ok();
+
+    even(&mut mesh, rim, &mut sizing, &taken)?;
+    for round in 0..ROUNDS {
+        let part = job.share(round as usize, ROUNDS as usize + 1);
+        insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
+        mesh.settle(rim, &taken, SETTLE[0])?;
+        patch.fair(&mut mesh, rim, &part.part(0.3, 1.0))?;
+    }
+    sizing.shortest = 0.0;
+    insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.7, 0.9))?;
+    mesh.settle(rim, &taken, SETTLE[1])?;
+
+    Error::check_count("corners of the strip", 3 * mesh.triangles.len() as u64, MAX_ELEMENTS)?;
+    let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + patch.origin));
+    let points = back(&mesh.points)?;
+    Ok(Blend {
+        faces: FaceList {
+            offsets: alloc::collect((0..mesh.triangles.len() as u32 + 1).map(|t| 3 * t))?,
+            corners: alloc::copied(mesh.triangles.as_flattened())?,
+        },
+        parents: parents(strip, &points, &job.part(0.9, 1.0))?,
+        points,
+        unfaired: back(&sizing.unfaired)?,
+    })
+}
+
+/// Of each point, the nearest vertex of either rim, and how far it is on the way between them.
+fn parents(strip: &Strip, points: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents>> {
+    let n = strip.a.vertices.len() as u32;
+    let trees = [
+        KdTree::new(&strip.a.points, &job.part(0.0, 0.1), "refining")?,
+        KdTree::new(&strip.b.points, &job.part(0.1, 0.2), "refining")?,
+    ];
+    alloc::collect(points.iter().map(|&p| {
+        let [a, b] = [0, 1].map(|k| trees[k].nearest(p, f64::INFINITY, |_| true).unwrap_or((0.0, 0)));
+        let (to_a, to_b) = (a.0.sqrt(), b.0.sqrt());
+        let weight = if to_a + to_b > 0.0 { to_a / (to_a + to_b) } else { 0.5 };
+        Parents { ends: [a.1, n + b.1], weight }
+    }))
+}
+
+/// The old faces that touch the rims: the rims' vertices first, in the strip's own numbers, then
+/// others.
+struct OldRing {
+    /// In the rims' unit, from `origin`.
+    points: Vec<DVec3>,
+    origin: DVec3,
+    triangles: Vec<[u32; 3]>,
+    /// The edges between two vertices of the rims, the smaller one first, ascending.
+    edges: Vec<(u32, u32)>,
+    /// True of the rims' vertices whose Laplacian the plate counts.
+    centred: Vec<bool>,
+}
+
+impl OldRing {
+    fn new(whole: &Mesh, strip: &Strip, unit: f64) -> Result<OldRing> {
+        let around = Neighbourhood::new(whole, strip, unit, Vec::new())?;
+        let old = around.old_triangles(|face| face.iter().any(|&v| around.rim.contains(v)))?.corners;
+        let rims = strip.a.vertices.iter().chain(&strip.b.vertices);
+        let mut names = alloc::gather(rims.clone().copied())?;
+        let rim = names.len();
+        let mut others = alloc::gather(old.as_flattened().iter().copied().filter(|&v| !around.rim.contains(v)))?;
+        sort_distinct(&mut others);
+        let mut on_rim = alloc::gather(rims.zip(0u32..).map(|(&v, k)| (v, k)))?;
+        on_rim.sort_unstable();
+        let number = |v: u32| match on_rim.binary_search_by_key(&v, |&(v, _)| v) {
+            Ok(at) => on_rim[at].1,
+            Err(_) => (rim + others.partition_point(|&other| other < v)) as u32,
+        };
+        let triangles = alloc::collect(old.iter().map(|triangle| triangle.map(number)))?;
+        alloc::append(&mut names, &others)?;
+        let origin = strip.a.points[0];
+        let points = alloc::collect(names.iter().map(|&v| around.at(v) - origin))?;
+
+        let sides = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+        let is_rim = |&(u, v): &(u32, u32)| u.max(v) < rim as u32;
+        let mut edges = alloc::gather(sides.filter(is_rim).map(|(u, v)| (u.min(v), u.max(v))))?;
+        sort_distinct(&mut edges);
+        let mut valence = alloc::filled(0usize, rim)?;
+        triangles.as_flattened().iter().filter(|&&v| (v as usize) < rim).for_each(|&v| valence[v as usize] += 1);
+        let is_end = |v: u32| around.ends.binary_search(&v).is_ok();
+        let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
+        Ok(OldRing { points, origin, triangles, edges, centred })
+    }
+
+    /// The mean length of the old sides at each vertex of the rims, by their lengths, so that slivers
+    /// count for little. Next to a vertex of larger size none is smaller than that less its distance:
+    /// a corner that the rim cuts off says nothing about the surface.
+    fn sizes(&self, rims: &[&Rim; 2]) -> Result<Vec<f64>> {
+        let rim = self.centred.len();
+        let mut sums = alloc::filled((0.0, 0.0), rim)?;
+        for &[a, b, c] in &self.triangles {
+            for (u, v) in [(a, b), (b, c), (c, a)] {
+                let length = self.points[u as usize].distance(self.points[v as usize]);
+                for end in [u, v].into_iter().filter(|&end| (end as usize) < rim) {
+                    sums[end as usize].0 += length * length;
+                    sums[end as usize].1 += length;
+                }
+            }
+        }
+        let mut size = alloc::collect(sums.iter().map(|&(squares, sum)| if sum > 0.0 { squares / sum } else { 0.0 }))?;
+        let mut first = 0;
+        for side in rims {
+            let n = side.vertices.len();
+            // Twice round, if it is a loop, either way.
+            let places = if side.closed { 2 * n } else { n };
+            let mut pass = |u: usize, v: usize| {
+                let distance = self.points[u].distance(self.points[v]);
+                size[v] = f64::max(size[v], size[u] - distance);
+            };
+            let at = |k: usize| first + k % n;
+            (1..places).for_each(|k| pass(at(k - 1), at(k)));
+            (1..places).rev().for_each(|k| pass(at(k), at(k - 1)));
+            first += n;
+        }
+        // Where no side has a length, any size does: nothing will be longer.
+        Ok(size)
+    }
+
+    /// Moves the vertices of `mesh` from `rim` on to where a thin plate would have them.
+    fn fair(&self, mesh: &mut PatchMesh, rim: usize, job: &Job<'_>) -> Result<()> {
+        let (old, new) = (self.points.len(), mesh.points.len() - rim);
+        let mut points = alloc::copied(&self.points)?;
+        alloc::append(&mut points, &mesh.points[rim..])?;
+        let name = |v: u32| if (v as usize) < rim { v } else { v + (old - rim) as u32 };
+        let mut triangles = alloc::copied(&self.triangles)?;
+        alloc::extend(&mut triangles, mesh.triangles.iter().map(|triangle| triangle.map(name)))?;
+        let mut free = alloc::filled(false, old + new)?;
+        free[old..].fill(true);
+        let mut centres = alloc::copied(&free)?;
+        centres[..rim].copy_from_slice(&self.centred);
+        thin_plate(&mut points, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
+        mesh.points[rim..].copy_from_slice(&points[old..]);
+        Ok(())
+    }
+}
