@@ -166,7 +166,8 @@ class Cases(NetCases):
         """The first is the library at its best; the others show what each part of it does."""
         fair = dict(meridians="quad", fairing=gusset.FAIRING_THIN_PLATE)
         return {
-            "": dict(rows=gusset.ROWS_COUNT, row_count=5, **fair),
+            "": dict(finish=gusset.FINISH_BLEND),
+            "-5": dict(rows=gusset.ROWS_COUNT, row_count=5, **fair),
             "-mean-edge": dict(rows=gusset.ROWS_MEAN_EDGE, **fair),
             "-unfair": dict(meridians="quad", rows=gusset.ROWS_COUNT, row_count=5),
             "-area-mean-edge": dict(meridians="area", rows=gusset.ROWS_MEAN_EDGE),

@@ -45,13 +45,13 @@ Everything else is known: for gusset two rims and their first meridian, for the 
 Slabs cut out of closed meshes, 1, 2, 4 and 8 % of their size wide, exactly or along their own edges: six of CGAL's collection
 (the Debian package libcgal-demo), the bunny, and two that are made at run time. `ratio`: how much nearer to what was cut out ours
 are, root mean square both ways, the geometric mean over the slabs. `default` has the loops' pairs given, as MeshLib has; for
-`untuned` nothing is given but the pieces. `best`: rows by the mean edge, faired; `cgal` is a bridge of two triangles, the hole
+`untuned` nothing is given but the pieces. `best`: a blend; `cgal` is a bridge of two triangles, the hole
 triangulated, refined and faired. `clean`: closed, and no new face meets another; `wrong_bridges`: between loops that do not belong
 together; `under_15_share`: of the new triangles.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
 
-gusset from arrays to arrays, at its best with five rows, thin-plate fairing and intersections backed off; MeshLib's
+gusset from arrays to arrays, at its best a blend; `-5`: five rows, thin-plate fairing and intersections backed off; MeshLib's
 stitchHolesNicely on a mesh with its holes found, subdivided to the mean edge and smoothed. `-mean-edge`: as many rows as the
 mean edge asks for. `-unfair`: without fairing. `-area`: least-area meridians, without fairing.""",
     "outline": """## Outlines

@@ -14,7 +14,7 @@ ROWS = [
     ("winged-edge table", "winged/coherent-1M"),
     ("strip between rims of 486 and 426 vertices", "join-strip/jagged-486x426"),
     ("strip between rims of 10,000 and 8,000", "join-strip/10000x8000"),
-    ("the first of these by faired rows of new vertices", "rows/jagged"),
+    ("the first of these by a blend", "rows/jagged"),
     ("curves through 34,820 points, a point", "outline/composite"),
     ("normals of a net of 10^6 nodes", "net/normals-1e6"),
     ("smooth surface through 10^6 nodes", "carcass/build-1e6"),

@@ -839,6 +839,19 @@
 #define GUSSET_CELLS_QUADS 1
 
 /**
+ * The strip of meridians, with its rows.
+ */
+#define GUSSET_FINISH_STRIP 0
+
+/**
+ * The best-looking joint: triangles about as fine as those round the rims, graded between them,
+ * without sharp angles where the rims allow it, on a surface that leaves both pieces along their
+ * tangents. The strip, without rows, says which way it goes; rows, cells and fairing are not read
+ * (the log says so if they are set).
+ */
+#define GUSSET_FINISH_BLEND 1
+
+/**
  * No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the
  * coordinates can do; see gusset_weld_options.
  */
@@ -2300,6 +2313,14 @@ typedef struct gusset_stitch_options {
      * GUSSET_OUTWARD_...: what becomes of closed components of the result, the strip and all.
      */
     uint32_t outward;
+    /**
+     * GUSSET_FINISH_...: what lies between the rims in the end.
+     */
+    uint32_t finish;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_stitch_options;
 
 /**
@@ -2417,8 +2438,8 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_weld_options *weld_options;
     /**
-     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing
-     * and intersections are read; the other fields must be valid too.
+     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing,
+     * intersections and finish are read; the other fields must be valid too.
      */
     const struct gusset_stitch_options *strip_options;
     /**
@@ -3114,7 +3135,8 @@ typedef struct gusset_stitch_view {
     struct gusset_indices matrix;
     /**
      * Of each new vertex (they are the last ones of the result), the two vertices that it lies
-     * between, on rim 0 and on rim 1, by turns.
+     * between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the nearest
+     * ones.
      */
     struct gusset_indices parents;
     /**

@@ -138,12 +138,12 @@ static void stitch_options(void) {
 
     CHECK(sizeof(void *) != 8 || first_version == 72);
     options.struct_size = sizeof options;
-    for (int field = 0; field < 6; ++field) {
-        uint32_t *fields[6];
-        static const uint32_t unknown[6] = {2, 2, 2, 3, 2, 2};
+    for (int field = 0; field < 7; ++field) {
+        uint32_t *fields[7];
+        static const uint32_t unknown[7] = {2, 2, 2, 3, 2, 2, 2};
         fields[0] = &options.search, fields[1] = &options.start;
         fields[2] = &options.fairing, fields[3] = &options.intersections;
-        fields[4] = &options.centres, fields[5] = &options.outward;
+        fields[4] = &options.centres, fields[5] = &options.outward, fields[6] = &options.finish;
         *fields[field] = unknown[field];
         FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
               gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
@@ -179,11 +179,22 @@ static void stitch_options(void) {
           gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     options.struct_size = sizeof options, options.fairing = GUSSET_FAIRING_THIN_PLATE;
     options.centres = GUSSET_CENTRES_LENGTH, options.outward = GUSSET_OUTWARD_CLOSED;
+    options.finish = GUSSET_FINISH_STRIP, options.reserved = 1;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
+          gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    options.reserved = 0;
     options.rows = GUSSET_ROWS_COUNT, options.row_count = 2, options.intersections = GUSSET_INTERSECTIONS_REPORT;
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
     CHECK(parts.intersections_known == 1 && parts.intersections.count == 0 && parts.row_count == 2);
     CHECK(parts.turned_outwards.count == 0 && parts.turned_outwards.data == NULL);
+    gusset_stitch_destroy(stitch);
+    /* A blend has no rows; each of its new vertices has parents. */
+    options.finish = GUSSET_FINISH_BLEND;
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
+    CHECK(parts.row_count == 0 && parts.intersections_known == 1 && parts.intersections.count == 0);
+    CHECK(parts.strip_face_count >= 8 && parts.parents.count % 2 == 0);
     gusset_stitch_destroy(stitch);
 }
 
@@ -284,6 +295,8 @@ static void assembly_arguments(void) {
     strips.struct_size = sizeof strips, strips.extent = 9;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
     strips.extent = 0, strips.fairing = 9;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+    strips.fairing = 0, strips.finish = 2;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
     options.strip_options = misaligned();
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(pieces, 2, &options, &done));

@@ -13,7 +13,7 @@ static void layouts(void) {
         CHECK(sizeof(gusset_loop_view) == 80 && offsetof(gusset_loop_view, length) == 64);
         CHECK(sizeof(gusset_defect) == 16);
         CHECK(sizeof(gusset_error_report) == 40 && offsetof(gusset_error_report, value) == 24);
-        CHECK(sizeof(gusset_stitch_options) == 96 && offsetof(gusset_stitch_options, search) == 72);
+        CHECK(sizeof(gusset_stitch_options) == 104 && offsetof(gusset_stitch_options, search) == 72);
         CHECK(sizeof(gusset_stitch_view) == 232 && offsetof(gusset_stitch_view, turned) == 184);
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
         CHECK(sizeof(gusset_facing_options) == 32 && offsetof(gusset_facing_options, tolerance) == 16);

@@ -39,7 +39,7 @@ struct Request {
     std::string whole, left, right, out = ".", title = "Two open meshes, joined";
     std::vector<double> point, normal, eye, near_eye;
     double width = 0;
-    gusset::Meridians meridians = gusset::Meridians::quad;
+    gusset::Meridians meridians = gusset::Meridians::continuation;
 };
 
 const std::map<std::string, gusset::Meridians> meridians{
@@ -97,7 +97,7 @@ void compare(const HostMesh &original, const HostMesh &removed, const gusset::St
                   << 100 * distance / diagonal << " % of the bounding diagonal\n";
     }
     std::ostringstream text;
-    text << std::setprecision(2) << "A band of " << removed.n_faces() << " faces was taken out of a closed mesh, and the gap closed by rows of new vertices, "
+    text << std::setprecision(2) << "A band of " << removed.n_faces() << " faces was taken out of a closed mesh, and the gap closed by a blend, "
          << "faired as a thin plate. The new surface is " << 100 * found.mean / across << " % of the gap away from the one that was removed, on average, and "
          << 100 * found.max / across << " % at most: " << 100 * found.mean / diagonal << " % and " << 100 * found.max / diagonal
          << " % of the bounding diagonal.";
@@ -189,8 +189,7 @@ int run(const Request &request) {
     const Input a(left.mesh), b(right.mesh);
     gusset::StitchOptions options;
     options.meridians = request.meridians;
-    options.rows = gusset::StripRows::mean_edge();
-    options.fairing = gusset::Fairing::thin_plate;
+    options.finish = gusset::Finish::blend;
     const auto start = std::chrono::steady_clock::now();
     const gusset::Stitch stitch = gusset::stitch(a.view(), b.view(), options);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
@@ -198,7 +197,8 @@ int run(const Request &request) {
     const auto [first, count] = stitch.strip_faces();
     std::cout << "stitched in " << time.count() << " ms" << (stitch.turned() ? "; the right piece was turned over" : "") << "\n  rims of "
               << stitch.rim(0).size() << " and " << stitch.rim(1).size() << " vertices, "
-              << counted(stitch.row_count(), "row", "rows") << " of new ones between them, " << counted(count, "triangle", "triangles")
+              << counted(stitch.mesh().vertex_count() - a.view().vertex_count() - b.view().vertex_count(), "new one", "new ones")
+              << " between them, " << counted(count, "triangle", "triangles")
               << "\n  smallest angle " << quality.min_angle * 180 / M_PI << " degrees, largest aspect ratio " << quality.max_aspect << '\n';
     const Verdict verdict = judge(stitch.mesh());
     std::cout << "the result: " << stitch.mesh().vertex_count() << " vertices, " << stitch.mesh().face_count() << " faces\n  CGAL: " << said(verdict)
@@ -212,7 +212,7 @@ int run(const Request &request) {
     page::Showcase showcase;
     showcase.id = "demo";
     showcase.title = request.title;
-    showcase.text = "Two open meshes, and the strip that joins them: rows of new vertices, faired as a thin plate.";
+    showcase.text = "Two open meshes, and the blend that joins them: triangles as fine as those round it, on a surface that bends as a thin plate.";
     showcase.paints = {{"left", hex(paints[0]), 0, 0.42}, {"right", hex(paints[1]), 0, 0.42}, {"joint", hex(gold), 0.4, 0.35, true}, {"removed", hex(blue), 0, 0.42}};
     std::vector<uint8_t> side(first, 0);
     for (const uint32_t f : stitch.face_map(1)) {

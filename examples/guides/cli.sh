@@ -9,14 +9,14 @@ gusset fill joined.ply --inside refined-and-fair -o whole.glb
 #! [first]
 
 #! [smooth]
-gusset stitch left.obj right.obj --rows by-mean-edge --fairing fair -o smooth.obj
+gusset stitch left.obj right.obj --finish blend -o smooth.obj
 #! [smooth]
 
 #! [run]
 gusset filters
 gusset filters stitch left.obj right.obj
 gusset run boundary_loops left.obj -o rim.obj
-gusset run stitch left.obj right.obj -p rows="By mean edge" -p fairing=Fair -o joined.obj
+gusset run stitch left.obj right.obj -p finish=Blend -o joined.obj
 #! [run]
 
 #! [json]

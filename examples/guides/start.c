@@ -112,8 +112,7 @@ int main(void) {
 
     //! [stitch]
     options.struct_size = sizeof options; /* all else 0: the defaults */
-    options.rows = GUSSET_ROWS_MEAN_EDGE; /* interior vertices, about as far apart as those along the rims */
-    options.fairing = GUSSET_FAIRING_THIN_PLATE;
+    options.finish = GUSSET_FINISH_BLEND; /* new vertices on a smooth surface; without it, the strip alone */
     must(gusset_stitch_create(context, &a, NULL, &b, NULL, &options, &stitch), context);
     //! [stitch]
 

@@ -47,8 +47,7 @@ static void stitching(const Mesh &left, const Mesh &right) {
         std::cout << "a loop of " << loop.vertices.size() << " vertices\n";
     }
     gusset::StitchOptions options;
-    options.rows = gusset::StripRows::mean_edge();
-    options.fairing = gusset::Fairing::thin_plate;
+    options.finish = gusset::Finish::blend; // new vertices on a smooth surface; without it, the strip alone
     const gusset::Stitch stitch = gusset::stitch(a, b, options);
     std::cout << stitch.mesh().face_count() << " faces, " << stitch.quality().loops_left << " loops left\n";
     //! [stitch]

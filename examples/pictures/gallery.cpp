@@ -7,7 +7,7 @@
 namespace {
 using namespace pictures;
 
-/// Two shells; a strip without new vertices; rows of new ones, faired.
+/// Two shells; a strip without new vertices; a blend.
 bool stitched(const std::string &file) {
     const Mesh upper = shell(56, 10, 1, 0.25), lower = shell(41, 8, -1, 0.25);
     Drawing drawing(960, 380, {0.4, -1, 0.42}, 118);
@@ -19,7 +19,7 @@ bool stitched(const std::string &file) {
     double x = 480;
     gusset::StitchOptions least;
     least.meridians = gusset::Meridians::min_area;
-    for (const auto &[options, what] : {std::pair(least, "the strip of least area"), std::pair(faired_strip(), "rows of new vertices, fair")}) {
+    for (const auto &[options, what] : {std::pair(least, "the strip of least area"), std::pair(blend(), "a blend")}) {
         const gusset::Stitch stitch = gusset::stitch(upper.view(), lower.view(), options);
         const std::size_t first = upper.view().face_count(), strip = stitch.strip_faces().first;
         drawing.place(x, 178);

@@ -31,12 +31,10 @@ inline Mesh shell(uint32_t sides, uint32_t rings, double up, double gap) {
     return mesh;
 }
 
-/// Strips and patches with rows of new vertices, faired.
-inline gusset::StitchOptions faired_strip() {
+/// Strips and patches with new vertices on a smooth surface.
+inline gusset::StitchOptions blend() {
     gusset::StitchOptions options;
-    options.rows = gusset::StripRows::mean_edge();
-    options.fairing = gusset::Fairing::thin_plate;
-    options.meridians = gusset::Meridians::quad;
+    options.finish = gusset::Finish::blend;
     return options;
 }
 inline gusset::FillOptions faired_patch() {

@@ -36,13 +36,13 @@ page::Showcase stitched() {
     show.pairs = {{0, 2}, {1, 2}};
     gusset::StitchOptions least;
     least.meridians = gusset::Meridians::min_area;
-    for (const gusset::StitchOptions &options : {least, faired_strip()}) {
+    for (const gusset::StitchOptions &options : {least, blend()}) {
         const gusset::Stitch stitch = gusset::stitch(upper.view(), lower.view(), options);
         const std::size_t first = upper.view().face_count(), strip = stitch.strip_faces().first;
         show.bodies.emplace_back().add(stitch.mesh(), [&](std::size_t f) { return f >= strip ? 2 : f < first ? 0 : 1; });
     }
     show.states = {{"Two open meshes", 0, {2}}, {"The strip of least area", 0}, {"Faired rows", 1}};
-    show.text = "The rims have 56 and 41 vertices. The strip of least area needs no new ones; faired rows of new vertices keep the slopes of the shells.";
+    show.text = "The rims have 56 and 41 vertices. The strip of least area needs no new ones; a blend keeps the slopes of the shells.";
     return show;
 }
 

@@ -1,6 +1,6 @@
 //! Edge flips to Delaunay's rule: the angles opposite to an edge are at most half a turn together.
 
-use super::PatchMesh;
+use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;

@@ -2,9 +2,9 @@
 //!
 //! Source: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004).
 
-use super::{PatchMesh, Sizing};
+use super::patch_mesh::PatchMesh;
+use super::sizing::Sizing;
 use crate::error::Result;
-use glam::DVec3;
 
 /// Sides that are longer, in sizes, are halved.
 const MAX_LENGTH: f64 = 1.5;
@@ -12,6 +12,8 @@ const MAX_LENGTH: f64 = 1.5;
 const MIN_LENGTH: f64 = 0.7;
 /// Passes over all sides, with flips between.
 const MAX_PASSES: u32 = 10;
+/// No collapse makes a triangle of less doubled area, as part of the squares of its sides.
+const FLAT: f64 = 0.01;
 /// No collapse turns a triangle by more: the cosine.
 const MIN_TURN: f64 = 0.5;
 
@@ -49,8 +51,9 @@ fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing) -> Result<()> {
     let mut t = 0;
     while t < mesh.triangles.len() && mesh.points.len() < sizing.limit {
         let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
-        let longest = (0..3).filter(|&k| mesh.beyond(t, k).is_some()).max_by(|&k, &j| length(k).total_cmp(&length(j)));
-        let Some((k, beyond)) = longest.and_then(|k| Some((k, mesh.beyond(t, k)?))) else {
+        // Beside a longer side on the rim nothing becomes shorter than its half.
+        let k = (0..3).fold(0, |k, j| if length(j) > length(k) { j } else { k });
+        let Some(beyond) = mesh.beyond(t, k) else {
             t += 1;
             continue;
         };
@@ -86,7 +89,8 @@ fn collapse(
         let [v, w] = [(j + 1) % 3, (j + 2) % 3].map(|j| mesh.triangles[s][j]);
         let [r, x] = [v, w].map(|v| mesh.points[v as usize]);
         let [old, new] = [(r - p).cross(x - p), (r - q).cross(x - q)];
-        let turns = old.dot(new) < MIN_TURN * old.length() * new.length() || new == DVec3::ZERO;
+        let turns = old.dot(new) < MIN_TURN * old.length() * new.length()
+            || new.length() <= FLAT * (r - x).length_squared().max((r - q).length_squared());
         if turns || q.distance(x) > MAX_LENGTH * sizing.between(onto, w) && s != star[star.len() - 2].0 {
             return Ok(());
         }

@@ -7,7 +7,8 @@
 //! the triangles on the way into one plane. The rim cannot be split: a place that would see one of
 //! its edges under a flat angle is given up.
 
-use super::{PatchMesh, Sizing};
+use super::patch_mesh::PatchMesh;
+use super::sizing::Sizing;
 
 use crate::error::Result;
 use crate::geom::triangle::{double_area, min_angle};
@@ -22,6 +23,11 @@ const OFF_CENTRE: f64 = 2.2553542518310286;
 /// A circumradius that is larger than this part of the size is too large: an equilateral triangle
 /// has 0.577.
 const MAX_RADIUS: f64 = 0.85;
+/// A side that is longer, in sizes, is too long.
+const MAX_LENGTH: f64 = 1.5;
+/// Needles whose shortest side is below this part of the size have a large circumcircle, whatever
+/// their length: only that counts.
+const SHORTEST: f64 = 0.3;
 /// A new vertex keeps this distance from others, as part of the shortest side of the triangle that
 /// asked for it.
 const MIN_SPACING: f64 = 1.0;
@@ -85,7 +91,8 @@ fn wanted(mesh: &PatchMesh, t: usize, sizing: &Sizing) -> Option<(Place, f64)> {
     }
     let radius = sides[0] * sides[1] * sides[2] / (2.0 * double);
     let size = sizing.of(mesh.triangles[t]);
-    let large = radius > MAX_RADIUS * size;
+    let longest = sides[0].max(sides[1]).max(sides[2]);
+    let large = longest > MAX_LENGTH * size || (radius > MAX_RADIUS * size && e >= SHORTEST * size);
     let sharp = || e >= sizing.shortest * size && min_angle(corners[0], corners[1], corners[2]) < MIN_ANGLE;
     if !large && !sharp() {
         return None;
@@ -176,15 +183,14 @@ fn enter(
 }
 
 /// True if a vertex at `point` in triangle `t` is far enough from its corners, and sees no edge of
-/// the rim that it or a neighbour has under a flat angle.
+/// the rim near them under a flat angle.
 fn is_clear(mesh: &PatchMesh, t: usize, point: DVec3, spacing: f64) -> bool {
-    let sees_well = |t: usize, k: usize| {
-        let (p, q) = (mesh.points[mesh.triangles[t][k] as usize], mesh.points[mesh.triangles[t][(k + 1) % 3] as usize]);
-        let (u, v) = (p - point, q - point);
-        mesh.beyond(t, k).is_some() || u.dot(v) >= MIN_RIM_COSINE * u.length() * v.length()
+    let sees_flat = |t: usize| {
+        let corners = mesh.corners(t);
+        (0..3).filter(|&k| mesh.beyond(t, k).is_none()).any(|k| {
+            let (u, v) = (corners[k] - point, corners[(k + 1) % 3] - point);
+            u.dot(v) < MIN_RIM_COSINE * u.length() * v.length()
+        })
     };
-    (0..3).all(|k| {
-        let (s, _) = mesh.beyond(t, k).unwrap_or((t, k));
-        mesh.corners(t)[k].distance(point) >= spacing && (0..3).all(|j| sees_well(s, j))
-    }) && (0..3).all(|j| sees_well(t, j))
+    (0..3).all(|k| mesh.corners(t)[k].distance(point) >= spacing && !mesh.any_round(t, k, sees_flat))
 }

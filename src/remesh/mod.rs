@@ -15,8 +15,10 @@ mod insert;
 mod patch_mesh;
 mod settle;
 mod sizing;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use even::even;
 pub(crate) use insert::insert;
 pub(crate) use patch_mesh::PatchMesh;
-pub(crate) use sizing::{Sizing, growth};
+pub(crate) use sizing::{Sizing, growth, needed};

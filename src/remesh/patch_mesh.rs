@@ -185,16 +185,20 @@ impl PatchMesh {
         }
     }
 
-    /// True if the patch has an edge from corner `k` of triangle `t` to vertex `v`: one walk round
-    /// the corner.
+    /// True if the patch has an edge from corner `k` of triangle `t` to vertex `v`.
     pub(crate) fn has_edge(&self, t: usize, k: usize, v: u32) -> bool {
+        self.any_round(t, k, |s| self.triangles[s].contains(&v))
+    }
+
+    /// True if `test` is of a triangle at corner `k` of triangle `t`: one walk round the corner.
+    pub(super) fn any_round(&self, t: usize, k: usize, test: impl Fn(usize) -> bool) -> bool {
         let centre = self.triangles[t][k];
         let corner = |t: usize| (0..3).find(|&k| self.triangles[t][k] == centre).unwrap_or(0);
         // First one way, then, if the rim was met, the other way.
         for way in 0..2 {
             let mut here = t;
             loop {
-                if self.triangles[here].contains(&v) {
+                if test(here) {
                     return true;
                 }
                 let side = if way == 0 { corner(here) } else { next(next(corner(here))) };

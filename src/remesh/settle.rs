@@ -1,6 +1,6 @@
 //! Vertices moved within the surface to where the sharpest angle round them is larger.
 
-use super::PatchMesh;
+use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::triangle::min_angle;

@@ -1,6 +1,6 @@
 //! How long the sides of triangles should be, vertex by vertex.
 
-use super::PatchMesh;
+use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::triangle::double_area;
@@ -49,14 +49,17 @@ impl Sizing {
     }
 }
 
-/// What all sizes must be multiplied by to keep the number of new vertices below `limit`, taking one
-/// for each two equilateral triangles of a side of its size.
+/// What all sizes must be multiplied by to keep the number of new vertices below `limit`.
 pub(crate) fn growth(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
+    (needed(mesh, size) / f64::from(limit)).sqrt().max(1.0)
+}
+
+/// About how many new vertices these sizes ask for: one for each two equilateral triangles.
+pub(crate) fn needed(mesh: &PatchMesh, size: &[f64]) -> f64 {
     let needed = |t: usize| {
         let [a, b, c] = mesh.corners(t);
         let mean = mesh.triangles[t].iter().map(|&v| size[v as usize]).sum::<f64>() / 3.0;
         double_area(a, b, c) / (3f64.sqrt() * mean * mean)
     };
-    let needed: f64 = (0..mesh.triangles.len()).map(needed).sum();
-    (needed / f64::from(limit)).sqrt().max(1.0)
+    (0..mesh.triangles.len()).map(needed).sum()
 }

@@ -22,7 +22,7 @@ use crate::fair::{Weights, thin_plate};
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh};
-use crate::remesh::{PatchMesh, Sizing, even, growth, insert};
+use crate::remesh::{PatchMesh, Sizing, even, growth, insert, needed};
 use crate::sort::sort_distinct;
 use glam::DVec3;
 
@@ -32,10 +32,14 @@ const SIZE: f64 = 0.8;
 const ROUNDS: u32 = 2;
 /// Before that sharp triangles are left whose shortest side is below this part of the size.
 const SHORTEST: f64 = 0.3;
+/// And at last below this.
+const SHORTEST_AT_LAST: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and at last.
 const SETTLE: [u32; 2] = [2, 5];
-/// New vertices at the most, for rims of few vertices, and for each of the rims' vertices.
-const MAX_NEW: [usize; 2] = [50_000, 16];
+/// New vertices at the most: where more would be needed, all sides grow.
+const MAX_NEW: u32 = 1_000_000;
+/// Those that sharp angles ask for, for each of the rims' vertices.
+const MAX_NEW_AT_RIM: usize = 16;
 /// A rim vertex in more triangles than this is the apex of a fan.
 const MAX_FAN_TRIANGLES: usize = 64;
 
@@ -54,16 +58,23 @@ pub(super) struct Blend {
 /// For T triangles of the strip and n new vertices O(T + n log n) and the plate's O(n^1.5), nearly
 /// linear on a narrow strip; and a pass over all old faces.
 pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Blend> {
-    let patch = OldRing::new(whole, strip, unit)?;
+    let mut patch = OldRing::new(whole, strip, unit)?;
     let rim = strip.rim_count();
-    let limit = MAX_NEW[0].max(MAX_NEW[1] * rim);
     let corners = strip.faces.corners.as_chunks::<3>().0;
     let mut mesh = PatchMesh::new(alloc::copied(&patch.points[..rim])?, alloc::copied(corners)?)?;
     let mut size = patch.sizes(&[&strip.a, &strip.b])?;
-    let grown = SIZE * growth(&mesh, &size, limit as u32);
+    size.iter_mut().for_each(|s| *s *= SIZE);
+    let needed = needed(&mesh, &size).min(f64::from(MAX_NEW));
+    let grown = growth(&mesh, &size, MAX_NEW);
     size.iter_mut().for_each(|s| *s *= grown);
-    let mut sizing =
-        Sizing { size, unfaired: alloc::copied(&mesh.points)?, limit: rim + 2 * limit, shortest: SHORTEST };
+    patch.draw_near(&size)?;
+    let mut sizing = Sizing {
+        size,
+        unfaired: alloc::copied(&mesh.points)?,
+        // Twice the estimate: for shapes that it does not fit.
+        limit: rim + 2 * needed as usize + MAX_NEW_AT_RIM * rim,
+        shortest: SHORTEST,
+    };
     let taken = |u: u32, v: u32| patch.edges.binary_search(&(u.min(v), u.max(v))).is_ok();
 
     even(&mut mesh, rim, &mut sizing, &taken)?;
@@ -73,7 +84,7 @@ pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Re
         mesh.settle(rim, &taken, SETTLE[0])?;
         patch.fair(&mut mesh, rim, &part.part(0.3, 1.0))?;
     }
-    sizing.shortest = 0.0;
+    sizing.shortest = SHORTEST_AT_LAST;
     insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.7, 0.9))?;
     mesh.settle(rim, &taken, SETTLE[1])?;
 
@@ -182,6 +193,30 @@ impl OldRing {
         }
         // Where no side has a length, any size does: nothing will be longer.
         Ok(size)
+    }
+
+    /// Draws the old vertices beyond the rims nearer to them, to where the next new ones would be: they
+    /// are to tell the plate the slope at the rims, and tell little from afar.
+    fn draw_near(&mut self, size: &[f64]) -> Result<()> {
+        let rim = size.len();
+        let mut anchors = alloc::filled((DVec3::ZERO, 0.0, 0.0), self.points.len() - rim)?;
+        for triangle in &self.triangles {
+            for &v in triangle.iter().filter(|&&v| v as usize >= rim) {
+                for &end in triangle.iter().filter(|&&end| (end as usize) < rim) {
+                    let (sum, reach, count) = &mut anchors[v as usize - rim];
+                    *sum += self.points[end as usize];
+                    *reach += size[end as usize];
+                    *count += 1.0;
+                }
+            }
+        }
+        for (point, (sum, reach, count)) in self.points[rim..].iter_mut().zip(anchors) {
+            if count > 0.0 {
+                let (anchor, reach) = (sum / count, reach / count);
+                *point = anchor + (*point - anchor).clamp_length_max(reach);
+            }
+        }
+        Ok(())
     }
 
     /// Moves the vertices of `mesh` from `rim` on to where a thin plate would have them.

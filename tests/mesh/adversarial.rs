@@ -12,7 +12,8 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-const ALL: [Meridians; 7] = [
+const ALL: [Meridians; 8] = [
+    Meridians::Continuation,
     Meridians::Index,
     Meridians::ArcLength,
     Meridians::Greedy,
@@ -26,12 +27,12 @@ type P = [f64; 3];
 
 /// A ring of faces behind a rim, whose vertices are the first ones.
 #[derive(Clone)]
-struct Shell {
-    soup: Soup,
-    rim: Vec<u32>,
+pub(crate) struct Shell {
+    pub(crate) soup: Soup,
+    pub(crate) rim: Vec<u32>,
 }
 
-fn shell(rim: &[P], back: impl Fn(P) -> P, split: bool) -> Shell {
+pub(crate) fn shell(rim: &[P], back: impl Fn(P) -> P, split: bool) -> Shell {
     let n = rim.len() as u32;
     let mut soup = Soup { offsets: vec![0], ..Soup::default() };
     soup.points.extend(rim.iter().copied().chain(rim.iter().map(|&p| back(p))));
@@ -47,7 +48,7 @@ fn shell(rim: &[P], back: impl Fn(P) -> P, split: bool) -> Shell {
     Shell { soup, rim: (0..n).collect() }
 }
 
-fn ring(n: u32, point: impl Fn(f64) -> P) -> Vec<P> {
+pub(crate) fn ring(n: u32, point: impl Fn(f64) -> P) -> Vec<P> {
     (0..n).map(|i| point(TAU * f64::from(i) / f64::from(n))).collect()
 }
 
@@ -55,11 +56,11 @@ fn moved([x, y, z]: P, by: P) -> P {
     [x + by[0], y + by[1], z + by[2]]
 }
 
-fn down(p: P) -> P {
+pub(crate) fn down(p: P) -> P {
     moved(p, [0.0, 0.0, -0.3])
 }
 
-fn up(p: P) -> P {
+pub(crate) fn up(p: P) -> P {
     moved(p, [0.0, 0.0, 0.3])
 }
 
@@ -89,7 +90,7 @@ fn uneven(n: u32, z: f64, turn: f64) -> Vec<P> {
     (0..n).map(point).collect()
 }
 
-fn cases() -> Vec<(&'static str, Shell, Shell)> {
+pub(crate) fn cases() -> Vec<(&'static str, Shell, Shell)> {
     let circle = |r: f64, z: f64| move |t: f64| [r * t.cos(), r * t.sin(), z];
     let wavy = |k: f64, z: f64| move |t: f64| [t.cos(), t.sin(), z + 0.4 * (k * t).sin()];
     let radial = |by: f64| move |[x, y, z]: P| [x * by, y * by, z];
@@ -126,13 +127,13 @@ fn cases() -> Vec<(&'static str, Shell, Shell)> {
     ]
 }
 
-fn join_with(a: &Shell, b: &Shell, options: &Options, job: &Job<'_>) -> Stitch {
+pub(crate) fn join_with(a: &Shell, b: &Shell, options: &Options, job: &Job<'_>) -> Stitch {
     let (va, vb) = (a.soup.view(), b.soup.view());
     let request = Request { a: &va, loop_a: Some(&a.rim), b: Some(&vb), loop_b: Some(&b.rim) };
     stitch(&request, options, job).unwrap()
 }
 
-fn join(a: &Shell, b: &Shell, options: &Options) -> Stitch {
+pub(crate) fn join(a: &Shell, b: &Shell, options: &Options) -> Stitch {
     join_with(a, b, options, &Job::default())
 }
 
@@ -144,7 +145,7 @@ fn bits(positions: &PositionBuffer) -> Vec<[u64; 3]> {
 /// Two-manifold and oriented, with the Euler characteristic and loops of the pieces less the two
 /// rims; old vertices bit for bit and old faces as they were or turned over; no NaN; pairs of faces
 /// that exist, each once.
-fn assert_valid(a: &Shell, b: &Shell, joined: &Stitch, what: &str) {
+pub(crate) fn assert_valid(a: &Shell, b: &Shell, joined: &Stitch, what: &str) {
     assert!(edge_counts(faces_of(&joined.mesh)).values().all(|&(f, g)| f <= 1 && g <= 1), "{what}");
     let found = check(&joined.mesh.view(&Job::default()).unwrap(), &Job::default()).unwrap();
     assert!(found.manifold && found.oriented && found.components == 1 && found.unused_vertices.is_empty(), "{what}");

@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 /// Keeps the notes.
 #[derive(Default)]
-struct Notes(RefCell<Vec<String>>);
+pub(crate) struct Notes(pub(crate) RefCell<Vec<String>>);
 
 impl Progress for Notes {
     fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {

@@ -35,7 +35,8 @@ pub struct gusset_stitch_view {
     /// of the result.
     pub matrix: gusset_indices,
     /// Of each new vertex (they are the last ones of the result), the two vertices that it lies
-    /// between, on rim 0 and on rim 1, by turns.
+    /// between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the nearest
+    /// ones.
     pub parents: gusset_indices,
     /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
     /// this.
