@@ -51,10 +51,9 @@ fn sharpest_bend(joined: &Stitch) -> f64 {
     for (f, face) in faces_of(&joined.mesh).enumerate() {
         for (k, &u) in face.iter().enumerate() {
             let v = face[(k + 1) % face.len()];
-            if let Some((g, other)) = sides.insert((u.min(v), u.max(v)), (f, normal(face))) {
-                if f.max(g) as u32 >= joined.strip_faces.start {
-                    most = most.max(normal(face).angle_between(other).to_degrees());
-                }
+            let before = sides.insert((u.min(v), u.max(v)), (f, normal(face)));
+            if let Some((_, other)) = before.filter(|&(g, _)| f.max(g) as u32 >= joined.strip_faces.start) {
+                most = most.max(normal(face).angle_between(other).to_degrees());
             }
         }
     }
