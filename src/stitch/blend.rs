@@ -4,7 +4,7 @@
 //! The strip says which way the surface goes. Its sides are halved until they are as long as the old
 //! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
 //! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
-//! clamped to the old faces bends least ([`crate::fair`]), twice. At last the sharp triangles at the
+//! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, less often. At last the sharp triangles at the
 //! shortest edges of the rims are refined: there the plate would follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
@@ -28,8 +28,9 @@ use glam::DVec3;
 
 /// How long new sides are, in old ones.
 const SIZE: f64 = 0.8;
-/// How often the plate is solved, with refinement before.
-const ROUNDS: u32 = 2;
+/// How often the plate is solved, with refinement before: what is tried, one after the other, until
+/// nothing cuts. Each solution may fold where the last one is already sharp.
+pub(super) const ROUNDS: [u32; 3] = [2, 1, 0];
 /// Before that sharp triangles are left whose shortest side is below this part of the size.
 const SHORTEST: f64 = 0.3;
 /// And at last below this.
@@ -40,6 +41,10 @@ const SETTLE: [u32; 2] = [2, 5];
 const MAX_NEW: u32 = 1_000_000;
 /// Those that sharp angles ask for, for each of the rims' vertices.
 const MAX_NEW_AT_RIM: usize = 16;
+/// The plate turns no triangle by more: the cosine.
+const MIN_TURN: f64 = 0.2;
+/// How often a vertex that folds a triangle is taken back halfway.
+const MAX_HALVINGS: u32 = 8;
 /// A rim vertex in more triangles than this is the apex of a fan.
 const MAX_FAN_TRIANGLES: usize = 64;
 
@@ -53,11 +58,12 @@ pub(super) struct Blend {
     pub(super) parents: Vec<Parents>,
 }
 
-/// Plans a blend in the place of a strip of triangles without rows.
+/// Plans a blend in the place of a strip of triangles without rows; the plate is solved `rounds`
+/// times.
 ///
 /// For T triangles of the strip and n new vertices O(T + n log n) and the plate's O(n^1.5), nearly
 /// linear on a narrow strip; and a pass over all old faces.
-pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Blend> {
+pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, rounds: u32, job: &Job<'_>) -> Result<Blend> {
     let mut patch = OldRing::new(whole, strip, unit)?;
     let rim = strip.rim_count();
     let corners = strip.faces.corners.as_chunks::<3>().0;
@@ -78,8 +84,8 @@ pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Re
     let taken = |u: u32, v: u32| patch.edges.binary_search(&(u.min(v), u.max(v))).is_ok();
 
     even(&mut mesh, rim, &mut sizing, &taken)?;
-    for round in 0..ROUNDS {
-        let part = job.share(round as usize, ROUNDS as usize + 1);
+    for round in 0..rounds {
+        let part = job.part(0.0, 0.7).share(round as usize, rounds as usize);
         insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
         mesh.settle(rim, &taken, SETTLE[0])?;
         patch.fair(&mut mesh, rim, &part.part(0.3, 1.0))?;
@@ -115,6 +121,36 @@ fn parents(strip: &Strip, points: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents
         let weight = if to_a + to_b > 0.0 { to_a / (to_a + to_b) } else { 0.5 };
         Parents { ends: [a.1, n + b.1], weight }
     }))
+}
+
+/// Moves the vertices of `mesh` from `rim` on to `places`, those of triangles that would turn by more
+/// than [`MIN_TURN`] says only as far as they do not.
+fn unfold(mesh: &mut PatchMesh, rim: usize, places: &[DVec3]) -> Result<()> {
+    let start = alloc::copied(&mesh.points)?;
+    let normal = |points: &[DVec3], triangle: [u32; 3]| {
+        let [a, b, c] = triangle.map(|v| points[v as usize]);
+        (b - a).cross(c - a)
+    };
+    let mut share = alloc::filled(1.0, places.len())?;
+    for _ in 0..MAX_HALVINGS {
+        for ((point, &from), (&to, &share)) in
+            mesh.points[rim..].iter_mut().zip(&start[rim..]).zip(places.iter().zip(&share))
+        {
+            *point = from.lerp(to, share);
+        }
+        let mut folds = alloc::filled(false, places.len())?;
+        for &triangle in &mesh.triangles {
+            let (before, now) = (normal(&start, triangle), normal(&mesh.points, triangle));
+            if before.dot(now) < MIN_TURN * before.length() * now.length() {
+                triangle.iter().filter_map(|&v| (v as usize).checked_sub(rim)).for_each(|k| folds[k] = true);
+            }
+        }
+        if !folds.contains(&true) {
+            break;
+        }
+        share.iter_mut().zip(folds).filter(|(_, folds)| *folds).for_each(|(share, _)| *share *= 0.5);
+    }
+    Ok(())
 }
 
 /// The old faces that touch the rims: the rims' vertices first, in the strip's own numbers, then
@@ -232,7 +268,6 @@ impl OldRing {
         let mut centres = alloc::copied(&free)?;
         centres[..rim].copy_from_slice(&self.centred);
         thin_plate(&mut points, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
-        mesh.points[rim..].copy_from_slice(&points[old..]);
-        Ok(())
+        unfold(mesh, rim, &points[old..])
     }
 }

@@ -10,7 +10,7 @@
 //! nothing is left to take back.
 
 use super::avoid::avoid_cuts;
-use super::blend::{Blend, blend};
+use super::blend::{Blend, ROUNDS, blend};
 use super::meridian::Meridians;
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::request::{Cells, Fairing, Finish, Intersections, Options};
@@ -94,7 +94,8 @@ fn check_strip(
     Ok(checked)
 }
 
-/// Puts a blend in the place of a strip, unless it cuts more than the strip does.
+/// Puts a blend in the place of a strip: the one that cuts least of those with more or less fairing,
+/// of equals the first; unless all cut more than the strip does.
 fn check_blend(
     whole: &Mesh,
     strip: &mut Strip,
@@ -104,23 +105,38 @@ fn check_blend(
     job: &Job<'_>,
 ) -> Result<CheckedStrip> {
     let rims = strip.rim_count();
-    let Blend { faces, points, unfaired, parents } = blend(whole, strip, unit, &job.part(0.0, 0.5))?;
-    let plain_faces = std::mem::replace(&mut strip.faces, faces);
-    let mut neighbourhood = Neighbourhood::new(whole, strip, unit, unfaired)?;
-    neighbourhood.round();
-    let straight = std::mem::replace(&mut neighbourhood.points, points);
-    neighbourhood.round();
-    let checked = neighbourhood.check(straight, true, options.intersections, &job.part(0.5, 1.0))?;
-    let points = neighbourhood.points;
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
-    if cuts(&checked) > cuts(&plain) {
-        strip.faces = plain_faces;
-        return Ok(plain);
+    let mut best: Option<(CheckedStrip, Blend)> = None;
+    for (k, rounds) in ROUNDS.into_iter().enumerate() {
+        let part = job.share(k, ROUNDS.len());
+        let mut found = blend(whole, strip, unit, rounds, &part.part(0.0, 0.5))?;
+        // The strip's own faces come back once this one is judged.
+        let faces = std::mem::replace(&mut strip.faces, found.faces);
+        let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;
+        neighbourhood.round();
+        let straight = std::mem::replace(&mut neighbourhood.points, found.points);
+        neighbourhood.round();
+        let checked = neighbourhood.check(straight, true, options.intersections, &part.part(0.5, 1.0))?;
+        (found.points, found.unfaired) = (neighbourhood.points, Vec::new());
+        found.faces = std::mem::replace(&mut strip.faces, faces);
+        let count = cuts(&checked);
+        if best.as_ref().is_none_or(|(best, _)| count < cuts(best)) {
+            best = Some((checked, found));
+        }
+        if count == 0 {
+            break;
+        }
     }
-    strip.grid.points.truncate(rims);
-    alloc::append(&mut strip.grid.points, &points)?;
-    strip.parents = parents;
-    Ok(checked)
+    match best.filter(|(checked, _)| cuts(checked) <= cuts(&plain)) {
+        None => Ok(plain),
+        Some((checked, found)) => {
+            strip.faces = found.faces;
+            strip.grid.points.truncate(rims);
+            alloc::append(&mut strip.grid.points, &found.points)?;
+            strip.parents = found.parents;
+            Ok(checked)
+        }
+    }
 }
 
 impl Neighbourhood<'_> {
