@@ -4,8 +4,9 @@
 //! The strip says which way the surface goes. Its sides are halved until they are as long as the old
 //! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
 //! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
-//! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, less often. At last the sharp triangles at the
-//! shortest edges of the rims are refined: there the plate would follow round-off.
+//! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with care or
+//! less often. At last the sharp triangles at the shortest edges of the rims are refined: there the
+//! plate would follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
 //! order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants are
@@ -28,9 +29,13 @@ use glam::DVec3;
 
 /// How long new sides are, in old ones.
 const SIZE: f64 = 0.8;
-/// How often the plate is solved, with refinement before: what is tried, one after the other, until
-/// nothing cuts. Each solution may fold where the last one is already sharp.
-pub(super) const ROUNDS: [u32; 3] = [2, 1, 0];
+/// What is tried, one after the other, until nothing cuts.
+pub(super) const WAYS: [Way; 4] = [
+    Way { rounds: 2, unfolds: false },
+    Way { rounds: 2, unfolds: true },
+    Way { rounds: 1, unfolds: true },
+    Way { rounds: 0, unfolds: true },
+];
 /// Before that sharp triangles are left whose shortest side is below this part of the size.
 const SHORTEST: f64 = 0.3;
 /// And at last below this.
@@ -48,6 +53,15 @@ const MAX_HALVINGS: u32 = 8;
 /// A rim vertex in more triangles than this is the apex of a fan.
 const MAX_FAN_TRIANGLES: usize = 64;
 
+/// How a blend is faired.
+#[derive(Clone, Copy)]
+pub(super) struct Way {
+    /// How often the plate is solved, with refinement before.
+    rounds: u32,
+    /// Vertices that fold a triangle stay behind: dearer in smoothness, where nothing cuts without.
+    unfolds: bool,
+}
+
 /// What takes the place of a strip's faces and new vertices.
 pub(super) struct Blend {
     pub(super) faces: FaceList,
@@ -58,12 +72,11 @@ pub(super) struct Blend {
     pub(super) parents: Vec<Parents>,
 }
 
-/// Plans a blend in the place of a strip of triangles without rows; the plate is solved `rounds`
-/// times.
+/// Plans a blend in the place of a strip of triangles without rows.
 ///
 /// For T triangles of the strip and n new vertices O(T + n log n) and the plate's O(n^1.5), nearly
 /// linear on a narrow strip; and a pass over all old faces.
-pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, rounds: u32, job: &Job<'_>) -> Result<Blend> {
+pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, way: Way, job: &Job<'_>) -> Result<Blend> {
     let mut patch = OldRing::new(whole, strip, unit)?;
     let rim = strip.rim_count();
     let corners = strip.faces.corners.as_chunks::<3>().0;
@@ -84,11 +97,11 @@ pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, rounds: u32, job: &J
     let taken = |u: u32, v: u32| patch.edges.binary_search(&(u.min(v), u.max(v))).is_ok();
 
     even(&mut mesh, rim, &mut sizing, &taken)?;
-    for round in 0..rounds {
-        let part = job.part(0.0, 0.7).share(round as usize, rounds as usize);
+    for round in 0..way.rounds {
+        let part = job.part(0.0, 0.7).share(round as usize, way.rounds as usize);
         insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
         mesh.settle(rim, &taken, SETTLE[0])?;
-        patch.fair(&mut mesh, rim, &part.part(0.3, 1.0))?;
+        patch.fair(&mut mesh, rim, way.unfolds, &part.part(0.3, 1.0))?;
     }
     sizing.shortest = SHORTEST_AT_LAST;
     insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.7, 0.9))?;
@@ -256,7 +269,7 @@ impl OldRing {
     }
 
     /// Moves the vertices of `mesh` from `rim` on to where a thin plate would have them.
-    fn fair(&self, mesh: &mut PatchMesh, rim: usize, job: &Job<'_>) -> Result<()> {
+    fn fair(&self, mesh: &mut PatchMesh, rim: usize, unfolds: bool, job: &Job<'_>) -> Result<()> {
         let (old, new) = (self.points.len(), mesh.points.len() - rim);
         let mut points = alloc::copied(&self.points)?;
         alloc::append(&mut points, &mesh.points[rim..])?;
@@ -268,6 +281,10 @@ impl OldRing {
         let mut centres = alloc::copied(&free)?;
         centres[..rim].copy_from_slice(&self.centred);
         thin_plate(&mut points, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
-        unfold(mesh, rim, &points[old..])
+        if unfolds {
+            return unfold(mesh, rim, &points[old..]);
+        }
+        mesh.points[rim..].copy_from_slice(&points[old..]);
+        Ok(())
     }
 }

@@ -10,7 +10,7 @@
 //! nothing is left to take back.
 
 use super::avoid::avoid_cuts;
-use super::blend::{Blend, ROUNDS, blend};
+use super::blend::{Blend, WAYS, blend};
 use super::meridian::Meridians;
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::request::{Cells, Fairing, Finish, Intersections, Options};
@@ -107,9 +107,9 @@ fn check_blend(
     let rims = strip.rim_count();
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
     let mut best: Option<(CheckedStrip, Blend)> = None;
-    for (k, rounds) in ROUNDS.into_iter().enumerate() {
-        let part = job.share(k, ROUNDS.len());
-        let mut found = blend(whole, strip, unit, rounds, &part.part(0.0, 0.5))?;
+    for (k, way) in WAYS.into_iter().enumerate() {
+        let part = job.share(k, WAYS.len());
+        let mut found = blend(whole, strip, unit, way, &part.part(0.0, 0.5))?;
         // The strip's own faces come back once this one is judged.
         let faces = std::mem::replace(&mut strip.faces, found.faces);
         let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;
