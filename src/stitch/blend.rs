@@ -42,10 +42,11 @@ const SHORTEST: f64 = 0.3;
 const SHORTEST_AT_LAST: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and at last.
 const SETTLE: [u32; 2] = [2, 5];
-/// New vertices at the most: where more would be needed, all sides grow.
-const MAX_NEW: u32 = 1_000_000;
-/// Those that sharp angles ask for, for each of the rims' vertices.
-const MAX_NEW_AT_RIM: usize = 16;
+/// New vertices at the most, or for each of the rims' vertices [`MAX_NEW_AT_RIM`] if that is more:
+/// where more would be needed, all sides grow.
+const MAX_NEW: u32 = 50_000;
+/// Sharp angles may ask for as many again.
+const MAX_NEW_AT_RIM: u32 = 16;
 /// The plate turns no triangle by more: the cosine.
 const MIN_TURN: f64 = 0.2;
 /// How often a vertex that folds a triangle is taken back halfway.
@@ -83,15 +84,17 @@ pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, way: Way, job: &Job<
     let mut mesh = PatchMesh::new(alloc::copied(&patch.points[..rim])?, alloc::copied(corners)?)?;
     let mut size = patch.sizes(&[&strip.a, &strip.b])?;
     size.iter_mut().for_each(|s| *s *= SIZE);
-    let needed = needed(&mesh, &size).min(f64::from(MAX_NEW));
-    let grown = growth(&mesh, &size, MAX_NEW);
+    let at_rim = MAX_NEW_AT_RIM.saturating_mul(rim as u32);
+    let limit = MAX_NEW.max(at_rim);
+    let needed = needed(&mesh, &size).min(f64::from(limit));
+    let grown = growth(&mesh, &size, limit);
     size.iter_mut().for_each(|s| *s *= grown);
     patch.draw_near(&size)?;
     let mut sizing = Sizing {
         size,
         unfaired: alloc::copied(&mesh.points)?,
         // Twice the estimate: for shapes that it does not fit.
-        limit: rim + 2 * needed as usize + MAX_NEW_AT_RIM * rim,
+        limit: rim + 2 * needed as usize + at_rim as usize,
         shortest: SHORTEST,
     };
     let taken = |u: u32, v: u32| patch.edges.binary_search(&(u.min(v), u.max(v))).is_ok();
