@@ -42,12 +42,13 @@ const SHORTEST: f64 = 0.3;
 const SHORTEST_AT_LAST: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and at last.
 const SETTLE: [u32; 2] = [2, 5];
-/// New vertices at the most, or for each of the rims' vertices [`MAX_NEW_AT_RIM`] if that is more:
-/// where more would be needed, all sides grow.
+/// New vertices that the sizes may ask for, or for each of the rims' vertices [`MAX_NEW_AT_RIM`] if
+/// that is more: where more would be needed, all sides grow. There are never more than twice as many,
+/// for shapes that the estimate does not fit, and what sharp angles ask for.
 const MAX_NEW: u32 = 50_000;
 /// Sharp angles may ask for as many again.
 const MAX_NEW_AT_RIM: u32 = 16;
-/// The plate turns no triangle by more: the cosine.
+/// A triangle that turns by more is folded: the cosine.
 const MIN_TURN: f64 = 0.2;
 /// How often a vertex that folds a triangle is taken back halfway.
 const MAX_HALVINGS: u32 = 8;
@@ -139,8 +140,8 @@ fn parents(strip: &Strip, points: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents
     }))
 }
 
-/// Moves the vertices of `mesh` from `rim` on to `places`, those of triangles that would turn by more
-/// than [`MIN_TURN`] says only as far as they do not.
+/// Moves the vertices of `mesh` from `rim` on to `places`, those of triangles that would fold only
+/// part of the way; what folds then still is left to the search for cuts.
 fn unfold(mesh: &mut PatchMesh, rim: usize, places: &[DVec3]) -> Result<()> {
     let start = alloc::copied(&mesh.points)?;
     let normal = |points: &[DVec3], triangle: [u32; 3]| {
@@ -176,6 +177,8 @@ struct OldRing {
     points: Vec<DVec3>,
     origin: DVec3,
     triangles: Vec<[u32; 3]>,
+    /// The faces' sides, face by face.
+    sides: Vec<(u32, u32)>,
     /// The edges between two vertices of the rims, the smaller one first, ascending.
     edges: Vec<(u32, u32)>,
     /// True of the rims' vertices whose Laplacian the plate counts.
@@ -202,15 +205,17 @@ impl OldRing {
         let origin = strip.a.points[0];
         let points = alloc::collect(names.iter().map(|&v| around.at(v) - origin))?;
 
-        let sides = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-        let is_rim = |&(u, v): &(u32, u32)| u.max(v) < rim as u32;
-        let mut edges = alloc::gather(sides.filter(is_rim).map(|(u, v)| (u.min(v), u.max(v))))?;
+        let touching = whole.faces().filter(|face| face.iter().any(|&v| around.rim.contains(v)));
+        let sides = touching.flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));
+        let sides = alloc::gather(sides.map(|(&u, &v)| (number(u), number(v))))?;
+        let is_rim = |&&(u, v): &&(u32, u32)| u.max(v) < rim as u32;
+        let mut edges = alloc::gather(sides.iter().filter(is_rim).map(|&(u, v)| (u.min(v), u.max(v))))?;
         sort_distinct(&mut edges);
         let mut valence = alloc::filled(0usize, rim)?;
         triangles.as_flattened().iter().filter(|&&v| (v as usize) < rim).for_each(|&v| valence[v as usize] += 1);
         let is_end = |v: u32| around.ends.binary_search(&v).is_ok();
         let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
-        Ok(OldRing { points, origin, triangles, edges, centred })
+        Ok(OldRing { points, origin, triangles, sides, edges, centred })
     }
 
     /// The mean length of the old sides at each vertex of the rims, by their lengths, so that slivers
@@ -219,13 +224,11 @@ impl OldRing {
     fn sizes(&self, rims: &[&Rim; 2]) -> Result<Vec<f64>> {
         let rim = self.centred.len();
         let mut sums = alloc::filled((0.0, 0.0), rim)?;
-        for &[a, b, c] in &self.triangles {
-            for (u, v) in [(a, b), (b, c), (c, a)] {
-                let length = self.points[u as usize].distance(self.points[v as usize]);
-                for end in [u, v].into_iter().filter(|&end| (end as usize) < rim) {
-                    sums[end as usize].0 += length * length;
-                    sums[end as usize].1 += length;
-                }
+        for &(u, v) in &self.sides {
+            let length = self.points[u as usize].distance(self.points[v as usize]);
+            for end in [u, v].into_iter().filter(|&end| (end as usize) < rim) {
+                sums[end as usize].0 += length * length;
+                sums[end as usize].1 += length;
             }
         }
         let mut size = alloc::collect(sums.iter().map(|&(squares, sum)| if sum > 0.0 { squares / sum } else { 0.0 }))?;

@@ -128,7 +128,10 @@ fn check_blend(
         }
     }
     match best.filter(|(checked, _)| cuts(checked) <= cuts(&plain)) {
-        None => Ok(plain),
+        None => {
+            job.note("the blend would cut more faces than the strip does, which stays in its place");
+            Ok(plain)
+        }
         Some((checked, found)) => {
             strip.faces = found.faces;
             strip.grid.points.truncate(rims);

@@ -82,8 +82,9 @@ pub enum Finish {
     Strip,
     /// The best-looking joint: triangles about as fine as those round the rims, graded between them,
     /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
-    /// tangents. The strip, without rows, says which way it goes; rows, cells and fairing are not
-    /// read.
+    /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own,
+    /// and no edges of the result; rows, cells and fairing are not read. Where every blend would cut
+    /// more faces than the strip does, the strip stays, and a note says so.
     Blend,
 }
 
@@ -103,7 +104,7 @@ pub enum Intersections {
     Auto,
     /// Never.
     Ignore,
-    /// Always. Without faired rows nothing is changed.
+    /// Always. Only faired rows and blends are changed.
     Report,
 }
 

@@ -117,11 +117,6 @@ impl Rim {
         self.vertices.len() as u32 - u32::from(!self.closed)
     }
 
-    /// The vertex at place `i`; of a loop of N, place N is place 0 again.
-    pub(super) fn vertex(&self, i: u32) -> u32 {
-        self.vertices[i as usize % self.vertices.len()]
-    }
-
     /// The position at place `i`; of a loop of N, place N is place 0 again.
     pub(super) fn at(&self, i: u32) -> DVec3 {
         self.points[i as usize % self.points.len()]

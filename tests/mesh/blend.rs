@@ -157,6 +157,20 @@ fn sides_are_as_long_as_those_round_it() {
 }
 
 #[test]
+fn diagonals_of_polygons_are_no_sides() {
+    // Two discs, each one face: the strip between is refined to their sides.
+    let disc = |z: f64, up: bool| {
+        let points = ring(60, |t| [t.cos(), t.sin(), z]);
+        let rim: Vec<u32> = (0..60).collect();
+        let face: Vec<u32> = if up { rim.clone() } else { rim.iter().rev().copied().collect() };
+        Shell { soup: Soup::new(points, &[&face]), rim }
+    };
+    let blend = join(&disc(0.0, false), &disc(0.6, true), &BLEND);
+    assert_eq!(blend.quality.loops_left, 0);
+    assert!(blend.quality.max_edge < 0.25, "{:?}", blend.quality);
+}
+
+#[test]
 fn every_pair_of_rims_gives_a_valid_surface() {
     for (name, a, b) in cases() {
         let strip = join(&a, &b, &OPTIONS);

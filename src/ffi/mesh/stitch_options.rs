@@ -61,7 +61,7 @@ pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
 /// They are not looked for.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
-/// They are looked for; faired rows are taken back, and other strips stay as they are.
+/// They are looked for; faired rows and blends are taken back, and other strips stay as they are.
 pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
 
 /// A second piece that is oriented against the first is turned over: the component that rim B is
@@ -112,8 +112,9 @@ pub const GUSSET_CELLS_QUADS: u32 = 1;
 pub const GUSSET_FINISH_STRIP: u32 = 0;
 /// The best-looking joint: triangles about as fine as those round the rims, graded between them,
 /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
-/// tangents. The strip, without rows, says which way it goes; rows, cells and fairing are not read
-/// (the log says so if they are set).
+/// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
+/// no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
+/// Where every blend would cut more faces than the strip does, the strip stays; the log says so.
 pub const GUSSET_FINISH_BLEND: u32 = 1;
 
 /// No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the

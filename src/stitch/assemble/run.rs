@@ -408,12 +408,18 @@ impl Edges {
         Ok(())
     }
 
-    /// Takes note of the meridians of a strip without rows: where loops touch, another strip could
-    /// use one again.
+    /// Takes note of the edges of a strip between vertices of its rims: where loops touch, another
+    /// strip could use one again.
     fn enter_strip(&mut self, strip: &Strip) -> Result<()> {
         let before = self.of.len();
-        for &[i, j] in &strip.meridians {
-            let [u, v] = [strip.a.vertex(i), strip.b.vertex(j)];
+        let rims = strip.rim_count();
+        let name = |k: u32| match (k as usize).checked_sub(strip.a.vertices.len()) {
+            Some(k) => strip.b.vertices[k],
+            None => strip.a.vertices[k as usize],
+        };
+        let sides = strip.faces.iter().flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));
+        for (&k, &j) in sides.filter(|&(&k, &j)| (k.max(j) as usize) < rims) {
+            let [u, v] = [name(k), name(j)];
             if [u, v].iter().all(|&v| loops_of(&self.places, v).len() > 1) {
                 self.enter(u, v)?;
             }
