@@ -748,7 +748,7 @@
 #define GUSSET_INTERSECTIONS_IGNORE 1
 
 /**
- * They are looked for; faired rows are taken back, and other strips stay as they are.
+ * They are looked for; faired rows and blends are taken back, and other strips stay as they are.
  */
 #define GUSSET_INTERSECTIONS_REPORT 2
 
@@ -846,8 +846,9 @@
 /**
  * The best-looking joint: triangles about as fine as those round the rims, graded between them,
  * without sharp angles where the rims allow it, on a surface that leaves both pieces along their
- * tangents. The strip, without rows, says which way it goes; rows, cells and fairing are not read
- * (the log says so if they are set).
+ * tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
+ * no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
+ * Where every blend would cut more faces than the strip does, the strip stays; the log says so.
  */
 #define GUSSET_FINISH_BLEND 1
 
