@@ -91,11 +91,10 @@ fn collapse(
         let [old, new] = [(r - p).cross(x - p), (r - q).cross(x - q)];
         let turns = old.dot(new) < MIN_TURN * old.length() * new.length()
             || new.length() <= FLAT * (r - x).length_squared().max((r - q).length_squared());
-        if turns || q.distance(x) > MAX_LENGTH * sizing.between(onto, w) && s != star[star.len() - 2].0 {
-            return Ok(());
-        }
-        let is_last = s == star[star.len() - 2].0;
-        if !is_last && (mesh.has_edge(t, (k + 1) % 3, w) || (w.max(onto) as usize) < rim && taken(w, onto)) {
+        // The last one ends at the second vertex beside the side, which has its edge already.
+        let is_new = s != star[star.len() - 2].0;
+        let is_taken = || mesh.has_edge(t, (k + 1) % 3, w) || (w.max(onto) as usize) < rim && taken(w, onto);
+        if turns || is_new && (q.distance(x) > MAX_LENGTH * sizing.between(onto, w) || is_taken()) {
             return Ok(());
         }
     }

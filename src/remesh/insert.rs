@@ -1,15 +1,15 @@
 //! New vertices where triangles are large or sharp: Delaunay refinement.
 //!
-//! Sources: L. P. Chew, *Guaranteed-quality mesh generation for curved surfaces* (1993); J. Ruppert
-//! (1995); A. Üngör, *Off-centers* (2004). A triangle whose circumcircle is larger than its corners'
-//! sizes ask for, or whose least angle is below [`MIN_ANGLE`], gets a vertex at its circumcentre, or
-//! nearer, where its shortest side makes a good triangle with it. The place is found by unfolding
-//! the triangles on the way into one plane. The rim cannot be split: a place that would see one of
-//! its edges under a flat angle is given up.
+//! Sources: L. P. Chew, *Guaranteed-quality mesh generation for curved surfaces* (1993); J. Ruppert,
+//! *A Delaunay refinement algorithm for quality 2-dimensional mesh generation* (1995); A. Üngör,
+//! *Off-centers* (2004). A triangle whose circumcircle is larger than its corners' sizes ask for, or
+//! whose least angle is below [`MIN_ANGLE`], gets a vertex at its circumcentre, or nearer, where its
+//! shortest side makes a good triangle with it. The place is found by unfolding the triangles on the
+//! way into one plane. The rim cannot be split: a place that would see one of its edges under a flat
+//! angle is given up.
 
 use super::patch_mesh::PatchMesh;
 use super::sizing::Sizing;
-
 use crate::error::Result;
 use crate::geom::triangle::{double_area, min_angle};
 use crate::job::Job;
@@ -49,7 +49,7 @@ struct Place {
 /// Adds vertices until no triangle is larger than its size says nor sharper than [`MIN_ANGLE`], as
 /// far as the rim, the vertices below `rim`, allows. `taken`: see [`PatchMesh::relax`].
 ///
-/// O(passes * triangles).
+/// O(passes * triangles), times the number of triangles at a vertex.
 pub(crate) fn insert(
     mesh: &mut PatchMesh,
     rim: usize,

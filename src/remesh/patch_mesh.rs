@@ -1,5 +1,5 @@
-//! The triangles of a patch with their neighbours, and the edits of refinement: splits of a triangle
-//! or a side, and edge flips, each O(1).
+//! The triangles of a patch with their neighbours, and edits of them: splits of a triangle or a side
+//! and edge flips, each O(1); collapses and walks round a vertex, linear in its triangles.
 
 use crate::alloc;
 use crate::error::Result;

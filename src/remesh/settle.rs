@@ -43,17 +43,13 @@ fn settled(point: DVec3, star: &[[DVec3; 2]]) -> DVec3 {
     let normal = area.normalize_or_zero();
     let mut best = (least(point), point);
     let centre = star.iter().map(|&[p, q]| p + q).sum::<DVec3>() / (2.0 * star.len() as f64);
-    // Away from the sharpest triangle: to where its angle at the centre is good.
-    for goal in [centre] {
-        let way = goal - point;
-        let way = way - normal * way.dot(normal);
-        for step in STEPS {
-            let place = point + step * way;
-            let keeps = star.iter().all(|&[p, q]| (p - place).cross(q - place).dot(normal) > 0.0);
-            let angle = least(place);
-            if keeps && angle > best.0 {
-                best = (angle, place);
-            }
+    let way = (centre - point) - normal * (centre - point).dot(normal);
+    for step in STEPS {
+        let place = point + step * way;
+        let keeps = star.iter().all(|&[p, q]| (p - place).cross(q - place).dot(normal) > 0.0);
+        let angle = least(place);
+        if keeps && angle > best.0 {
+            best = (angle, place);
         }
     }
     best.1

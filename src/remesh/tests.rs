@@ -81,7 +81,7 @@ proptest! {
                 }
                 (2, Some(_)) => drop(mesh.relax_side(rim, &FREE, t, k)),
                 (3, Some(_)) if mesh.triangles[t][k] as usize >= rim => {
-                    // No neighbours in common but the two beside the side, or the disc would be pinched.
+                    // Other common neighbours than the two beside the side would pinch the disc.
                     prop_assert!(mesh.round(t, k, &mut star).unwrap());
                     let onto = mesh.triangles[t][(k + 1) % 3];
                     let others = star[1..star.len() - 1].iter().map(|&(s, j)| mesh.triangles[s][(j + 2) % 3]);

@@ -14,7 +14,7 @@
 //! were best (`make bench ONLY=truth`).
 
 use super::grid::FaceList;
-use super::neighbourhood::Neighbourhood;
+use super::neighbourhood::{MAX_FAN_TRIANGLES, Neighbourhood};
 use super::rim::Rim;
 use super::strip::{Parents, Strip};
 use crate::alloc;
@@ -52,8 +52,6 @@ const MAX_NEW_AT_RIM: u32 = 16;
 const MIN_TURN: f64 = 0.2;
 /// How often a vertex that folds a triangle is taken back halfway.
 const MAX_HALVINGS: u32 = 8;
-/// A rim vertex in more triangles than this is the apex of a fan.
-const MAX_FAN_TRIANGLES: usize = 64;
 
 /// How a blend is faired.
 #[derive(Clone, Copy)]
@@ -250,8 +248,8 @@ impl OldRing {
         Ok(size)
     }
 
-    /// Draws the old vertices beyond the rims nearer to them, to where the next new ones would be: they
-    /// are to tell the plate the slope at the rims, and tell little from afar.
+    /// Draws the old vertices beyond the rims nearer to them, to where the next new ones would be:
+    /// they are to tell the plate the slope at the rims, and tell little from afar.
     fn draw_near(&mut self, size: &[f64]) -> Result<()> {
         let rim = size.len();
         let mut anchors = alloc::filled((DVec3::ZERO, 0.0, 0.0), self.points.len() - rim)?;

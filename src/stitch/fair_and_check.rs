@@ -8,11 +8,13 @@
 //! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their
 //! straight meridians, halfway each time, those near by a little less, until nothing cuts or
 //! nothing is left to take back.
+//!
+//! **Blends** are tested and taken back in the same way, towards where they were before fairing.
 
 use super::avoid::avoid_cuts;
 use super::blend::{Blend, WAYS, blend};
 use super::meridian::Meridians;
-use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
+use super::neighbourhood::{IntersectingTriangles, MAX_FAN_TRIANGLES, Neighbourhood};
 use super::request::{Cells, Fairing, Finish, Intersections, Options};
 use super::rim::Bridges;
 use super::strip::Strip;
@@ -29,9 +31,6 @@ const MAX_BACK_OFFS: u32 = 12;
 
 /// Below this the fairing of a vertex is given up.
 const MIN_FAIRING_SHARE: f64 = 0.1;
-
-/// A rim vertex in more triangles than this is the apex of a fan.
-const MAX_FAN_TRIANGLES: usize = 64;
 
 /// How many edges away from a cut the fairing is taken back a little.
 const BACK_OFF_RINGS: u32 = 4;
@@ -143,8 +142,8 @@ fn check_blend(
 }
 
 impl Neighbourhood<'_> {
-    /// Looks for faces that cut each other, if wanted. Where new vertices are `faired`, they are taken
-    /// back towards `straight` until none do that did not there.
+    /// Looks for faces that cut each other, if wanted. Where new vertices are `faired`, they are
+    /// taken back towards `straight` until none do that did not there.
     fn check(
         &mut self,
         straight: Vec<DVec3>,

@@ -21,10 +21,10 @@ pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
 /// Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
 /// size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
 /// from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
-/// is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of the loop with
-/// the longer ones. The width is the mean distance from each loop to the nearest points of the
-/// other, the larger of the two. Loops must look at each other, or lie round each other: of all that
-/// do, the best one-to-one choice is joined.
+/// is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of the
+/// loop with the longer ones. The width is the mean distance from each loop to the nearest points of
+/// the other, the larger of the two. Loops must look at each other, or lie round each other: of all
+/// that do, the best one-to-one choice is joined.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;
