@@ -47,6 +47,11 @@ impl<'a> Job<'a> {
         self.threads
     }
 
+    /// The same job with another number of threads.
+    pub(crate) fn with_threads(&self, threads: usize) -> Job<'a> {
+        Job { threads, ..*self }
+    }
+
     /// The same job seen by one of its parts: what the part calls 0..1 is `from..to` of the whole.
     pub fn part(&self, from: f64, to: f64) -> Job<'a> {
         let span = self.to - self.from;

@@ -5,13 +5,17 @@
 //! one thread and on a hundred. No thread outlives the call.
 
 use crate::error::Result;
-use crate::job::Job;
+use crate::job::{Job, Progress};
 use std::convert::Infallible;
 use std::iter;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
+use std::time::Duration;
+
+/// How long the host is not asked while a thread waits for another.
+const BETWEEN_REPORTS: Duration = Duration::from_millis(10);
 
 /// Applies `work` to every item and returns the results in order.
 ///
@@ -97,6 +101,61 @@ fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut()) 
     });
 }
 
+/// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
+/// asked while this thread waits; once the first fails or the host cancels, the second hears of it
+/// at its next report. What it reports and notes is not passed on.
+///
+/// # Errors
+/// Those of the first, then those of the second; [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn both<R, S: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    first: impl FnOnce(&Job<'_>) -> Result<R>,
+    second: impl FnOnce(&Job<'_>) -> Result<S> + Send,
+) -> Result<(R, S)> {
+    if at_most(2, job.threads()) < 2 {
+        return Ok((first(&job.part(0.0, 0.5))?, second(&job.part(0.5, 1.0))?));
+    }
+    let stopped = AtomicBool::new(false);
+    let (second, done) = (Mutex::new(Some(second)), Mutex::new(None));
+    let waiting = thread::current();
+    let help = || {
+        let second = lock(&second).take();
+        let result = second.map(|second| second(&Job::new(1, &Unless(&stopped))));
+        *lock(&done) = result;
+        waiting.unpark();
+    };
+    let lead = |helper: &dyn Fn() -> bool| {
+        let found = first(&job.part(0.0, 0.5))?;
+        while lock(&done).is_none() && helper() {
+            job.step(0.5, stage)?;
+            thread::park_timeout(BETWEEN_REPORTS);
+        }
+        Ok(found)
+    };
+    let found = thread::scope(|scope| {
+        let helper = thread::Builder::new().spawn_scoped(scope, help).ok();
+        let found = lead(&|| helper.as_ref().is_some_and(|helper| !helper.is_finished()));
+        stopped.store(found.is_err(), Ordering::Relaxed);
+        found
+    })?;
+    // A thread that cannot be started is no failure.
+    let late = lock(&second).take().map(|second| second(&job.part(0.5, 1.0)));
+    match late.or(done.into_inner().unwrap_or_else(PoisonError::into_inner)) {
+        Some(result) => Ok((found, result?)),
+        None => Err(crate::Error::Cancelled),
+    }
+}
+
+/// Breaks off once it is told to.
+struct Unless<'a>(&'a AtomicBool);
+
+impl Progress for Unless<'_> {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 /// What a thread that panicked leaves behind is whole: nothing is changed in two steps.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
@@ -121,8 +180,8 @@ pub(crate) fn at_most(limit: usize, threads: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Error;
     use std::cell::Cell;
-    use std::ops::ControlFlow;
     use std::sync::atomic::AtomicUsize;
 
     #[test]
@@ -160,6 +219,48 @@ mod tests {
             assert_eq!(run(threads, 1000).0, Ok(100));
             let (done, begun, _) = run(threads, 1);
             assert_eq!((done, begun), (Err(crate::Error::Cancelled), 0));
+        }
+    }
+
+    #[test]
+    fn both_are_done_and_either_stops_the_other() {
+        let work = |n: u32| move |_: &Job<'_>| Ok(n);
+        for threads in [1, 2, 16] {
+            let job = Job::new(threads, &Forever);
+            assert_eq!(both(&job, "both", work(1), work(2)), Ok((1, 2)));
+            let refuse = |_: &Job<'_>| Err::<u32, _>(Error::Cancelled);
+            assert_eq!(both(&job, "both", work(1), refuse), Err(Error::Cancelled));
+            // The second goes on until it hears of it.
+            let endless = |job: &Job<'_>| loop {
+                job.step(0.0, "endless")?;
+            };
+            let found: Result<(u32, u32)> = both(&job, "both", refuse, endless);
+            assert_eq!(found, Err(Error::Cancelled));
+        }
+    }
+
+    #[test]
+    fn the_host_is_asked_while_this_thread_waits() {
+        struct Patience(Cell<u32>);
+        impl Progress for Patience {
+            fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+                self.0.set(self.0.get() - 1);
+                if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            }
+        }
+        let endless = |job: &Job<'_>| loop {
+            job.step(0.0, "endless")?;
+        };
+        let patience = Patience(Cell::new(3));
+        let found: Result<((), ())> = both(&Job::new(2, &patience), "both", |_| Ok(()), endless);
+        assert_eq!((found, patience.0.get()), (Err(Error::Cancelled), 0));
+    }
+
+    struct Forever;
+
+    impl Progress for Forever {
+        fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+            ControlFlow::Continue(())
         }
     }
 

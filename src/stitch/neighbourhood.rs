@@ -112,8 +112,10 @@ impl<'a> Neighbourhood<'a> {
     pub(super) fn old_triangles_nearby(&self, straight: &[DVec3]) -> Result<Triangles> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
         let new = self.points.iter().chain(straight).copied();
-        let around = Aabb::of(rims.chain(new));
-        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.at(v))).overlaps(&around))
+        let Aabb { low, high } = Aabb::of(rims.chain(new));
+        // In the host's unit, which is a power of two.
+        let around = Aabb { low: low * self.unit, high: high * self.unit };
+        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around))
     }
 
     /// The pairs of triangles that cut each other, and the strip's triangles that they are counted

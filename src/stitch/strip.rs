@@ -8,9 +8,13 @@ use super::start::{Start, by_rotation, closest_pair};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::par;
 
 /// A second start is taken if it is better by more than this part.
 const MIN_RELATIVE_GAIN: f64 = 1.0 / (1 << 20) as f64;
+
+/// Pairs of vertices that are worth a thread.
+const MIN_NODES_PER_THREAD: usize = 1 << 14;
 
 /// A strip that is not yet part of a mesh.
 pub(crate) struct Strip {
@@ -102,21 +106,26 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     };
     a.start_at(i);
     b.start_at(j);
-    let first = from_given_start(a, b, bridges, options, &job.part(0.2, 0.6))?;
+    let job = job.part(0.2, 1.0);
     let Some((i2, j2)) = second else {
-        return first.map(|chosen| chosen.pairs).ok_or(none);
+        return from_given_start(a, b, bridges, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
     };
-    let turns = [(i2 + a.vertices.len() - i) % a.vertices.len(), (j2 + count - j) % count];
-    a.start_at(turns[0]);
-    b.start_at(turns[1]);
-    let other = from_given_start(a, b, bridges, options, &job.part(0.6, 1.0))?;
+    let (mut other_a, mut other_b) = (a.try_clone()?, b.try_clone()?);
+    other_a.start_at((i2 + a.vertices.len() - i) % a.vertices.len());
+    other_b.start_at((j2 + count - j) % count);
+    let threads = if a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
+    let (first, other) = par::both(
+        &job.with_threads(threads),
+        "finding the best meridians",
+        |job| from_given_start(a, b, bridges, options, job),
+        |job| from_given_start(&other_a, &other_b, bridges, options, job),
+    )?;
     match (first, other) {
-        (None, other) => other.map(|chosen| chosen.pairs).ok_or(none),
-        (Some(first), Some(other)) if other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN) => Ok(other.pairs),
-        (Some(first), _) => {
-            a.start_at(a.vertices.len() - turns[0]);
-            b.start_at(count - turns[1]);
-            Ok(first.pairs)
+        (Some(first), Some(other)) if other.cost >= first.cost * (1.0 - MIN_RELATIVE_GAIN) => Ok(first.pairs),
+        (Some(first), None) => Ok(first.pairs),
+        (_, other) => {
+            (*a, *b) = (other_a, other_b);
+            other.map(|chosen| chosen.pairs).ok_or(none)
         }
     }
 }

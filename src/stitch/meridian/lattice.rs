@@ -95,8 +95,8 @@ struct Table<'a> {
 
 impl Table<'_> {
     fn measure(&mut self, i: usize) {
-        let columns = self.band.columns(i);
-        self.metric.measure(self.rims.a, &self.line, i, columns.clone(), &mut self.steps);
+        let (low, high) = self.band.columns(i).into_inner();
+        self.metric.measure(self.rims.a, &self.line, i, low..high + 1, &mut self.steps);
         for &[_, j] in self.rims.forbidden_in_row(i) {
             self.steps.a[j as usize] = f64::INFINITY;
             self.steps.b[j as usize] = f64::INFINITY;

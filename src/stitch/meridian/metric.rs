@@ -9,7 +9,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::triangle::double_area;
 use glam::DVec3;
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 /// The points of a polyline, one array a coordinate, so that loops over them run on vectors.
 pub(super) struct Line {
@@ -23,6 +23,38 @@ impl Line {
         let part = |k: usize| alloc::collect(points.iter().map(|p| p[k]));
         Ok(Line { x: part(0)?, y: part(1)?, z: part(2)? })
     }
+
+    pub(super) fn zeros(len: usize) -> Result<Self> {
+        let part = || alloc::filled(0.0, len);
+        Ok(Line { x: part()?, y: part()?, z: part()? })
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    pub(super) fn get(&self, k: usize) -> DVec3 {
+        DVec3::new(self.x[k], self.y[k], self.z[k])
+    }
+
+    pub(super) fn set(&mut self, k: usize, p: DVec3) {
+        [self.x[k], self.y[k], self.z[k]] = p.to_array();
+    }
+
+    /// The points of `range`, for [`point`].
+    pub(super) fn part(&self, range: Range<usize>) -> [&[f64]; 3] {
+        [&self.x[range.clone()], &self.y[range.clone()], &self.z[range]]
+    }
+
+    pub(super) fn part_mut(&mut self, range: Range<usize>) -> [&mut [f64]; 3] {
+        [&mut self.x[range.clone()], &mut self.y[range.clone()], &mut self.z[range]]
+    }
+}
+
+/// Point `k` of a [`Line::part`].
+#[inline(always)]
+pub(super) fn point([x, y, z]: [&[f64]; 3], k: usize) -> DVec3 {
+    DVec3::new(x[k], y[k], z[k])
 }
 
 /// The costs of the steps into the nodes of one row: `a[j]` and `b[j]` belong to (i, j).
@@ -30,7 +62,7 @@ pub(super) struct StepCosts {
     pub(super) a: Vec<f64>,
     pub(super) b: Vec<f64>,
     /// |A_i B_j|^2.
-    squared: Vec<f64>,
+    pub(super) squared: Vec<f64>,
 }
 
 impl StepCosts {
@@ -67,8 +99,8 @@ impl Metric {
 
     /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches,
     /// so that they run on vectors.
-    pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: RangeInclusive<usize>, steps: &mut StepCosts) {
-        let (first, last) = (*range.start(), *range.end());
+    pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: Range<usize>, steps: &mut StepCosts) {
+        let (first, last) = (range.start, range.end - 1);
         let here = a[i];
         let [x, y, z] = [&b.x[first..=last], &b.y[first..=last], &b.z[first..=last]];
         let n = x.len();

@@ -176,7 +176,7 @@ fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> 
     let tie = tie_break(rims, paper);
     let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| {
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
-        let bends = Bends::smooth(rims, tie);
+        let bends = Bends::smooth(rims, tie)?;
         // As with the others: the best of all paths is usually proper.
         let found = match cheapest(rims, &Cost::Bends(&bends), band, false, None, &first)? {
             Some((_, path)) if !is_simple(rims, &path) => {

@@ -46,16 +46,11 @@ impl RimPair<'_> {
         &self.forbidden[from..from + count]
     }
 
-    /// What steps on A and on B into `node` cost more.
-    pub(super) fn extra(&self, node: Pair) -> [f64; 2] {
-        let mut extra = [0.0; 2];
-        if !self.penalties.is_empty() {
-            let from = self.penalties.partition_point(|step| step.to < node);
-            for step in self.penalties[from..].iter().take_while(|step| step.to == node) {
-                extra[usize::from(step.on_b)] += step.extra;
-            }
-        }
-        extra
+    /// What steps into row i cost more than their own.
+    pub(super) fn penalties_in_row(&self, i: usize) -> &[StepPenalty] {
+        let from = self.penalties.partition_point(|step| (step.to[0] as usize) < i);
+        let count = self.penalties[from..].partition_point(|step| step.to[0] as usize == i);
+        &self.penalties[from..from + count]
     }
 
     pub(super) fn is_forbidden(&self, node: Pair) -> bool {

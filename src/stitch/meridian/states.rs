@@ -15,20 +15,25 @@
 //! and memory in the band.
 
 use super::band::Band;
-use super::bend::{Bends, Triangles};
+use super::bend::{Bends, Row};
 use super::metric::{Line, Metric, StepCosts};
 use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
+use std::ops::Range;
 
-const STATES: usize = 8;
-/// The path has had a step on A within B.
-const WITHIN_B: usize = 1;
-/// The path has had a step on B within A.
-const WITHIN_A: usize = 2;
 /// The last step was on B. Kept for bends only.
-const LAST_B: usize = 4;
+const LAST_B: usize = 1;
+/// The path has had a step on A within B.
+const WITHIN_B: usize = 2;
+/// The path has had a step on B within A.
+const WITHIN_A: usize = 4;
+
+/// All states, for simple paths.
+const ALL: usize = 8;
+/// Those that tell the rim of the last step only, for any path.
+const LAST: usize = 2;
 
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
@@ -48,17 +53,13 @@ pub(super) enum Cost<'a> {
     Bends(&'a Bends<'a>),
 }
 
-type Costs = [f64; STATES];
-const UNREACHABLE: Costs = [f64::INFINITY; STATES];
-
 /// The bits that a step into (i, j) sets; `LAST_B` is forgotten with each step.
-fn advance(rims: &RimPair<'_>, by: Step, i: usize, j: usize, bends: bool) -> usize {
+fn advance(rims: &RimPair<'_>, by: Step, i: usize, j: usize) -> usize {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     let (i_before, j_before) = (i - usize::from(by != Step::B), j - usize::from(by != Step::A));
     let within_b = by != Step::B && j_before < m && j > 0;
     let within_a = by != Step::A && i_before < n && i > 0;
-    let last = if bends && by == Step::B { LAST_B } else { 0 };
-    (usize::from(within_b) * WITHIN_B) | (usize::from(within_a) * WITHIN_A) | last
+    (usize::from(within_b) * WITHIN_B) | (usize::from(within_a) * WITHIN_A)
 }
 
 /// True if no meridian of the path is used twice. A path between open rims has none.
@@ -71,17 +72,17 @@ pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
             (_, true) => Step::A,
             _ => Step::Both,
         };
-        state |= advance(rims, by, i2 as usize, j2 as usize, false);
+        state |= advance(rims, by, i2 as usize, j2 as usize);
     }
     !rims.closed || state == WITHIN_A | WITHIN_B
 }
 
-/// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as
+/// The cheapest path within `band`, and its cost; `None` if there is none. `simple`: only such as
 /// use no meridian of closed rims twice. `first`: the end of the first step, where that is given.
 ///
-/// Time: the number of nodes in the band, for each of the states that there are (four for proper
-/// paths, twice as many for bends), twice for bends between closed rims whose first step is open. Extra memory: 8 bytes a
-/// node.
+/// Time: the number of nodes in the band, for each of the states that there are (two, for simple
+/// paths eight), twice for bends between closed rims whose first step is open. Extra memory: a byte
+/// for each node and state.
 pub(super) fn cheapest(
     rims: &RimPair<'_>,
     cost: &Cost<'_>,
@@ -90,75 +91,84 @@ pub(super) fn cheapest(
     first: Option<Pair>,
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
-    let simple = simple && rims.closed;
-    let bends = matches!(cost, Cost::Bends(_));
-    let exists = |state: &usize| (simple || state & 3 == 0) && (bends || state & LAST_B == 0);
-    let states: Vec<usize> = (0..STATES).filter(exists).collect();
-    let (n, m) = (band.last_row(), band.last_column());
-    let mut search = Search {
-        rims,
-        cost,
-        states: &states,
-        kept: if simple { STATES - 1 } else { LAST_B },
-        band,
-        line: Line::new(rims.b)?,
-        steps: StepCosts::new(m + 1)?,
-        row: alloc::filled(UNREACHABLE, m + 1)?,
-        triangles: alloc::filled(Triangles::default(), if bends { m + 1 } else { 0 })?,
-        arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
-    };
-    let firsts: &[Option<Step>] = match (cost, first) {
-        (Cost::Bends(_), None) if rims.closed => &[Some(Step::A), Some(Step::B)],
-        (Cost::Bends(_), Some([1, 0])) if rims.closed => &[Some(Step::A)],
-        (Cost::Bends(_), Some(_)) if rims.closed => &[Some(Step::B)],
-        _ => &[None],
-    };
-    let mut best: Option<(f64, Vec<Pair>)> = None;
-    for (k, &first) in firsts.iter().enumerate() {
-        let part = job.share(k, firsts.len());
-        search.run(first, &part)?;
-        for &state in states.iter().filter(|&state| !simple || state & 3 == WITHIN_A | WITHIN_B) {
-            let mut total = search.row[m][state];
-            if let (Cost::Bends(bends), Some(first)) = (cost, first) {
-                let last = bends.triangles(n, m).normals[usize::from(state & LAST_B > 0)];
-                let next =
-                    if first == Step::A { bends.triangles(1, 0).normals[0] } else { bends.triangles(0, 1).normals[1] };
-                total += bends.across(n, m, last, next);
-            }
-            if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
-                best = Some((total, search.backtrack(state)?));
-            }
-        }
+    match simple && rims.closed {
+        true => Search::<ALL>::new(rims, cost, band)?.cheapest(first, job),
+        false => Search::<LAST>::new(rims, cost, band)?.cheapest(first, job),
     }
-    Ok(best)
 }
 
-struct Search<'a> {
+struct Search<'a, const STATES: usize> {
     rims: &'a RimPair<'a>,
     cost: &'a Cost<'a>,
-    /// The states that there are, and their bits.
-    states: &'a [usize],
-    kept: usize,
     band: &'a Band,
     line: Line,
-    steps: StepCosts,
+    /// What the steps into the nodes of the row cost that is searched: by bends, of those that
+    /// follow a step on A and on B; else the first counts for all.
+    steps: [StepCosts; 2],
+    /// Row i of the triangles is `triangles[i % 2]`.
+    triangles: [Row; 2],
     /// The cheapest ways to the nodes of one row.
-    row: Vec<Costs>,
-    /// For bends, the triangles that end at the nodes of that row.
-    triangles: Vec<Triangles>,
+    row: Vec<[f64; STATES]>,
     /// For each node and state: the state before, and the step (8 times 0 for A, 1 for B, 2 for
     /// both).
     arrivals: Vec<[u8; STATES]>,
 }
 
-impl Search<'_> {
+impl<'a, const STATES: usize> Search<'a, STATES> {
+    const UNREACHABLE: [f64; STATES] = [f64::INFINITY; STATES];
+
+    fn new(rims: &'a RimPair<'a>, cost: &'a Cost<'a>, band: &'a Band) -> Result<Self> {
+        let (n, m) = (band.last_row(), band.last_column());
+        let of_bends = if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 };
+        Ok(Search {
+            rims,
+            cost,
+            band,
+            line: Line::new(rims.b)?,
+            steps: [StepCosts::new(m + 1)?, StepCosts::new(m + 1)?],
+            triangles: [Row::new(of_bends)?, Row::new(of_bends)?],
+            row: alloc::filled(Self::UNREACHABLE, m + 1)?,
+            arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
+        })
+    }
+
+    /// See [`cheapest`].
+    fn cheapest(&mut self, first: Option<Pair>, job: &Job<'_>) -> Result<Option<(f64, Vec<Pair>)>> {
+        let firsts: &[Option<Step>] = match (self.cost, first) {
+            (Cost::Bends(_), None) if self.rims.closed => &[Some(Step::A), Some(Step::B)],
+            (Cost::Bends(_), Some([1, 0])) if self.rims.closed => &[Some(Step::A)],
+            (Cost::Bends(_), Some(_)) if self.rims.closed => &[Some(Step::B)],
+            _ => &[None],
+        };
+        let simple = WITHIN_A | WITHIN_B;
+        let mut best: Option<(f64, Vec<Pair>)> = None;
+        for (k, &first) in firsts.iter().enumerate() {
+            self.run(first, &job.share(k, firsts.len()))?;
+            for state in (0..STATES).filter(|state| STATES == LAST || state & simple == simple) {
+                let mut total = self.row[self.band.last_column()][state];
+                if let (Cost::Bends(bends), Some(first)) = (self.cost, first) {
+                    total += bends.across_seam(state & LAST_B > 0, first == Step::B);
+                }
+                if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
+                    best = Some((total, self.backtrack(state)?));
+                }
+            }
+        }
+        Ok(best)
+    }
+
     /// Fills the table. `first`: the first step must be of this kind.
     fn run(&mut self, first: Option<Step>, job: &Job<'_>) -> Result<()> {
-        self.row.fill(UNREACHABLE);
+        self.row.fill(Self::UNREACHABLE);
         let mut start = 0;
         let mut reported = 0;
         for i in 0..=self.band.last_row() {
-            self.next_row(i, start, first);
+            let (low, high) = self.band.columns(i).into_inner();
+            self.measure(i, low..high + 1, first);
+            match self.cost {
+                Cost::Bends(_) => self.next_row::<true>(i, low..high + 1, start),
+                Cost::StepCosts(_) => self.next_row::<false>(i, low..high + 1, start),
+            }
             start += self.band.width(i);
             if start / REPORT_INTERVAL > reported {
                 reported = start / REPORT_INTERVAL;
@@ -168,66 +178,72 @@ impl Search<'_> {
         Ok(())
     }
 
-    fn next_row(&mut self, i: usize, start: usize, first: Option<Step>) {
-        let columns = self.band.columns(i);
-        let low = *columns.start();
-        if let Cost::StepCosts(metric) = self.cost {
-            metric.measure(self.rims.a, &self.line, i, columns.clone(), &mut self.steps);
+    /// The costs of the steps into row i, with penalties, infinite where they are forbidden.
+    fn measure(&mut self, i: usize, columns: Range<usize>, first: Option<Step>) {
+        let [even, odd] = &mut self.triangles;
+        let rows = if i.is_multiple_of(2) { [odd, even] } else { [even, odd] };
+        match self.cost {
+            Cost::StepCosts(metric) => metric.measure(self.rims.a, &self.line, i, columns, &mut self.steps[0]),
+            Cost::Bends(bends) => bends.measure(i, columns, rows, &mut self.steps),
         }
+        for steps in &mut self.steps {
+            for penalty in self.rims.penalties_in_row(i) {
+                let costs = if penalty.on_b { &mut steps.b } else { &mut steps.a };
+                costs[penalty.to[1] as usize] += penalty.extra;
+            }
+            for &[_, j] in self.rims.forbidden_in_row(i) {
+                (steps.a[j as usize], steps.b[j as usize]) = (f64::INFINITY, f64::INFINITY);
+            }
+            match first {
+                Some(Step::B) if i == 1 => steps.a[0] = f64::INFINITY,
+                Some(Step::A) if i == 0 && self.band.last_column() > 0 => steps.b[1] = f64::INFINITY,
+                _ => {}
+            }
+        }
+    }
+
+    /// Replaces the costs of row i - 1 by those of row i, whose arrivals begin at `start`.
+    fn next_row<const BENDS: bool>(&mut self, i: usize, columns: Range<usize>, start: usize) {
         let both = matches!(self.cost, Cost::StepCosts(metric) if metric.steps_on_both());
+        let low = columns.start;
         let shifted = i > 0 && low > *self.band.columns(i - 1).start();
-        let (mut left, mut before) = (UNREACHABLE, if shifted { self.row[low - 1] } else { UNREACHABLE });
-        let mut left_triangles = Triangles::default();
-        for j in columns {
+        let mut before = if shifted { self.row[low - 1] } else { Self::UNREACHABLE };
+        let mut left = Self::UNREACHABLE;
+        let on_a = [0, 1].map(|k| &self.steps[k].a[columns.clone()]);
+        let on_b = [0, 1].map(|k| &self.steps[k].b[columns.clone()]);
+        let arrivals = &mut self.arrivals[start..start + columns.len()];
+        let row = &mut self.row[columns];
+        for k in 0..row.len() {
+            let j = low + k;
+            let (mut here, mut how) = (Self::UNREACHABLE, [0u8; STATES]);
+            let mut step = |by: Step, costs: &[f64; STATES], steps: [f64; 2]| {
+                let within = if STATES == LAST { 0 } else { advance(self.rims, by, i, j) };
+                let last = if BENDS && by == Step::B { LAST_B } else { 0 };
+                for state in (0..STATES).step_by(if BENDS { 1 } else { 2 }) {
+                    let total = costs[state] + steps[state & LAST_B];
+                    let to = (state & !LAST_B) | last | within;
+                    if total < here[to] {
+                        (here[to], how[to]) = (total, (state + ALL * by as usize) as u8);
+                    }
+                }
+            };
             // Row i - 1 still stands at j, where it is within its band.
-            let up = if i > 0 { self.row[j] } else { UNREACHABLE };
-            let triangles = if let Cost::Bends(bends) = self.cost { bends.triangles(i, j) } else { left_triangles };
-            let (mut here, mut how) = (UNREACHABLE, [0u8; STATES]);
-            if (i, j) == (0, 0) {
+            if i > 0 {
+                step(Step::A, &row[k], [on_a[0][k], on_a[1][k]]);
+            }
+            if j > 0 {
+                step(Step::B, &left, [on_b[0][k], on_b[1][k]]);
+            }
+            if both && i > 0 && j > 0 {
+                step(Step::Both, &before, [on_a[0][k]; 2]);
+            }
+            if (i, j) == (0, 0) && !self.rims.is_forbidden([0, 0]) {
                 here[0] = 0.0;
             }
-            let extra = self.rims.extra([i as u32, j as u32]);
-            let from = [(Step::A, &up, i > 0), (Step::B, &left, j > 0), (Step::Both, &before, both && i > 0 && j > 0)];
-            for (kind, (by, costs, exists)) in from.into_iter().enumerate() {
-                let is_first = (i, j) == (usize::from(by != Step::B), usize::from(by != Step::A));
-                if !exists || (is_first && first.is_some_and(|first| first != by)) {
-                    continue;
-                }
-                // Step the kind of the step before.
-                let steps = match self.cost {
-                    Cost::StepCosts(_) => [if by == Step::B { self.steps.b[j] } else { self.steps.a[j] }; 2],
-                    Cost::Bends(bends) => {
-                        let on_a = by == Step::A;
-                        let normal = triangles.normals[usize::from(!on_a)];
-                        let before = if on_a { &self.triangles[j] } else { &left_triangles };
-                        let along = bends.along(i, j, on_a, &triangles, before);
-                        let (i, j) = if on_a { (i - 1, j) } else { (i, j - 1) };
-                        // Nothing comes before the first step: the seam is added at the end.
-                        before.normals.map(|p| along + if is_first { 0.0 } else { bends.across(i, j, p, normal) })
-                    }
-                };
-                let reached = advance(self.rims, by, i, j, matches!(self.cost, Cost::Bends(_)));
-                let extra = extra[usize::from(by == Step::B)];
-                for &state in self.states {
-                    let total = costs[state] + steps[usize::from(state & LAST_B > 0)] + extra;
-                    let to = (state & !LAST_B | reached) & self.kept;
-                    if total < here[to] {
-                        here[to] = total;
-                        how[to] = (state + STATES * kind) as u8;
-                    }
-                }
-            }
-            if self.rims.is_forbidden([i as u32, j as u32]) {
-                here = UNREACHABLE;
-            }
-            self.arrivals[start + j - low] = how;
-            before = self.row[j];
-            self.row[j] = here;
+            arrivals[k] = how;
+            before = row[k];
+            row[k] = here;
             left = here;
-            if let Some(at) = self.triangles.get_mut(j) {
-                *at = triangles;
-            }
-            left_triangles = triangles;
         }
     }
 
@@ -239,9 +255,9 @@ impl Search<'_> {
         path.push([i as u32, j as u32]);
         while (i, j) != (0, 0) {
             let how = usize::from(self.arrivals[start + j - self.band.columns(i).start()][state]);
-            state = how % STATES;
-            j -= usize::from(how / STATES > 0);
-            if how / STATES != 1 {
+            state = how % ALL;
+            j -= usize::from(how / ALL > 0);
+            if how / ALL != 1 {
                 i -= 1;
                 start -= self.band.width(i);
             }
