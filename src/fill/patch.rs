@@ -92,7 +92,7 @@ fn triangulate(
         };
         // The shape of the ears is what was left at their turn.
         let mut mesh = PatchMesh::new(alloc::copied(points)?, triangles)?;
-        mesh.relax(n, taken);
+        mesh.relax(n, taken, &job.part(1.0, 1.0))?;
         return Ok(Some(mesh.triangles));
     }
     let squared = |i: usize| points[i].distance_squared(points[(i + 1) % n]);

@@ -26,9 +26,9 @@ pub(super) fn refine(
     let rim = scale.len();
     let grown = growth(mesh, &scale, limit);
     scale.iter_mut().for_each(|s| *s *= grown);
-    mesh.relax(rim, taken);
     for pass in 1u32.. {
-        job.step(1.0 - 1.0 / f64::from(pass), "refining holes")?;
+        let part = job.part(1.0 - 1.0 / f64::from(pass), 1.0 - 1.0 / f64::from(pass + 1));
+        mesh.relax(rim, taken, &part)?;
         let before = mesh.triangles.len();
         for t in 0..before {
             let corners = mesh.corners(t);
@@ -47,7 +47,6 @@ pub(super) fn refine(
         if mesh.triangles.len() == before {
             break;
         }
-        mesh.relax(rim, taken);
     }
     Ok(())
 }

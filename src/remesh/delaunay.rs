@@ -3,6 +3,7 @@
 use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use glam::DVec3;
 
 /// Passes over all edges in which flips may follow from flips.
@@ -22,8 +23,9 @@ impl PatchMesh {
     /// rim vertices, those below `rim`, that must not get an edge.
     ///
     /// O(triangles) a pass.
-    pub(crate) fn relax(&mut self, rim: usize, taken: &impl Fn(u32, u32) -> bool) {
-        for _ in 0..MAX_PASSES {
+    pub(crate) fn relax(&mut self, rim: usize, taken: &impl Fn(u32, u32) -> bool, job: &Job<'_>) -> Result<()> {
+        for pass in 0..MAX_PASSES {
+            job.step(pass as f64 / MAX_PASSES as f64, "flipping edges")?;
             let mut flipped = false;
             for t in 0..self.triangles.len() {
                 for k in 0..3 {
@@ -34,6 +36,7 @@ impl PatchMesh {
                 break;
             }
         }
+        Ok(())
     }
 
     /// Flips the sides of `triangles`, and what follows from it: Lawson's algorithm.

@@ -5,6 +5,7 @@
 use super::patch_mesh::PatchMesh;
 use super::sizing::Sizing;
 use crate::error::Result;
+use crate::job::Job;
 
 /// Sides that are longer, in sizes, are halved.
 const MAX_LENGTH: f64 = 1.5;
@@ -24,11 +25,17 @@ pub(crate) fn even(
     rim: usize,
     sizing: &mut Sizing,
     taken: &impl Fn(u32, u32) -> bool,
+    job: &Job<'_>,
 ) -> Result<()> {
-    halve(mesh, sizing)?;
     let mut star = Vec::new();
-    for _ in 0..MAX_PASSES {
-        mesh.relax(rim, taken);
+    let mut limited = true;
+    for pass in 0..MAX_PASSES {
+        let part = job.share(pass as usize, MAX_PASSES as usize + 1);
+        // Again if the limit was in the way before something collapsed.
+        if limited {
+            limited = halve(mesh, sizing, &part.part(0.0, 0.5))?;
+        }
+        mesh.relax(rim, taken, &part.part(0.5, 1.0))?;
         let before = mesh.points.len();
         for t in 0..mesh.triangles.len() {
             for k in 0..3 {
@@ -43,12 +50,13 @@ pub(crate) fn even(
             break;
         }
     }
-    mesh.relax(rim, taken);
-    Ok(())
+    mesh.relax(rim, taken, &job.share(MAX_PASSES as usize, MAX_PASSES as usize + 1))
 }
 
-fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing) -> Result<()> {
+/// Halves long sides; true if the limit was in the way.
+fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<bool> {
     let mut t = 0;
+    job.step(0.0, "refining")?;
     while t < mesh.triangles.len() && mesh.points.len() < sizing.limit {
         let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
         // Beside a longer side on the rim nothing becomes shorter than its half.
@@ -66,7 +74,7 @@ fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing) -> Result<()> {
             t += 1;
         }
     }
-    Ok(())
+    Ok(t < mesh.triangles.len())
 }
 
 /// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are too

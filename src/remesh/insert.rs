@@ -57,9 +57,9 @@ pub(crate) fn insert(
     taken: &impl Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<()> {
-    mesh.relax(rim, taken);
     for pass in 1..=MAX_PASSES {
-        job.step(1.0 - 1.0 / f64::from(pass), "refining")?;
+        let part = job.part(1.0 - 1.0 / f64::from(pass), 1.0 - 1.0 / f64::from(pass + 1));
+        mesh.relax(rim, taken, &part)?;
         let before = mesh.points.len();
         for t in 0..mesh.triangles.len() {
             if mesh.points.len() >= sizing.limit {
@@ -71,11 +71,10 @@ pub(crate) fn insert(
             enter(mesh, rim, sizing, taken, &place, spacing)?;
         }
         if mesh.points.len() == before {
-            break;
+            return Ok(());
         }
-        mesh.relax(rim, taken);
     }
-    Ok(())
+    mesh.relax(rim, taken, &job.part(1.0, 1.0))
 }
 
 /// The place of a new vertex that improves triangle `t`, and its least distance from others.

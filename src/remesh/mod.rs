@@ -6,12 +6,14 @@
 //! | [`delaunay`](self) | flips to Delaunay's rule |
 //! | [`even`](mod@even) | long sides halved, short ones collapsed |
 //! | [`insert`](self) | new vertices where triangles are large or sharp |
+//! | [`iron`](self) | creases ironed out |
 //! | [`sizing`](self) | how long sides should be |
 //! | [`settle`](self) | vertices moved within the surface to where their triangles are better |
 
 mod delaunay;
 mod even;
 mod insert;
+mod iron;
 mod patch_mesh;
 mod settle;
 mod sizing;

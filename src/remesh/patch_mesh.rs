@@ -39,6 +39,14 @@ impl PatchMesh {
         Ok(PatchMesh { points, triangles, across })
     }
 
+    pub(crate) fn try_clone(&self) -> Result<PatchMesh> {
+        Ok(PatchMesh {
+            points: alloc::copied(&self.points)?,
+            triangles: alloc::copied(&self.triangles)?,
+            across: alloc::copied(&self.across)?,
+        })
+    }
+
     pub(crate) fn corners(&self, t: usize) -> [DVec3; 3] {
         self.triangles[t].map(|v| self.points[v as usize])
     }

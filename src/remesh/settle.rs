@@ -4,6 +4,7 @@ use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::triangle::min_angle;
+use crate::job::Job;
 use crate::sort::Buckets;
 use glam::DVec3;
 
@@ -13,8 +14,14 @@ const STEPS: [f64; 3] = [1.0, 0.5, 0.25];
 impl PatchMesh {
     /// Moves each vertex from `rim` on towards the centroid of its neighbours, square to its normal,
     /// as far as that opens the sharpest angle round it; `rounds` times, with flips between.
-    pub(crate) fn settle(&mut self, rim: usize, taken: &impl Fn(u32, u32) -> bool, rounds: u32) -> Result<()> {
-        for _ in 0..rounds {
+    pub(crate) fn settle(
+        &mut self,
+        rim: usize,
+        taken: &impl Fn(u32, u32) -> bool,
+        rounds: u32,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        for round in 0..rounds {
             let corners = self.triangles.iter().enumerate().flat_map(|(t, corners)| corners.map(|v| (v as usize, t)));
             let around = Buckets::new(self.points.len(), 0usize, corners)?;
             let mut star = Vec::new();
@@ -30,7 +37,7 @@ impl PatchMesh {
                 )?;
                 self.points[v] = settled(self.points[v], &star);
             }
-            self.relax(rim, taken);
+            self.relax(rim, taken, &job.share(round as usize, rounds as usize))?;
         }
         Ok(())
     }

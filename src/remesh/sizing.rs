@@ -19,6 +19,11 @@ pub(crate) struct Sizing {
 }
 
 impl Sizing {
+    pub(crate) fn try_clone(&self) -> Result<Sizing> {
+        let (size, unfaired) = (alloc::copied(&self.size)?, alloc::copied(&self.unfaired)?);
+        Ok(Sizing { size, unfaired, ..*self })
+    }
+
     /// Of a vertex that is about to be added at a mean of three others.
     pub(super) fn insert(&mut self, of: [u32; 3], weights: [f64; 3]) -> Result<()> {
         let parts = || of.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0);

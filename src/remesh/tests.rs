@@ -104,10 +104,10 @@ fn a_square_is_refined_to_any_size_without_sharp_angles() {
     for (n, size) in [(1, 0.1), (4, 1.0), (6, 0.4), (24, 4.0)] {
         let (mut mesh, rim) = square(n);
         let mut sizing = sizing(&mesh, size);
-        even(&mut mesh, rim, &mut sizing, &FREE).unwrap();
+        even(&mut mesh, rim, &mut sizing, &FREE, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
         insert(&mut mesh, rim, &mut sizing, &FREE, &Job::default()).unwrap();
-        mesh.settle(rim, &FREE, 3).unwrap();
+        mesh.settle(rim, &FREE, 3, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
         let whole = f64::from(n * n);
         assert!((area(&mesh) / whole - 1.0).abs() < 1e-12);
@@ -132,10 +132,10 @@ fn taken_edges_are_never_made() {
     let points = [[0.0, 0.0], [1.0, 0.2], [3.0, 0.0], [1.0, -0.2]].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
     let triangles = vec![[0, 2, 1], [0, 3, 2]];
     let mut free = PatchMesh::new(points.clone(), triangles.clone()).unwrap();
-    free.relax(4, &FREE);
+    free.relax(4, &FREE, &Job::default()).unwrap();
     assert!(free.triangles.iter().all(|t| t.contains(&1) && t.contains(&3)));
     let mut taken = PatchMesh::new(points, triangles.clone()).unwrap();
-    taken.relax(4, &|u, v| (u.min(v), u.max(v)) == (1, 3));
+    taken.relax(4, &|u, v| (u.min(v), u.max(v)) == (1, 3), &Job::default()).unwrap();
     assert_eq!(taken.triangles, triangles);
 }
 
@@ -147,10 +147,36 @@ fn points_that_coincide_or_are_in_line_hang_nothing() {
         for size in [0.0, 0.1, f64::NAN] {
             let mut sizing = sizing(&mesh, size);
             sizing.limit = mesh.points.len() + 50;
-            even(&mut mesh, 4, &mut sizing, &FREE).unwrap();
+            even(&mut mesh, 4, &mut sizing, &FREE, &Job::default()).unwrap();
             insert(&mut mesh, 4, &mut sizing, &FREE, &Job::default()).unwrap();
-            mesh.settle(4, &FREE, 2).unwrap();
+            mesh.settle(4, &FREE, 2, &Job::default()).unwrap();
             assert!(mesh.points.iter().all(|p| p.is_finite()));
         }
+    }
+}
+
+#[test]
+fn a_crease_is_ironed_out_and_a_gentle_slope_stays() {
+    let bends = |mesh: &PatchMesh| {
+        let normal = |t: usize| {
+            let [a, b, c] = mesh.corners(t);
+            (b - a).cross(c - a).normalize()
+        };
+        let sides = (0..mesh.triangles.len()).flat_map(|t| (0..3).filter_map(move |k| Some((t, mesh.beyond(t, k)?.0))));
+        sides.map(|(t, s)| normal(t).dot(normal(s))).fold(1.0, f64::min)
+    };
+    let least = std::f64::consts::FRAC_1_SQRT_2;
+    for (height, moves) in [(0.2, false), (4.0, true)] {
+        let (mut mesh, rim) = square(8);
+        // A spike in the middle, and beside it a vertex that a fold lies on.
+        mesh.points[rim + 24].z = height;
+        mesh.points[rim + 25].x += if moves { 1.5 } else { 0.0 };
+        let before = mesh.points.clone();
+        assert_eq!(bends(&mesh) < least, moves);
+        mesh.iron(rim, least, &Job::default()).unwrap();
+        assert!(bends(&mesh) >= least);
+        assert_eq!(mesh.points != before, moves);
+        assert_eq!(mesh.points[..rim], before[..rim]);
+        assert_disc(&mesh, rim);
     }
 }

@@ -5,7 +5,7 @@
 //! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
 //! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
 //! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with care or
-//! less often. At last the sharp triangles at the shortest edges of the rims are refined: there the
+//! less often. Creases that the old faces do not have are ironed out. At last the sharp triangles at the shortest edges of the rims are refined: there the
 //! plate would follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
@@ -50,6 +50,11 @@ const MAX_NEW: u32 = 50_000;
 const MAX_NEW_AT_RIM: u32 = 16;
 /// A triangle that turns by more is folded: the cosine.
 const MIN_TURN: f64 = 0.2;
+/// New triangles that bend by more than this against each other, and than twice what is usual
+/// between the old faces at the rims, make a crease that those do not have: the cosine.
+const MAX_SMOOTH_BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// What is usual: of so many of a hundred old edges the bend is less.
+const USUAL_PERCENT: usize = 95;
 /// How often a vertex that folds a triangle is taken back halfway.
 const MAX_HALVINGS: u32 = 8;
 
@@ -72,55 +77,78 @@ pub(super) struct Blend {
     pub(super) parents: Vec<Parents>,
 }
 
-/// Plans a blend in the place of a strip of triangles without rows.
-///
-/// For T triangles of the strip and n new vertices O(T + n log n) and the plate's O(n^1.5), nearly
-/// linear on a narrow strip; and a pass over all old faces.
-pub(super) fn blend(whole: &Mesh, strip: &Strip, unit: f64, way: Way, job: &Job<'_>) -> Result<Blend> {
-    let mut patch = OldRing::new(whole, strip, unit)?;
-    let rim = strip.rim_count();
-    let corners = strip.faces.corners.as_chunks::<3>().0;
-    let mut mesh = PatchMesh::new(alloc::copied(&patch.points[..rim])?, alloc::copied(corners)?)?;
-    let mut size = patch.sizes(&[&strip.a, &strip.b])?;
-    size.iter_mut().for_each(|s| *s *= SIZE);
-    let at_rim = MAX_NEW_AT_RIM.saturating_mul(rim as u32);
-    let limit = MAX_NEW.max(at_rim);
-    let needed = needed(&mesh, &size).min(f64::from(limit));
-    let grown = growth(&mesh, &size, limit);
-    size.iter_mut().for_each(|s| *s *= grown);
-    patch.draw_near(&size)?;
-    let mut sizing = Sizing {
-        size,
-        unfaired: alloc::copied(&mesh.points)?,
-        // Twice the estimate: for shapes that it does not fit.
-        limit: rim + 2 * needed as usize + at_rim as usize,
-        shortest: SHORTEST,
-    };
-    let taken = |u: u32, v: u32| patch.edges.binary_search(&(u.min(v), u.max(v))).is_ok();
+/// What all ways begin with.
+pub(super) struct Plan {
+    patch: OldRing,
+    /// The strip with sides as long as is wanted.
+    mesh: PatchMesh,
+    sizing: Sizing,
+    /// The number of the rims' vertices.
+    rim: usize,
+    /// Creases of a smaller cosine are ironed out.
+    min_cosine: f64,
+}
 
-    even(&mut mesh, rim, &mut sizing, &taken)?;
-    for round in 0..way.rounds {
-        let part = job.part(0.0, 0.7).share(round as usize, way.rounds as usize);
-        insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
-        mesh.settle(rim, &taken, SETTLE[0])?;
-        patch.fair(&mut mesh, rim, way.unfolds, &part.part(0.3, 1.0))?;
+impl Plan {
+    /// Of a strip of triangles without rows. O(T + n log n) for T triangles of the strip and n new
+    /// vertices, and a pass over all old faces.
+    pub(super) fn new(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Plan> {
+        let mut patch = OldRing::new(whole, strip, unit)?;
+        // Of twice the angle.
+        let usual = patch.usual_bend()?.max(0.0);
+        let min_cosine = MAX_SMOOTH_BEND.min(2.0 * usual * usual - 1.0);
+        let rim = strip.rim_count();
+        let corners = strip.faces.corners.as_chunks::<3>().0;
+        let mut mesh = PatchMesh::new(alloc::copied(&patch.points[..rim])?, alloc::copied(corners)?)?;
+        let mut size = patch.sizes(&[&strip.a, &strip.b])?;
+        size.iter_mut().for_each(|s| *s *= SIZE);
+        let at_rim = MAX_NEW_AT_RIM.saturating_mul(rim as u32);
+        let limit = MAX_NEW.max(at_rim);
+        let needed = needed(&mesh, &size).min(f64::from(limit));
+        let grown = growth(&mesh, &size, limit);
+        size.iter_mut().for_each(|s| *s *= grown);
+        patch.draw_near(&size)?;
+        let mut sizing = Sizing {
+            size,
+            unfaired: alloc::copied(&mesh.points)?,
+            // Twice the estimate: for shapes that it does not fit.
+            limit: rim + 2 * needed as usize + at_rim as usize,
+            shortest: SHORTEST,
+        };
+        even(&mut mesh, rim, &mut sizing, &|u, v| patch.has_edge(u, v), job)?;
+        Ok(Plan { patch, mesh, sizing, rim, min_cosine })
     }
-    sizing.shortest = SHORTEST_AT_LAST;
-    insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.7, 0.9))?;
-    mesh.settle(rim, &taken, SETTLE[1])?;
 
-    Error::check_count("corners of the strip", 3 * mesh.triangles.len() as u64, MAX_ELEMENTS)?;
-    let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + patch.origin));
-    let points = back(&mesh.points)?;
-    Ok(Blend {
-        faces: FaceList {
-            offsets: alloc::collect((0..mesh.triangles.len() as u32 + 1).map(|t| 3 * t))?,
-            corners: alloc::copied(mesh.triangles.as_flattened())?,
-        },
-        parents: parents(strip, &points, &job.part(0.9, 1.0))?,
-        points,
-        unfaired: back(&sizing.unfaired)?,
-    })
+    /// The blend in the place of the strip. For n new vertices O(n log n) and the plate's
+    /// O(n^1.5), nearly linear on a narrow strip.
+    pub(super) fn blend(&self, strip: &Strip, way: Way, job: &Job<'_>) -> Result<Blend> {
+        let (patch, rim) = (&self.patch, self.rim);
+        let (mut mesh, mut sizing) = (self.mesh.try_clone()?, self.sizing.try_clone()?);
+        let taken = |u: u32, v: u32| patch.has_edge(u, v);
+        for round in 0..way.rounds {
+            let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
+            insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
+            mesh.settle(rim, &taken, SETTLE[0], &part.part(0.3, 0.4))?;
+            patch.fair(&mut mesh, rim, way.unfolds, &part.part(0.4, 1.0))?;
+        }
+        mesh.iron(rim, self.min_cosine, &job.part(0.6, 0.7))?;
+        sizing.shortest = SHORTEST_AT_LAST;
+        insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.7, 0.8))?;
+        mesh.settle(rim, &taken, SETTLE[1], &job.part(0.8, 0.9))?;
+
+        Error::check_count("corners of the strip", 3 * mesh.triangles.len() as u64, MAX_ELEMENTS)?;
+        let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + patch.origin));
+        let points = back(&mesh.points)?;
+        Ok(Blend {
+            faces: FaceList {
+                offsets: alloc::collect((0..mesh.triangles.len() as u32 + 1).map(|t| 3 * t))?,
+                corners: alloc::copied(mesh.triangles.as_flattened())?,
+            },
+            parents: parents(strip, &points, &job.part(0.9, 1.0))?,
+            points,
+            unfaired: back(&sizing.unfaired)?,
+        })
+    }
 }
 
 /// Of each point, the nearest vertex of either rim, and how far it is on the way between them.
@@ -184,6 +212,27 @@ struct OldRing {
 }
 
 impl OldRing {
+    /// True if an old face has an edge between two vertices of the rims.
+    fn has_edge(&self, u: u32, v: u32) -> bool {
+        self.edges.binary_search(&(u.min(v), u.max(v))).is_ok()
+    }
+
+    /// The cosine of the angle by which old faces at the rims bend against each other: that of more
+    /// than [`USUAL_PERCENT`] of a hundred edges is larger.
+    fn usual_bend(&self) -> Result<f64> {
+        let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
+        for &[a, b, c] in &self.triangles {
+            let [p, q, r] = [a, b, c].map(|v| self.points[v as usize]);
+            let normal = (q - p).cross(r - p).normalize_or_zero();
+            edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
+        }
+        edges.sort_by_key(|&(u, v, _)| (u, v));
+        let pairs = edges.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
+        let mut cosines = alloc::gather(pairs.map(|pair| pair[0].2.dot(pair[1].2)))?;
+        cosines.sort_unstable_by(|p, q| q.total_cmp(p));
+        Ok(cosines.get(cosines.len().saturating_sub(1) * USUAL_PERCENT / 100).copied().unwrap_or(1.0))
+    }
+
     fn new(whole: &Mesh, strip: &Strip, unit: f64) -> Result<OldRing> {
         let around = Neighbourhood::new(whole, strip, unit, Vec::new())?;
         let old = around.old_triangles(|face| face.iter().any(|&v| around.rim.contains(v)))?.corners;

@@ -12,7 +12,7 @@
 //! **Blends** are tested and taken back in the same way, towards where they were before fairing.
 
 use super::avoid::avoid_cuts;
-use super::blend::{Blend, WAYS, blend};
+use super::blend::{Blend, Plan, WAYS};
 use super::meridian::Meridians;
 use super::neighbourhood::{IntersectingTriangles, MAX_FAN_TRIANGLES, Neighbourhood};
 use super::request::{Cells, Fairing, Finish, Intersections, Options};
@@ -106,9 +106,11 @@ fn check_blend(
     let rims = strip.rim_count();
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
     let mut best: Option<(CheckedStrip, Blend)> = None;
+    let plan = Plan::new(whole, strip, unit, &job.part(0.0, 0.2))?;
+    let job = job.part(0.2, 1.0);
     for (k, way) in WAYS.into_iter().enumerate() {
         let part = job.share(k, WAYS.len());
-        let mut found = blend(whole, strip, unit, way, &part.part(0.0, 0.5))?;
+        let mut found = plan.blend(strip, way, &part.part(0.0, 0.5))?;
         // The strip's own faces come back once this one is judged.
         let faces = std::mem::replace(&mut strip.faces, found.faces);
         let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;
