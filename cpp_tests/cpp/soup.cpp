@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using Plain = CGAL::Simple_cartesian<double>;
 
 void Soup::add_face(const std::vector<uint32_t> &face) {
     corners.insert(corners.end(), face.begin(), face.end());
@@ -17,7 +17,7 @@ void Soup::add_face(const std::vector<uint32_t> &face) {
 }
 
 Soup read_soup(const std::string &path) {
-    std::vector<Kernel::Point_3> points;
+    std::vector<Plain::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
     if (!CGAL::IO::read_polygon_soup(path, points, faces)) {
         throw std::runtime_error("cannot read " + path);
@@ -33,7 +33,7 @@ Soup read_soup(const std::string &path) {
 }
 
 void write_obj(const std::string &path, const gusset::MeshView &mesh) {
-    const CgalSoup<Kernel::Point_3> soup(mesh);
+    const CgalSoup<Plain::Point_3> soup(mesh);
     if (!CGAL::IO::write_OBJ(path, soup.points, soup.faces, CGAL::parameters::stream_precision(17))) {
         throw std::runtime_error("cannot write " + path);
     }

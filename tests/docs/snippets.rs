@@ -65,6 +65,7 @@ fn wanted(page: &str, makefile: &str) -> (String, Vec<String>) {
 fn pages_show_what_is_compiled_and_run() {
     let makefile = read("Makefile");
     let built = ["cpp_tests/CMakeLists.txt", "cpp_tests/docs.cmake"].map(read).concat();
+    let project = read("examples/guides/CMakeLists.txt");
     let mut shown = 0;
     for path in pages() {
         let page = read(&path);
@@ -72,7 +73,9 @@ fn pages_show_what_is_compiled_and_run() {
         shown += files.len();
         for file in files {
             let name = match file.strip_prefix("examples/guides/") {
-                Some("CMakeLists.txt") => "--build-and-test ${guides}".to_owned(),
+                Some("CMakeLists.txt") => "--build-and-test ${guides} ".to_owned(),
+                // The project's programs: `add_executable(name file)`.
+                Some(name) if project.contains(&format!(" {name})\n")) => "--build-and-test ${guides} ".to_owned(),
                 Some(name) => format!("${{guides}}/{name}"),
                 None => format!("${{root}}/{file}"),
             };
