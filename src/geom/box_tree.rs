@@ -57,14 +57,25 @@ impl BoxTree {
 
     /// Calls `leaf` for the leaves whose boxes come within `slack` of `b` along every axis, in
     /// ascending order.
-    pub(crate) fn overlapping(&self, b: &Aabb, slack: f64, mut leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
+    pub(crate) fn overlapping(&self, b: &Aabb, slack: f64, leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
+        self.descend(|_, node| node.is_within(b, slack), leaf)
+    }
+
+    /// Calls `leaf` for the leaves that `enter` takes, given a node's number and box, as it takes all
+    /// nodes above them; in ascending order.
+    #[inline]
+    pub(crate) fn descend(
+        &self,
+        enter: impl Fn(usize, &Aabb) -> bool,
+        mut leaf: impl FnMut(usize) -> Result<()>,
+    ) -> Result<()> {
         let mut stack = [0usize; 64];
         let mut len = 1;
         stack[0] = 1;
         while len > 0 {
             len -= 1;
             let node = stack[len];
-            if !self.nodes[node].is_within(b, slack) {
+            if !enter(node, &self.nodes[node]) {
                 continue;
             }
             if node >= self.leaves {
