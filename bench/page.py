@@ -181,6 +181,12 @@ def accuracies(entries):
     return table(["case", "by", *ACCURACIES.values()], [rows[key] for key in ordered]) + ACCURACY_CAPTION if rows else ""
 
 
+TRUTH_PICTURE = """![joints beside the surface that was there](truth.jpg)
+
+New faces are orange. Of our best joints the one in the middle by its distance, as part of the gap's size, and the farthest one.
+"""
+
+
 def truths(entries):
     """Shares and medians over the slabs; one row for each contender."""
     rows = []
@@ -234,7 +240,7 @@ def write_page(entries, folder, gusset):
             judged = [e for e in entries if split(e)[0] in (module, module.removesuffix("-strip"))]
             parts.append(qualities(judged))
         if mine and module == "truth":
-            parts.append(truths(mine))
+            parts += [truths(mine), TRUTH_PICTURE]
         if module == "carcass":
             parts.append(accuracies(mine))
     (folder / "benchmarks.md").write_text("\n".join(part for part in parts if part))

@@ -68,7 +68,7 @@ def main():
     in_cpp(report, options.tools, folder, options.only, options.slow)
     Cases(library, report, options.tools, folder, options.only, options.slow).run()
     if truth.wanted(options.only):
-        truth.run(library, report, options.tools, folder, options.only)
+        truth.run(library, report, options.tools, folder, options.only, options.docs)
     report.write(options.out)
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
     if options.docs:

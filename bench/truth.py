@@ -12,6 +12,7 @@ import numpy as np
 import gusset
 import meshes
 import meshlib_peer
+import slab_plot
 from meshes import Mesh
 from peers import Peer
 from slabs import slabs
@@ -23,14 +24,22 @@ ROWS = {
 }
 
 
+# Contenders in the picture.
+DRAWN = ("gusset", "gusset-best", "meshlib-nicely", "cgal")
+
+
 def wanted(only):
     return any(only in row for row in ROWS)
 
 
-def run(library, report, tools, folder, only):
-    """The rows that are wanted."""
+def run(library, report, tools, folder, only, docs):
+    """The rows that are wanted; with `docs` also the picture there."""
     best = library.options(finish=gusset.FINISH_BLEND)
-    cases = list(Truth(library, tools, folder, best).run().values())
+    truth = Truth(library, tools, folder, best)
+    named = truth.run()
+    cases = list(named.values())
+    if docs:
+        truth.draw(named, docs / "truth.jpg")
     for row, (ours, peer) in ROWS.items():
         if only in row:
             case, name = row.rsplit("/", 1)
@@ -140,6 +149,23 @@ class Truth:
             found[slab.name] = {
                 name: self.measured(work, slab, truth) for name, work in self.contenders() if not only or name in only}
         return found
+
+    def draw(self, cases, path):
+        """The median and the worst of our best joints beside the others."""
+        sizes = {slab.name: float(np.linalg.norm(np.ptp(slab.truth.points, axis=0))) for slab in slabs()}
+        chosen = slab_plot.chosen(cases, sizes, "gusset-best")
+        rows = {}
+        for slab in slabs():
+            for title in (title for title, name in chosen.items() if name == slab.name):
+                joints = {"what was there": self.there(slab)}
+                joints |= {who: work(slab)[:3] for who, work in self.contenders() if who in DRAWN}
+                rows[title] = (f"{title}, {slab.name}", slab.truth, joints)
+        slab_plot.write([rows[title] for title in chosen], path)
+
+    def there(self, slab):
+        mesh, _ = whole(slab)
+        faces = np.concatenate([mesh.faces, slab.truth.faces + np.uint32(len(mesh.points))])
+        return np.concatenate([mesh.points, slab.truth.points]), faces, len(mesh.faces)
 
 
 def clean(measures):
