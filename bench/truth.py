@@ -38,14 +38,14 @@ def run(library, report, tools, folder, only, docs):
     truth = Truth(library, tools, folder, best)
     named = truth.run()
     cases = list(named.values())
-    if docs:
-        truth.draw(named, docs / "truth.jpg")
     for row, (ours, peer) in ROWS.items():
         if only in row:
             case, name = row.rsplit("/", 1)
             ratio = nearer(cases, ours, peer)
             # Ours is 1: there is no one distance of all cases.
             report.add(case, name, 1.0, ratio, summary(cases, ours, peer), unit="distance")
+    if docs:
+        truth.draw(named, docs / "truth.jpg")
 
 
 def is_closed(faces):
@@ -158,7 +158,10 @@ class Truth:
         for slab in slabs():
             for title in (title for title, name in chosen.items() if name == slab.name):
                 joints = {"what was there": self.there(slab)}
-                joints |= {who: work(slab)[:3] for who, work in self.contenders() if who in DRAWN}
+                # Who joined nothing is left out.
+                joints |= {
+                    who: work(slab)[:3] for who, work in self.contenders()
+                    if who in DRAWN and "failed" not in cases[slab.name][who]}
                 rows[title] = (f"{title}, {slab.name}", slab.truth, joints)
         slab_plot.write([rows[title] for title in chosen], path)
 

@@ -7914,8 +7914,8 @@ gusset_status gusset_sew_get_view(const struct gusset_sew *sew,
  *     case); plus a box test for each pair of loops where the choice is left open. Extra memory is
  *     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
  *     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
- *     GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each
- *     pair.
+ *     GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each pair, where the best strip would
+ *     use an edge twice 8; twice that with more than one thread and two starts.
  * @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
  *     start: N + 1 and M + 1 points.
  * @since 0.1

@@ -103,7 +103,7 @@ fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut()) 
 
 /// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
 /// asked while this thread waits; once the first fails or the host cancels, the second hears of it
-/// at its next report. What it reports and notes is not passed on.
+/// at its next report. Both hold their memory at once. What it reports and notes is not passed on.
 ///
 /// # Errors
 /// Those of the first, then those of the second; [`Error::Cancelled`](crate::Error::Cancelled).
@@ -135,15 +135,28 @@ pub(crate) fn both<R, S: Send>(
     };
     let found = thread::scope(|scope| {
         let helper = thread::Builder::new().spawn_scoped(scope, help).ok();
-        let found = lead(&|| helper.as_ref().is_some_and(|helper| !helper.is_finished()));
-        stopped.store(found.is_err(), Ordering::Relaxed);
-        found
+        let stop = StopOnDrop(&stopped);
+        let found = lead(&|| helper.as_ref().is_some_and(|helper| !helper.is_finished()))?;
+        std::mem::forget(stop);
+        if let Some(Err(panic)) = helper.map(|helper| helper.join()) {
+            std::panic::resume_unwind(panic);
+        }
+        Ok(found)
     })?;
     // A thread that cannot be started is no failure.
     let late = lock(&second).take().map(|second| second(&job.part(0.5, 1.0)));
     match late.or(done.into_inner().unwrap_or_else(PoisonError::into_inner)) {
         Some(result) => Ok((found, result?)),
         None => Err(crate::Error::Cancelled),
+    }
+}
+
+/// Tells [`Unless`] to break off, whether by failure or by panic.
+struct StopOnDrop<'a>(&'a AtomicBool);
+
+impl Drop for StopOnDrop<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
     }
 }
 
@@ -236,6 +249,23 @@ mod tests {
             };
             let found: Result<(u32, u32)> = both(&job, "both", refuse, endless);
             assert_eq!(found, Err(Error::Cancelled));
+        }
+    }
+
+    #[test]
+    fn a_panic_of_either_stops_the_other_and_is_passed_on() {
+        let endless = |job: &Job<'_>| loop {
+            job.step(0.0, "endless")?;
+        };
+        let fails = |_: &Job<'_>| -> Result<()> { std::panic::panic_any("of work") };
+        let passed_on = |found: thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
+        for threads in [1, 2] {
+            let job = Job::new(threads, &Forever);
+            let first = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| both(&job, "both", fails, endless)));
+            assert_eq!(passed_on(first), "of work");
+            let second =
+                std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| both(&job, "both", |_| Ok(()), fails)));
+            assert_eq!(passed_on(second), "of work");
         }
     }
 

@@ -61,8 +61,8 @@ impl BoxTree {
         self.descend(|_, node| node.is_within(b, slack), leaf)
     }
 
-    /// Calls `leaf` for the leaves that `enter` takes, given a node's number and box, as it takes all
-    /// nodes above them; in ascending order.
+    /// Calls `leaf` for the leaves that `enter` takes, given a node's number and box, as it takes
+    /// all nodes above them; in ascending order.
     #[inline]
     pub(crate) fn descend(
         &self,

@@ -54,8 +54,8 @@ impl OrientedBox {
         OrientedBox { axes: self.axes, low: self.low.min(centre - reach), high: self.high.max(centre + reach) }
     }
 
-    /// True if all points lie beyond one side of the box, so that nothing between them meets what is
-    /// in it.
+    /// True if all points lie beyond one side of the box, so that nothing between them meets what
+    /// is in it.
     #[inline]
     pub(crate) fn is_beside(&self, points: &[DVec3; 3]) -> bool {
         let slack = ROUND_OFF * points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
@@ -76,9 +76,10 @@ impl OrientedBox {
 /// Three unit vectors square to each other: along `side`, and the third one square to `other`.
 fn frame(side: DVec3, other: DVec3) -> [DVec3; 3] {
     let along = side.normalize_or(DVec3::X);
-    let normal = along.cross(other).normalize_or(along.any_orthonormal_vector());
-    // Of a needle the cross product is mostly round-off.
-    let normal = normal.reject_from_normalized(along).normalize_or(along.any_orthonormal_vector());
+    // Of a needle the cross product is mostly round-off, which may lie any way: what is left of it
+    // square to the side must be most of it, or round-off is all that there is.
+    let square = along.cross(other).normalize_or_zero().reject_from_normalized(along);
+    let normal = if square.length_squared() > 0.25 { square.normalize() } else { along.any_orthonormal_vector() };
     [along, normal.cross(along), normal]
 }
 
@@ -89,6 +90,31 @@ mod tests {
 
     fn point() -> impl Strategy<Value = DVec3> {
         (-1.0..1.0, -1.0..1.0, -1.0..1.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    }
+
+    /// Sides of triangles whose corners are in line but for round-off.
+    #[test]
+    fn frames_are_square_whatever_the_cross_product_is() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let assert_square = |side: DVec3, other: DVec3| {
+            let axes = frame(side, other);
+            for (i, j) in [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)] {
+                let expected = if i == j { 1.0 } else { 0.0 };
+                let found = axes[i].dot(axes[j]);
+                assert!((found - expected).abs() < 16.0 * f64::EPSILON, "{side} {other} {i} {j} {found}");
+            }
+        };
+        let ulp = f64::EPSILON;
+        let diagonal = DVec3::new(1.0, 1.0 + ulp, 1.0 - ulp / 2.0);
+        for _ in 0..20_000 {
+            assert_square(diagonal, diagonal * random.f64());
+            let way = DVec3::new(random.f64(), random.f64(), random.f64());
+            assert_square(way, way * random.f64());
+        }
+        for side in [DVec3::ZERO, DVec3::X, diagonal] {
+            assert_square(side, DVec3::ZERO);
+            assert_square(side, side);
+        }
     }
 
     proptest! {
@@ -105,7 +131,8 @@ mod tests {
             let triangles: Vec<[DVec3; 3]> = (0..8u32).map(|k| {
                 [base + across * f64::from(k), base + across * f64::from(k + 1), base + way + across * f64::from(2 * k)]
             }).collect();
-            let leaves: Vec<OrientedBox> = triangles.chunks(2).map(|pair| OrientedBox::of(pair.iter().copied())).collect();
+            let pairs = triangles.chunks(2);
+            let leaves: Vec<OrientedBox> = pairs.map(|pair| OrientedBox::of(pair.iter().copied())).collect();
             let whole = leaves.iter().rev().fold(OrientedBox::EMPTY, |whole, leaf| whole.union(leaf));
             for (u, v, k) in weights {
                 let [p, q, r] = triangles[k];

@@ -10,34 +10,38 @@ use glam::DVec3;
 
 /// Rounds over all triangles.
 const MAX_ROUNDS: usize = 40;
+/// Rounds after which it is given up if no fewer triangles bend.
+const MAX_ROUNDS_WITHOUT_GAIN: usize = 8;
+/// Edges from a crease of the rim within which vertices stay: it goes on there.
+const CREASE_RINGS: usize = 2;
 /// How far a vertex moves towards the mean of its neighbours.
 const STEP: f64 = 0.5;
 
 impl PatchMesh {
     /// Moves the vertices from `rim` on of triangles whose normal has a cosine with that of a
-    /// neighbour below `least`, until none have or the rounds are used up.
+    /// neighbour below `least`, until none have or that does not help. `creased`: the vertices of
+    /// the rim where a crease of the old surface ends.
     ///
     /// O(triangles) a round.
-    pub(crate) fn iron(&mut self, rim: usize, least: f64, job: &Job<'_>) -> Result<()> {
+    pub(crate) fn iron(&mut self, rim: usize, least: f64, creased: &[bool], job: &Job<'_>) -> Result<()> {
         let sides = || self.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
         let ends = sides().flat_map(|(u, v)| [(u as usize, v), (v as usize, u)]);
         let neighbours = Buckets::new(self.points.len(), 0u32, ends)?;
+        let stays = staying(&neighbours, self.points.len(), creased)?;
+        let (mut fewest, mut gained) = (usize::MAX, 0);
         for round in 0..MAX_ROUNDS {
             job.step(round as f64 / MAX_ROUNDS as f64, "refining")?;
-            let normals = alloc::collect((0..self.triangles.len()).map(|t| {
-                let [a, b, c] = self.corners(t);
-                (b - a).cross(c - a).normalize_or_zero()
-            }))?;
-            let bends =
-                |t: usize| (0..3).filter_map(|k| self.beyond(t, k)).any(|(s, _)| normals[t].dot(normals[s]) < least);
             let mut moves = alloc::filled(false, self.points.len())?;
-            for (t, triangle) in self.triangles.iter().enumerate() {
-                if bends(t) {
-                    triangle.iter().for_each(|&v| moves[v as usize] = true);
-                }
+            let mut count = 0;
+            for t in self.bent(least)? {
+                let free = self.triangles[t].iter().filter(|&&v| !stays[v as usize]);
+                count += usize::from(free.clone().next().is_some());
+                free.for_each(|&v| moves[v as usize] = true);
             }
-            moves[..rim].fill(false);
-            if !moves.contains(&true) {
+            if count < fewest {
+                (fewest, gained) = (count, round);
+            }
+            if count == 0 || round - gained >= MAX_ROUNDS_WITHOUT_GAIN {
                 break;
             }
             for v in (rim..self.points.len()).filter(|&v| moves[v]) {
@@ -48,4 +52,32 @@ impl PatchMesh {
         }
         Ok(())
     }
+
+    /// The triangles whose normal has a cosine below `least` with that of a neighbour; one without
+    /// area has no direction.
+    fn bent(&self, least: f64) -> Result<Vec<usize>> {
+        let normals = alloc::collect((0..self.triangles.len()).map(|t| {
+            let [a, b, c] = self.corners(t);
+            (b - a).cross(c - a).normalize_or_zero()
+        }))?;
+        let is_bent = |t: usize, s: usize| {
+            normals[t].dot(normals[s]) < least && normals[t] != DVec3::ZERO && normals[s] != DVec3::ZERO
+        };
+        let bends = |&t: &usize| (0..3).filter_map(|k| self.beyond(t, k)).any(|(s, _)| is_bent(t, s));
+        alloc::gather((0..self.triangles.len()).filter(bends))
+    }
+}
+
+/// The vertices that stay: the rim, and those near where a crease ends on it.
+fn staying(neighbours: &Buckets<u32>, count: usize, creased: &[bool]) -> Result<Vec<bool>> {
+    let mut stays = alloc::filled(false, count)?;
+    stays[..creased.len()].copy_from_slice(creased);
+    for _ in 0..CREASE_RINGS {
+        let before = alloc::copied(&stays)?;
+        for (v, stays) in stays.iter_mut().enumerate() {
+            *stays = before[v] || neighbours.get(v).iter().any(|&w| before[w as usize]);
+        }
+    }
+    stays[..creased.len()].fill(true);
+    Ok(stays)
 }

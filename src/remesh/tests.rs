@@ -173,10 +173,16 @@ fn a_crease_is_ironed_out_and_a_gentle_slope_stays() {
         mesh.points[rim + 25].x += if moves { 1.5 } else { 0.0 };
         let before = mesh.points.clone();
         assert_eq!(bends(&mesh) < least, moves);
-        mesh.iron(rim, least, &Job::default()).unwrap();
+        mesh.iron(rim, least, &vec![false; rim], &Job::default()).unwrap();
         assert!(bends(&mesh) >= least);
         assert_eq!(mesh.points != before, moves);
         assert_eq!(mesh.points[..rim], before[..rim]);
         assert_disc(&mesh, rim);
     }
+    // Next to a crease of the rim all stays.
+    let (mut mesh, rim) = square(4);
+    mesh.points[rim + 4].z = 4.0;
+    let before = mesh.points.clone();
+    mesh.iron(rim, least, &vec![true; rim], &Job::default()).unwrap();
+    assert_eq!(mesh.points, before);
 }

@@ -5,8 +5,8 @@
 //! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
 //! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
 //! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with care or
-//! less often. Creases that the old faces do not have are ironed out. At last the sharp triangles at the shortest edges of the rims are refined: there the
-//! plate would follow round-off.
+//! less often. Creases that the old faces do not have are ironed out. At last the sharp triangles at
+//! the shortest edges of the rims are refined: there the plate would follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
 //! order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants are
@@ -53,7 +53,7 @@ const MIN_TURN: f64 = 0.2;
 /// New triangles that bend by more than this against each other, and than twice what is usual
 /// between the old faces at the rims, make a crease that those do not have: the cosine.
 const MAX_SMOOTH_BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// What is usual: of so many of a hundred old edges the bend is less.
+/// What is usual: so many of a hundred old edges do not bend by more.
 const USUAL_PERCENT: usize = 95;
 /// How often a vertex that folds a triangle is taken back halfway.
 const MAX_HALVINGS: u32 = 8;
@@ -87,6 +87,8 @@ pub(super) struct Plan {
     rim: usize,
     /// Creases of a smaller cosine are ironed out.
     min_cosine: f64,
+    /// True of the rims' vertices where old creases end.
+    creased: Vec<bool>,
 }
 
 impl Plan {
@@ -94,10 +96,10 @@ impl Plan {
     /// vertices, and a pass over all old faces.
     pub(super) fn new(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Plan> {
         let mut patch = OldRing::new(whole, strip, unit)?;
-        // Of twice the angle.
-        let usual = patch.usual_bend()?.max(0.0);
-        let min_cosine = MAX_SMOOTH_BEND.min(2.0 * usual * usual - 1.0);
         let rim = strip.rim_count();
+        let (usual, creased) = patch.bends(rim)?;
+        // Of twice the angle.
+        let min_cosine = MAX_SMOOTH_BEND.min(2.0 * usual * usual - 1.0);
         let corners = strip.faces.corners.as_chunks::<3>().0;
         let mut mesh = PatchMesh::new(alloc::copied(&patch.points[..rim])?, alloc::copied(corners)?)?;
         let mut size = patch.sizes(&[&strip.a, &strip.b])?;
@@ -116,7 +118,7 @@ impl Plan {
             shortest: SHORTEST,
         };
         even(&mut mesh, rim, &mut sizing, &|u, v| patch.has_edge(u, v), job)?;
-        Ok(Plan { patch, mesh, sizing, rim, min_cosine })
+        Ok(Plan { patch, mesh, sizing, rim, min_cosine, creased })
     }
 
     /// The blend in the place of the strip. For n new vertices O(n log n) and the plate's
@@ -131,7 +133,7 @@ impl Plan {
             mesh.settle(rim, &taken, SETTLE[0], &part.part(0.3, 0.4))?;
             patch.fair(&mut mesh, rim, way.unfolds, &part.part(0.4, 1.0))?;
         }
-        mesh.iron(rim, self.min_cosine, &job.part(0.6, 0.7))?;
+        mesh.iron(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
         sizing.shortest = SHORTEST_AT_LAST;
         insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.7, 0.8))?;
         mesh.settle(rim, &taken, SETTLE[1], &job.part(0.8, 0.9))?;
@@ -217,20 +219,29 @@ impl OldRing {
         self.edges.binary_search(&(u.min(v), u.max(v))).is_ok()
     }
 
-    /// The cosine of the angle by which old faces at the rims bend against each other: that of more
-    /// than [`USUAL_PERCENT`] of a hundred edges is larger.
-    fn usual_bend(&self) -> Result<f64> {
+    /// How old faces at the rims bend against each other: the cosine that [`USUAL_PERCENT`] of a
+    /// hundred edges reach, at least 0; and of which vertices of the rims an edge bends by more than
+    /// [`MAX_SMOOTH_BEND`].
+    fn bends(&self, rim: usize) -> Result<(f64, Vec<bool>)> {
         let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
         for &[a, b, c] in &self.triangles {
             let [p, q, r] = [a, b, c].map(|v| self.points[v as usize]);
             let normal = (q - p).cross(r - p).normalize_or_zero();
-            edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
+            // A triangle without area has no direction.
+            if normal != DVec3::ZERO {
+                edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
+            }
         }
         edges.sort_by_key(|&(u, v, _)| (u, v));
         let pairs = edges.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
-        let mut cosines = alloc::gather(pairs.map(|pair| pair[0].2.dot(pair[1].2)))?;
-        cosines.sort_unstable_by(|p, q| q.total_cmp(p));
-        Ok(cosines.get(cosines.len().saturating_sub(1) * USUAL_PERCENT / 100).copied().unwrap_or(1.0))
+        let mut bends = alloc::gather(pairs.map(|pair| (pair[0].2.dot(pair[1].2), [pair[0].0, pair[0].1])))?;
+        let mut creased = alloc::filled(false, rim)?;
+        for (_, ends) in bends.iter().filter(|(cosine, _)| *cosine < MAX_SMOOTH_BEND) {
+            ends.iter().filter(|&&v| (v as usize) < rim).for_each(|&v| creased[v as usize] = true);
+        }
+        bends.sort_unstable_by(|p, q| q.0.total_cmp(&p.0));
+        let usual = bends.get(bends.len().saturating_sub(1) * USUAL_PERCENT / 100).map_or(1.0, |&(cosine, _)| cosine);
+        Ok((usual.max(0.0), creased))
     }
 
     fn new(whole: &Mesh, strip: &Strip, unit: f64) -> Result<OldRing> {

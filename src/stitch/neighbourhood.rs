@@ -113,8 +113,8 @@ impl<'a> Neighbourhood<'a> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
         let new = self.points.iter().chain(straight).copied();
         let Aabb { low, high } = Aabb::of(rims.chain(new));
-        // In the host's unit, which is a power of two.
-        let around = Aabb { low: low * self.unit, high: high * self.unit };
+        // In the host's numbers: the unit is a power of two, and what is far below it became 0.
+        let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
         self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around))
     }
 

@@ -1,7 +1,9 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
 use super::grid::{FaceList, Grid};
-use super::meridian::{MeridianChoice, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near};
+use super::meridian::{
+    MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
+};
 use super::request::{Cells, Options, Rows};
 use super::rim::{Bridges, Rim};
 use super::start::{Start, by_rotation, closest_pair};
@@ -113,20 +115,24 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     let (mut other_a, mut other_b) = (a.try_clone()?, b.try_clone()?);
     other_a.start_at((i2 + a.vertices.len() - i) % a.vertices.len());
     other_b.start_at((j2 + count - j) % count);
-    let threads = if a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
+    let linear = matches!(options.meridians, Meridians::Index | Meridians::ArcLength | Meridians::Greedy);
+    let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
     let (first, other) = par::both(
         &job.with_threads(threads),
         "finding the best meridians",
         |job| from_given_start(a, b, bridges, options, job),
         |job| from_given_start(&other_a, &other_b, bridges, options, job),
     )?;
-    match (first, other) {
-        (Some(first), Some(other)) if other.cost >= first.cost * (1.0 - MIN_RELATIVE_GAIN) => Ok(first.pairs),
-        (Some(first), None) => Ok(first.pairs),
-        (_, other) => {
+    let is_better = |other: &MeridianChoice| match &first {
+        Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN),
+        None => true,
+    };
+    match other.filter(is_better) {
+        Some(other) => {
             (*a, *b) = (other_a, other_b);
-            other.map(|chosen| chosen.pairs).ok_or(none)
+            Ok(other.pairs)
         }
+        None => first.map(|chosen| chosen.pairs).ok_or(none),
     }
 }
 

@@ -102,16 +102,13 @@ impl<'a> Bends<'a> {
     /// follow a step on A, `steps[1]` a step on B. `rows`: what this left of row i - 1, and what it
     /// leaves of row i.
     pub(super) fn measure(&self, i: usize, range: Range<usize>, rows: [&mut Row; 2], steps: &mut [StepCosts; 2]) {
+        self.triangles(i, range.clone(), rows[1], &mut steps[0].squared);
         match &self.continuation {
             Some(tangents) => {
-                self.triangles(i, range.clone(), rows[1], &mut steps[0].squared);
                 tangents.bulges(self.a[i], &self.b, i, range.clone(), rows[1]);
-                self.steps::<true>(i, range.clone(), rows, steps);
+                self.steps::<true>(i, range, rows, steps);
             }
-            None => {
-                self.triangles(i, range.clone(), rows[1], &mut steps[0].squared);
-                self.steps::<false>(i, range.clone(), rows, steps);
-            }
+            None => self.steps::<false>(i, range, rows, steps),
         }
     }
 

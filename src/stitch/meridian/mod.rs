@@ -60,7 +60,7 @@ pub enum Meridians {
     /// The strip of triangles with the least bends: the sum over its edges, rims included, of
     /// length times (1 - cos of the angle between the normals).
     Smooth,
-    /// StepCosts on both rims at once wherever that makes the sum of the meridians' squared lengths
+    /// Steps on both rims at once wherever that makes the sum of the meridians' squared lengths
     /// less (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for
     /// strips with interior rows.
     Quad,
@@ -86,8 +86,10 @@ pub enum Search {
     /// per cent.
     #[default]
     Auto,
-    /// Exactly: O(N M) time, one byte of memory for each of up to 2^26 pairs of vertices (8 bytes
-    /// for each pair with [`Meridians::Smooth`]), and 8 M bytes for each 2^26 pairs begun.
+    /// Exactly: O(N M) time, one byte of memory for each of up to 2^26 pairs of vertices, and 8 M
+    /// bytes for each 2^26 pairs begun; 2 bytes for each pair with [`Meridians::Continuation`] and
+    /// [`Meridians::Smooth`]; 8 where the best strip would use a meridian twice. With more than one
+    /// thread and two starts, twice that.
     Exact,
 }
 

@@ -265,6 +265,76 @@ proptest! {
         }
     }
 
+    /// The same by bends, on open and closed rims, with penalties, and of simple paths alone.
+    #[test]
+    fn bends_in_bands_are_searched_exactly(
+        a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
+        b in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
+        path in prop::collection::vec(any::<bool>(), 12),
+        width in 0usize..3,
+        closes in any::<bool>(),
+        normals in prop::collection::vec(any::<(i8, i8, i8)>(), 12),
+        penalties in prop::collection::btree_map((0u32..6, 0u32..6, any::<bool>()), 0.0..50.0, 0..6),
+    ) {
+        let (a, b) = (polyline(&a), polyline(&b));
+        let (a, b) = if closes { (closed(&a), closed(&b)) } else { (a, b) };
+        let (n, m) = (a.len() - 1, b.len() - 1);
+        let mut middle = vec![[0, 0]];
+        for on_a in path {
+            let [i, j] = middle[middle.len() - 1];
+            if (i as usize) < n && (on_a || j as usize == m) {
+                middle.push([i + 1, j]);
+            } else if (j as usize) < m {
+                middle.push([i, j + 1]);
+            }
+        }
+        let band = Band::around(&middle, n, m, width).unwrap();
+        let normals: Vec<DVec3> = polyline(&normals).into_iter().map(|p| p.normalize_or_zero()).collect();
+        let sides = Some([&normals[..n], &normals[6..6 + m]]);
+        let penalties: Vec<StepPenalty> = penalties
+            .into_iter()
+            .map(|((i, j, on_b), extra)| StepPenalty { to: [i, j], on_b, extra })
+            .filter(|penalty| penalty.to[0] as usize <= n && penalty.to[1] as usize <= m)
+            .collect();
+        let rims = RimPair { a: &a, b: &b, closed: closes, forbidden: &[], sides, penalties: &penalties };
+        let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
+        let extra = |path: &[Pair]| {
+            let of = |step: &[Pair]| {
+                let own = |p: &&StepPenalty| p.to == step[1] && p.on_b == (step[1][0] == step[0][0]);
+                penalties.iter().filter(own).map(|p| p.extra).sum::<f64>()
+            };
+            path.windows(2).map(of).sum::<f64>()
+        };
+        type Measure<'a> = &'a dyn Fn(&[Pair]) -> f64;
+        let cases: [(Bends<'_>, Measure<'_>); 2] = [
+            (Bends::smooth(&rims, 0.0).unwrap(), &|path| bends(&rims, path)),
+            (Bends::continuation(&rims, 0.0).unwrap(), &|path| continuation(&rims, path)),
+        ];
+        for (of, measure) in &cases {
+            for simple in [false, true] {
+                // Of simple paths; one that is not may be cheaper.
+                let mut least = f64::INFINITY;
+                all_paths(&rims, &[[1, 0], [0, 1]], |path| {
+                    if within(path) {
+                        least = least.min(measure(path) + extra(path));
+                    }
+                });
+                let Some((cost, path)) = cheapest(&rims, &Cost::Bends(of), &band, simple, None, &Job::default()).unwrap() else {
+                    prop_assert!(simple && least == f64::INFINITY);
+                    continue;
+                };
+                let (own, slack) = (measure(&path) + extra(&path), 1e-9 * (1.0 + cost));
+                prop_assert!(within(&path) && (own - cost).abs() <= slack, "{own} {cost} {path:?}");
+                prop_assert!(cost <= least + slack, "{cost} {least} {path:?}");
+                if is_simple(&rims, &path) {
+                    prop_assert!(cost >= least - slack, "{cost} {least} {path:?}");
+                } else {
+                    prop_assert!(!simple);
+                }
+            }
+        }
+    }
+
     #[test]
     fn open_polylines_of_few_points(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 1..4),

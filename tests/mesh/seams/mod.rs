@@ -1,4 +1,5 @@
-//! Seams of meshes in pieces as files have them: coordinates rounded to seven digits, T-junctions, points that rims share.
+//! Seams of meshes in pieces as files have them: coordinates rounded to seven digits, T-junctions,
+//! points that rims share.
 
 mod pairing;
 mod sew;
