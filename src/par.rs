@@ -138,7 +138,7 @@ pub(crate) fn both<R, S: Send>(
         let stop = StopOnDrop(&stopped);
         let found = lead(&|| helper.as_ref().is_some_and(|helper| !helper.is_finished()))?;
         std::mem::forget(stop);
-        if let Some(Err(panic)) = helper.map(|helper| helper.join()) {
+        if let Some(Err(panic)) = helper.map(thread::ScopedJoinHandle::join) {
             std::panic::resume_unwind(panic);
         }
         Ok(found)

@@ -289,7 +289,7 @@ proptest! {
             }
         }
         let band = Band::around(&middle, n, m, width).unwrap();
-        let normals: Vec<DVec3> = polyline(&normals).into_iter().map(|p| p.normalize_or_zero()).collect();
+        let normals: Vec<DVec3> = polyline(&normals).into_iter().map(DVec3::normalize_or_zero).collect();
         let sides = Some([&normals[..n], &normals[6..6 + m]]);
         let penalties: Vec<StepPenalty> = penalties
             .into_iter()
