@@ -24,7 +24,7 @@ struct AssemblyOptions {
     bool within_components = false;
     std::vector<gusset_loop_pair> pairs;
     std::vector<gusset_loop_pair> excluded;
-    /// Only meridians, search, start, rows, cells, fairing and intersections are read.
+    /// Only meridians, search, start, rows, cells, fairing, finish and intersections are read.
     StitchOptions strips;
     /// Empty: holes are left.
     std::optional<FillOptions> fill;
