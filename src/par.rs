@@ -103,7 +103,8 @@ fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut()) 
 
 /// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
 /// asked while this thread waits; once the first fails or the host cancels, the second hears of it
-/// at its next report. Both hold their memory at once. What it reports and notes is not passed on.
+/// at its next report. What the second reports and notes is not passed on. Both hold their memory at
+/// once.
 ///
 /// # Errors
 /// Those of the first, then those of the second; [`Error::Cancelled`](crate::Error::Cancelled).

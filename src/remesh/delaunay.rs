@@ -25,7 +25,7 @@ impl PatchMesh {
     /// O(triangles) a pass.
     pub(crate) fn relax(&mut self, rim: usize, taken: &impl Fn(u32, u32) -> bool, job: &Job<'_>) -> Result<()> {
         for pass in 0..MAX_PASSES {
-            job.step(pass as f64 / MAX_PASSES as f64, "flipping edges")?;
+            job.step(pass as f64 / MAX_PASSES as f64, "refining")?;
             let mut flipped = false;
             for t in 0..self.triangles.len() {
                 for k in 0..3 {

@@ -42,11 +42,11 @@ const SHORTEST: f64 = 0.3;
 const SHORTEST_AT_LAST: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and at last.
 const SETTLE: [u32; 2] = [2, 5];
-/// New vertices that the sizes may ask for, or for each of the rims' vertices [`MAX_NEW_AT_RIM`] if
-/// that is more: where more would be needed, all sides grow. There are never more than twice as many,
-/// for shapes that the estimate does not fit, and what sharp angles ask for.
+/// New vertices that the sizes may ask for, by an estimate; more if [`MAX_NEW_AT_RIM`] allows more.
+/// Where more would be needed, all sides grow; where the estimate does not fit the shape, there are
+/// at most twice as many.
 const MAX_NEW: u32 = 50_000;
-/// Sharp angles may ask for as many again.
+/// New vertices for each of the rims' that the sizes may ask for, and as many again for sharp angles.
 const MAX_NEW_AT_RIM: u32 = 16;
 /// A triangle that turns by more is folded: the cosine.
 const MIN_TURN: f64 = 0.2;

@@ -194,6 +194,20 @@ fn closed(points: &[DVec3]) -> Vec<DVec3> {
     points.iter().chain(&points[..1]).copied().collect()
 }
 
+/// A path by steps on A where `on_a` says so, as far as there are any.
+fn walk(on_a: &[bool], n: usize, m: usize) -> Vec<Pair> {
+    let mut path = vec![[0, 0]];
+    for &on_a in on_a {
+        let [i, j] = path[path.len() - 1];
+        if (i as usize) < n && (on_a || j as usize == m) {
+            path.push([i + 1, j]);
+        } else if (j as usize) < m {
+            path.push([i, j + 1]);
+        }
+    }
+    path
+}
+
 fn polyline(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
     coordinates.iter().map(|&(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) / 128.0).collect()
 }
@@ -238,14 +252,7 @@ proptest! {
     ) {
         let (a, b) = (polyline(&a), polyline(&b));
         let (n, m) = (a.len() - 1, b.len() - 1);
-        let mut middle = vec![[0, 0]];
-        for on_a in path {
-            let [i, j] = middle[middle.len() - 1];
-            let (on_a, on_b) = if on_a { (i < n as u32, i == n as u32) } else { (j == m as u32, j < m as u32) };
-            if i < n as u32 || j < m as u32 {
-                middle.push([i + u32::from(on_a), j + u32::from(on_b)]);
-            }
-        }
+        let middle = walk(&path, n, m);
         let band = Band::around(&middle, n, m, width).unwrap();
         let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] };
         let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
@@ -279,15 +286,7 @@ proptest! {
         let (a, b) = (polyline(&a), polyline(&b));
         let (a, b) = if closes { (closed(&a), closed(&b)) } else { (a, b) };
         let (n, m) = (a.len() - 1, b.len() - 1);
-        let mut middle = vec![[0, 0]];
-        for on_a in path {
-            let [i, j] = middle[middle.len() - 1];
-            if (i as usize) < n && (on_a || j as usize == m) {
-                middle.push([i + 1, j]);
-            } else if (j as usize) < m {
-                middle.push([i, j + 1]);
-            }
-        }
+        let middle = walk(&path, n, m);
         let band = Band::around(&middle, n, m, width).unwrap();
         let normals: Vec<DVec3> = polyline(&normals).into_iter().map(DVec3::normalize_or_zero).collect();
         let sides = Some([&normals[..n], &normals[6..6 + m]]);
