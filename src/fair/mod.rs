@@ -5,15 +5,19 @@
 //! and P. Liepa, *Filling holes in meshes* (2003), section 5, which both minimise the thin-plate
 //! energy, the sum over vertices of the squared Laplacian. Its minimum solves the bi-Laplacian
 //! equation; with two rows of fixed vertices round the free ones, the rim and the old vertices next
-//! to it, the new surface leaves the old one without a crease.
+//! to it, the new surface leaves the old one without a crease. A plate that is bent by itself, whose
+//! energy is the sum of squared differences from Laplacians that are given (M. Botsch, O. Sorkine,
+//! *On linear variational surface deformation methods*, 2008), keeps its shape where it is wide.
 //!
 //! | file | what it does |
 //! |---|---|
 //! | [`rings`](self) | the neighbours of each vertex and their weights |
+//! | [`curvature`](self) | how a patch bends, without the detail of its triangles |
 //! | [`plate`](self) | the energy's normal equations, and the new places |
 //! | [`order`](self) | an order of the unknowns that keeps the factor sparse: nested dissection |
 //! | [`sparse`](self) | the factor L D L^T |
 
+mod curvature;
 mod order;
 mod plate;
 mod rings;
@@ -21,5 +25,6 @@ mod sparse;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use plate::thin_plate;
+pub(crate) use curvature::mean_curvature;
+pub(crate) use plate::{Plate, thin_plate};
 pub(crate) use rings::Weights;

@@ -1,7 +1,7 @@
 //! The normal equations of the thin-plate energy, and their solution for the free vertices.
 //!
-//! With the Laplacian L of the patch and the vertices C at which it is counted, the energy is
-//! the sum over C of |L p|^2; its minimum over the free vertices solves a sparse symmetric
+//! With the Laplacian L of the patch, the vertices C at which it is counted and the Laplacian h that
+//! the plate has by itself, the energy is the sum over C of |L p - h|^2; its minimum over the free vertices solves a sparse symmetric
 //! system, factored once for all three coordinates.
 
 use super::order::dissect;
@@ -14,17 +14,29 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use glam::DVec3;
 
-/// Moves the `free` vertices of a patch to where the sum over all `centres` v of |L x(v)|^2 is
-/// least; the others stay.
-///
-/// For a crease-free seam the centres are the free vertices and those fixed ones that border on a
-/// free one, each with its whole one-ring in `triangles`, old neighbours included. A vertex stays
-/// where it is if no chain of free vertices connects it with a fixed one, or if the equations do
-/// not determine its place.
-///
-/// `layout`: places of the vertices by which they are put in order, near each other where they are
-/// neighbours and spread evenly; `None` for the points themselves. The result does not depend on it
-/// but for round-off; time and memory do.
+/// A patch, and what is to be least.
+#[derive(Clone, Copy)]
+pub(crate) struct Plate<'a> {
+    pub(crate) triangles: &'a [[u32; 3]],
+    /// True of the vertices that may move.
+    pub(crate) free: &'a [bool],
+    /// True of the vertices whose Laplacian is counted. For a crease-free seam these are the free
+    /// vertices and those fixed ones that border on a free one, each with its whole one-ring in
+    /// `triangles`, old neighbours included.
+    pub(crate) centres: &'a [bool],
+    pub(crate) weights: Weights,
+    /// The Laplacian that the plate has where nothing bends it, vertex by vertex, in one over the
+    /// points' unit; `None` for 0, a plate that is flat by itself. With [`Weights::Cotangent`] only.
+    pub(crate) curvature: Option<&'a [DVec3]>,
+    /// Places of the vertices by which they are put in order, near each other where they are
+    /// neighbours and spread evenly; `None` for the points themselves. The result does not depend on
+    /// it but for round-off; time and memory do.
+    pub(crate) layout: Option<&'a [DVec3]>,
+}
+
+/// Moves the free vertices of a plate to where the sum over all its centres v of |L x(v) - h(v)|^2
+/// is least, h being its own curvature; the others stay. So does a vertex that no chain of free
+/// vertices connects with a fixed one, or whose place the equations do not determine.
 ///
 /// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy
 /// where they are now and A its second derivative, a sparse matrix that couples vertices with a
@@ -36,24 +48,16 @@ use glam::DVec3;
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
 /// [`Error::Cancelled`](crate::Error::Cancelled).
-pub(crate) fn thin_plate(
-    points: &mut [DVec3],
-    triangles: &[[u32; 3]],
-    free: &[bool],
-    centres: &[bool],
-    weights: Weights,
-    layout: Option<&[DVec3]>,
-    job: &Job<'_>,
-) -> Result<()> {
+pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "fairing")?;
     let unit = common_unit(&*points);
     // Relative to one of the points, so that a patch far from the origin loses no digits.
     let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-    let rings = Rings::new(&local, triangles, weights)?;
-    let mut unknowns = anchored(&rings, free)?;
-    dissect(&mut unknowns, layout.unwrap_or(&local), &rings, centres)?;
-    let (matrix, mut moves) = equations(&local, &rings, &unknowns, centres)?;
+    let rings = Rings::new(&local, plate.triangles, plate.weights)?;
+    let mut unknowns = anchored(&rings, plate.free)?;
+    dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres)?;
+    let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, unit)?;
     matrix.factor(&job.part(0.2, 1.0))?.solve(&mut moves);
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
@@ -89,14 +93,21 @@ fn anchored(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
 }
 
 /// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both
-/// halved.
-fn equations(points: &[DVec3], rings: &Rings, unknowns: &[u32], centres: &[bool]) -> Result<(Triangle, Vec<DVec3>)> {
-    // The Laplacian of each centre, scaled.
+/// halved. `points` in `unit`, the plate's curvature in one over what that is a multiple of.
+fn equations(
+    points: &[DVec3],
+    rings: &Rings,
+    unknowns: &[u32],
+    plate: &Plate<'_>,
+    unit: f64,
+) -> Result<(Triangle, Vec<DVec3>)> {
+    let centres = plate.centres;
+    // How far the Laplacian of each centre is from the plate's own, scaled.
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
     for c in (0..points.len()).filter(|&c| centres[c]) {
         let laplacian =
             rings.ring(c).iter().fold(DVec3::ZERO, |sum, &(w, weight)| sum + weight * (points[w as usize] - points[c]));
-        bend[c] = rings.scale(c) * laplacian;
+        bend[c] = rings.scale(c) * laplacian - plate.curvature.map_or(DVec3::ZERO, |own| own[c] * unit);
     }
     let mut place = alloc::filled(NONE, points.len())?;
     for (k, &v) in unknowns.iter().enumerate() {

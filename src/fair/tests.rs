@@ -1,6 +1,6 @@
 //! Thin-plate fairing against known shapes and equations.
 
-use super::{Weights, thin_plate};
+use super::{Plate, Weights, mean_curvature, thin_plate};
 use crate::Job;
 use glam::{DQuat, DVec3};
 use std::collections::BTreeSet;
@@ -37,7 +37,13 @@ impl Patch {
     }
 
     fn fair_at(&mut self, centres: &[bool], weights: Weights) {
-        thin_plate(&mut self.points, &self.triangles, &self.free, centres, weights, None, &Job::default()).unwrap();
+        self.bend(centres, weights, None);
+    }
+
+    fn bend(&mut self, centres: &[bool], weights: Weights, curvature: Option<&[DVec3]>) {
+        let (triangles, free) = (&self.triangles, &self.free);
+        let plate = Plate { triangles, free, centres, weights, curvature, layout: None };
+        thin_plate(&mut self.points, &plate, &Job::default()).unwrap();
     }
 }
 
@@ -312,6 +318,59 @@ fn degenerate_patches_do_no_harm() {
             assert!(patch.points.iter().all(|p| p.abs().max_element() <= 1.1 * size), "{weights:?} {size}");
         }
     }
-    let nothing = thin_plate(&mut [], &[], &[], &[], Weights::Uniform, None, &Job::default());
+    let (triangles, free, centres, weights) = (&[], &[], &[], Weights::Uniform);
+    let plate = Plate { triangles, free, centres, weights, curvature: None, layout: None };
+    let nothing = thin_plate(&mut [], &plate, &Job::default());
     assert_eq!(nothing, Ok(()));
+}
+
+/// A ball's cap whose free vertices were moved comes back if the plate's own curvature is the
+/// ball's, in any unit; a flat plate stays below it.
+#[test]
+fn a_bent_plate_has_its_own_shape() {
+    const RADIUS: f64 = 1.2;
+    for size in [1e-3, 1.0, 1e3] {
+        let mut patch = disk(12);
+        for p in &mut patch.points {
+            p.z = (RADIUS * RADIUS - p.x * p.x - p.y * p.y).sqrt();
+            *p *= size;
+        }
+        let ball = patch.points.clone();
+        // Twice the mean curvature, towards the middle.
+        let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (RADIUS * size).powi(2)).collect();
+        let farthest =
+            |patch: &Patch| patch.points.iter().map(|p| (p.length() / (RADIUS * size) - 1.0).abs()).fold(0.0, f64::max);
+        for (v, p) in patch.points.iter_mut().enumerate().filter(|&(v, _)| patch.free[v]) {
+            p.z += 0.02 * noise(v) * size;
+        }
+        let centres = patch.centres();
+        let mut flat = patch.clone();
+        flat.bend(&centres, Weights::Cotangent, None);
+        patch.bend(&centres, Weights::Cotangent, Some(&curvature));
+        assert!(farthest(&patch) < 4e-3, "{size} {}", farthest(&patch));
+        assert!(farthest(&flat) > 3.0 * farthest(&patch), "{size} {}", farthest(&flat));
+    }
+}
+
+/// Of a ball of radius 2: 1, towards the middle, at every vertex, its rim included; and the ridges
+/// of noise are averaged out.
+#[test]
+fn mean_curvature_of_a_ball() {
+    let mut patch = disk(12);
+    patch.points.iter_mut().for_each(|p| p.z = (4.0 - p.x * p.x - p.y * p.y).sqrt());
+    // The rim first.
+    patch.points.reverse();
+    let last = patch.points.len() as u32 - 1;
+    patch.triangles.iter_mut().flatten().for_each(|v| *v = last - *v);
+    let off = |passes: u32, patch: &Patch| {
+        let curvature = mean_curvature(&patch.points, &patch.triangles, 72, passes).unwrap();
+        let off = curvature.iter().zip(&patch.points).map(|(bend, &p)| bend.distance(-p / 2.0));
+        off.fold(0.0, f64::max)
+    };
+    assert!(off(5, &patch) < 0.1, "{}", off(5, &patch));
+    for v in 72..patch.points.len() {
+        patch.points[v].z += 1e-3 * noise(v);
+    }
+    let [rough, smooth] = [off(1, &patch), off(10, &patch)];
+    assert!(smooth < rough / 2.0 && smooth < 0.3, "{rough} {smooth}");
 }

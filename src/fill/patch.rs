@@ -6,7 +6,7 @@ use super::request::{Fairing, Options, Refinement, Weight};
 use super::triangulate::{Polygon, minimum_weight};
 use crate::alloc;
 use crate::error::Result;
-use crate::fair::{Weights, thin_plate};
+use crate::fair::{Plate, Weights, thin_plate};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::remesh::PatchMesh;
@@ -140,7 +140,15 @@ fn fair(rim: &Rim, points: &[DVec3], mesh: &mut PatchMesh, job: &Job<'_>) -> Res
     free[old..].fill(true);
     let mut centres = alloc::copied(&free)?;
     centres[..n].copy_from_slice(&rim.whole);
-    thin_plate(&mut all, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
+    let plate = Plate {
+        triangles: &triangles,
+        free: &free,
+        centres: &centres,
+        weights: Weights::Cotangent,
+        curvature: None,
+        layout: None,
+    };
+    thin_plate(&mut all, &plate, job)?;
     mesh.points[n..].copy_from_slice(&all[old..]);
     Ok(())
 }

@@ -12,6 +12,8 @@ pub(crate) struct Sizing {
     pub(crate) size: Vec<f64>,
     /// Where each would be if nothing had been faired.
     pub(crate) unfaired: Vec<DVec3>,
+    /// How the surface bends there by itself (see [`Plate::curvature`](crate::fair::Plate)).
+    pub(crate) curvature: Vec<DVec3>,
     /// There will be no more vertices than this.
     pub(crate) limit: usize,
     /// Sharp triangles whose shortest side is below this part of the size are left.
@@ -20,17 +22,19 @@ pub(crate) struct Sizing {
 
 impl Sizing {
     pub(crate) fn try_clone(&self) -> Result<Sizing> {
-        let (size, unfaired) = (alloc::copied(&self.size)?, alloc::copied(&self.unfaired)?);
-        Ok(Sizing { size, unfaired, ..*self })
+        let [unfaired, curvature] = [alloc::copied(&self.unfaired)?, alloc::copied(&self.curvature)?];
+        Ok(Sizing { size: alloc::copied(&self.size)?, unfaired, curvature, ..*self })
     }
 
     /// Of a vertex that is about to be added at a mean of three others.
     pub(super) fn insert(&mut self, of: [u32; 3], weights: [f64; 3]) -> Result<()> {
         let parts = || of.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0);
         let size = parts().map(|(v, weight)| weight * self.size[v as usize]).sum();
-        let unfaired = parts().map(|(v, weight)| weight * self.unfaired[v as usize]).sum();
+        let mean = |of: &[DVec3]| parts().map(|(v, weight)| weight * of[v as usize]).sum::<DVec3>();
+        let (unfaired, curvature) = (mean(&self.unfaired), mean(&self.curvature));
         alloc::push(&mut self.size, size)?;
-        alloc::push(&mut self.unfaired, unfaired)
+        alloc::push(&mut self.unfaired, unfaired)?;
+        alloc::push(&mut self.curvature, curvature)
     }
 
     /// Keeps these vertices, in ascending order.
@@ -38,9 +42,11 @@ impl Sizing {
         for (new, &old) in kept.iter().enumerate() {
             self.size[new] = self.size[old as usize];
             self.unfaired[new] = self.unfaired[old as usize];
+            self.curvature[new] = self.curvature[old as usize];
         }
         self.size.truncate(kept.len());
         self.unfaired.truncate(kept.len());
+        self.curvature.truncate(kept.len());
     }
 
     /// Of a triangle.

@@ -60,6 +60,7 @@ fn sizing(mesh: &PatchMesh, size: f64) -> Sizing {
     Sizing {
         size: vec![size; mesh.points.len()],
         unfaired: mesh.points.clone(),
+        curvature: vec![DVec3::ZERO; mesh.points.len()],
         limit: mesh.points.len() + 100_000,
         shortest: 1e-3,
     }

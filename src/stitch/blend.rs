@@ -5,7 +5,8 @@
 //! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
 //! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
 //! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with care or
-//! less often. Creases that the old faces do not have are ironed out. At last the sharp triangles at
+//! less often. The plate is bent by itself as the strip is, its ridges averaged out: one that is flat
+//! by itself would narrow to a neck between two tubes, and, a few radii long, to a point. Creases that the old faces do not have are ironed out. At last the sharp triangles at
 //! the shortest edges of the rims are refined: there the plate would follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
@@ -19,7 +20,7 @@ use super::rim::Rim;
 use super::strip::{Parents, Strip};
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::fair::{Weights, thin_plate};
+use crate::fair::{Plate, Weights, mean_curvature, thin_plate};
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh};
@@ -42,6 +43,9 @@ const SHORTEST: f64 = 0.3;
 const SHORTEST_AT_LAST: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and at last.
 const SETTLE: [u32; 2] = [2, 5];
+/// Averages over neighbours that make of the strip's curvature, which sits in its ridges, that of
+/// the surface it stands for.
+const SMOOTHING: u32 = 10;
 /// New vertices that the sizes may ask for, by an estimate; more if [`MAX_NEW_AT_RIM`] allows more.
 /// Where more would be needed, all sides grow; where the estimate does not fit the shape, there are
 /// at most twice as many.
@@ -113,11 +117,16 @@ impl Plan {
         let mut sizing = Sizing {
             size,
             unfaired: alloc::copied(&mesh.points)?,
+            curvature: alloc::filled(DVec3::ZERO, rim)?,
             // Twice the estimate: for shapes that it does not fit.
             limit: rim + 2 * needed as usize + at_rim as usize,
             shortest: SHORTEST,
         };
-        even(&mut mesh, rim, &mut sizing, &|u, v| patch.has_edge(u, v), job)?;
+        let taken = |u: u32, v: u32| patch.has_edge(u, v);
+        even(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
+        insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
+        mesh.settle(rim, &taken, SETTLE[0], &job.part(0.8, 1.0))?;
+        sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, rim, SMOOTHING)?;
         Ok(Plan { patch, mesh, sizing, rim, min_cosine, creased })
     }
 
@@ -129,9 +138,11 @@ impl Plan {
         let taken = |u: u32, v: u32| patch.has_edge(u, v);
         for round in 0..way.rounds {
             let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
-            insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
-            mesh.settle(rim, &taken, SETTLE[0], &part.part(0.3, 0.4))?;
-            patch.fair(&mut mesh, rim, way.unfolds, &part.part(0.4, 1.0))?;
+            if round > 0 {
+                insert(&mut mesh, rim, &mut sizing, &taken, &part.part(0.0, 0.3))?;
+                mesh.settle(rim, &taken, SETTLE[0], &part.part(0.3, 0.4))?;
+            }
+            patch.fair(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
         }
         mesh.iron(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
         sizing.shortest = SHORTEST_AT_LAST;
@@ -333,7 +344,8 @@ impl OldRing {
     }
 
     /// Moves the vertices of `mesh` from `rim` on to where a thin plate would have them.
-    fn fair(&self, mesh: &mut PatchMesh, rim: usize, unfolds: bool, job: &Job<'_>) -> Result<()> {
+    fn fair(&self, mesh: &mut PatchMesh, sizing: &Sizing, unfolds: bool, job: &Job<'_>) -> Result<()> {
+        let rim = self.centred.len();
         let (old, new) = (self.points.len(), mesh.points.len() - rim);
         let mut points = alloc::copied(&self.points)?;
         alloc::append(&mut points, &mesh.points[rim..])?;
@@ -344,7 +356,18 @@ impl OldRing {
         free[old..].fill(true);
         let mut centres = alloc::copied(&free)?;
         centres[..rim].copy_from_slice(&self.centred);
-        thin_plate(&mut points, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
+        let mut curvature = alloc::copied(&sizing.curvature[..rim])?;
+        alloc::append(&mut curvature, &alloc::filled(DVec3::ZERO, old - rim)?)?;
+        alloc::append(&mut curvature, &sizing.curvature[rim..])?;
+        let plate = Plate {
+            triangles: &triangles,
+            free: &free,
+            centres: &centres,
+            weights: Weights::Cotangent,
+            curvature: Some(&curvature),
+            layout: None,
+        };
+        thin_plate(&mut points, &plate, job)?;
         if unfolds {
             return unfold(mesh, rim, &points[old..]);
         }

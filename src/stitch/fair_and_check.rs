@@ -20,7 +20,7 @@ use super::rim::Bridges;
 use super::strip::Strip;
 use crate::alloc;
 use crate::error::Result;
-use crate::fair::{Weights, thin_plate};
+use crate::fair::{Plate, Weights, thin_plate};
 use crate::job::Job;
 use crate::mesh::Mesh;
 use crate::sort::sort_distinct;
@@ -212,7 +212,15 @@ impl Neighbourhood<'_> {
             Some(k) => strip.grid.even_position(k as usize),
             None => DVec3::ZERO,
         }))?;
-        thin_plate(&mut points, &triangles, &free, &centres, Weights::Uniform, Some(&layout), job)?;
+        let plate = Plate {
+            triangles: &triangles,
+            free: &free,
+            centres: &centres,
+            weights: Weights::Uniform,
+            curvature: None,
+            layout: Some(&layout),
+        };
+        thin_plate(&mut points, &plate, job)?;
         for (&v, &p) in vertices.iter().zip(&points) {
             if is_new(v) {
                 self.points[(v - self.base) as usize] = p;

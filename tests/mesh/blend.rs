@@ -108,6 +108,33 @@ fn a_tube_stays_round_between_its_ends() {
     }
 }
 
+/// However wide the gap is, no neck: a flat plate would be narrower by a quarter across three radii,
+/// and closed across six.
+#[test]
+fn wide_gaps_are_bridged_by_tubes() {
+    let circle = |n: u32, z: f64| ring(n, |t| [t.cos(), t.sin(), z]);
+    for (n, m) in [(24, 24), (48, 35)] {
+        for (gap, share) in [(0.5, 0.03), (2.0, 0.05), (4.0, 0.07), (6.0, 0.08), (10.0, 0.12), (20.0, 0.3)] {
+            let down = |[x, y, z]: [f64; 3]| [x, y, z - 0.2];
+            let (a, b) = (shell(&circle(n, 0.0), down, false), shell(&circle(m, gap), up, false));
+            let joined = join(&a, &b, &BLEND);
+            assert_valid(&a, &b, &joined, "tube");
+            let raise = |mut soup: Soup| {
+                soup.points.iter_mut().for_each(|p| p[2] += gap);
+                soup
+            };
+            let bowls = both(&cap(n, n / 4, 0.0, -1.0), &raise(cap(m, m / 4, 0.0, 1.0)), &BLEND);
+            for (name, blend, most) in [("tube", &joined, share), ("bowls", &bowls, share + 0.12)] {
+                assert_eq!(blend.intersections.as_deref(), Some(&[][..]), "{name} {n} {m} {gap}");
+                for p in new_vertices(blend) {
+                    let off = p[0].hypot(p[1]) - 1.0;
+                    assert!((-share..most).contains(&off), "{name} {n} {m} {gap}: {p:?} {off}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn in_a_plane_it_covers_what_the_strip_covers_once() {
     let circle = |n: u32, r: f64| ring(n, |t| [r * t.cos(), r * t.sin(), 0.0]);

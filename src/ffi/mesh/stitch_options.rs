@@ -115,9 +115,9 @@ pub const GUSSET_FINISH_STRIP: u32 = 0;
 /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
 /// no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
 /// Where every blend would cut more faces than the strip does, the strip stays; the log says so.
-/// Made for gaps that are narrow beside the rims: across a tube's gap of three radii it is a quarter
-/// narrower in the middle, at six it closes; rows of new vertices with fairing keep the tube. Time
-/// and memory grow with the number of new triangles.
+/// The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged by
+/// a tube, to within a few per cent of its radius across ten radii. Time and memory grow with the
+/// number of new triangles.
 pub const GUSSET_FINISH_BLEND: u32 = 1;
 
 /// No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the

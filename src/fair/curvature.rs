@@ -1,0 +1,56 @@
+//! How a patch bends at each of its vertices, without the detail of its triangles.
+
+use super::rings::{Rings, Weights};
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec3;
+
+/// Sums over vertices.
+#[derive(Clone, Copy)]
+struct Sum {
+    /// The Laplacian along the normal, times the area.
+    bend: f64,
+    /// The area of the vertices that have a Laplacian.
+    area: f64,
+    /// The area vector.
+    normal: DVec3,
+}
+
+/// The Laplacian of the surface at each vertex, twice its mean curvature times its normal, both
+/// averaged over a few edges round it: the ridges of a polyhedron go, the way that it bends as a
+/// whole stays. (The mean of the Laplacians as vectors would be too short where the normals turn.)
+///
+/// Those of the vertices before `rim`, whose rings of triangles are open, come from their
+/// neighbours. Of `points` in a unit of about their size, one over that unit. `passes`: averages over
+/// all neighbours, weighted by area, one after the other; they reach about twice their number's
+/// square root of edges far. O(passes * T) for T triangles.
+pub(crate) fn mean_curvature(points: &[DVec3], triangles: &[[u32; 3]], rim: usize, passes: u32) -> Result<Vec<DVec3>> {
+    let rings = Rings::new(points, triangles, Weights::Cotangent)?;
+    let mut sums = alloc::filled(Sum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
+    for &corners in triangles {
+        let [a, b, c] = corners.map(|v| points[v as usize]);
+        corners.iter().for_each(|&v| sums[v as usize].normal += (b - a).cross(c - a) / 6.0);
+    }
+    for (v, sum) in sums.iter_mut().enumerate().skip(rim) {
+        let laplacian: DVec3 = rings.ring(v).iter().map(|&(w, weight)| weight * (points[w as usize] - points[v])).sum();
+        sum.bend = laplacian.dot(sum.normal.normalize_or_zero());
+        sum.area = 1.0 / rings.scale(v);
+    }
+    let mut next = alloc::copied(&sums)?;
+    for _ in 0..passes {
+        for (v, mean) in next.iter_mut().enumerate() {
+            let share = 1.0 / (1.0 + rings.ring(v).len() as f64);
+            let ring = rings.ring(v).iter().map(|&(w, _)| sums[w as usize]);
+            *mean = ring.fold(sums[v], |mean, sum| Sum {
+                bend: mean.bend + sum.bend,
+                area: mean.area + sum.area,
+                normal: mean.normal + sum.normal,
+            });
+            *mean = Sum { bend: share * mean.bend, area: share * mean.area, normal: share * mean.normal };
+        }
+        std::mem::swap(&mut sums, &mut next);
+    }
+    let mean =
+        |sum: Sum| if sum.area > 0.0 { sum.bend / sum.area * sum.normal.normalize_or_zero() } else { DVec3::ZERO };
+    alloc::collect(sums.into_iter().map(mean))
+}
