@@ -35,6 +35,8 @@ pub struct Sew {
     /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it;
     /// ascending.
     pub left_vertices: Vec<u32>,
+    /// New vertices that several became, old ones or points of edges; ascending.
+    pub seam_vertices: Vec<u32>,
     /// Vertices that became one with a smaller one.
     pub welded_vertices: u32,
     /// Edges with two faces that were free edges, or parts of such.
@@ -91,7 +93,10 @@ impl Sew {
     /// What welding alone makes.
     pub fn of(weld: Weld) -> Result<Self> {
         let kept = weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE);
+        let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
+        count_sources(&weld.vertex_map, |_| 1, &mut sources);
         Ok(Sew {
+            seam_vertices: several(&sources)?,
             face_origin: alloc::gather(kept.map(|(_, old)| old))?,
             mesh: weld.mesh,
             vertex_map: weld.vertex_map,
@@ -139,6 +144,10 @@ impl Sew {
         for (new, &old) in origin.iter().enumerate().rev() {
             self.face_map[old as usize] = new as u32;
         }
+        let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
+        let before = |v: usize| 1 + u8::from(self.seam_vertices.binary_search(&(v as u32)).is_ok());
+        count_sources(&weld.vertex_map, before, &mut sources);
+        self.seam_vertices = several(&sources)?;
         self.face_origin = origin;
         self.dropped_faces = self.face_map.iter().filter(|&&new| new == NONE).count() as u32;
         for new in self.vertex_map.iter_mut().filter(|new| **new != NONE) {
@@ -156,4 +165,17 @@ impl Sew {
         self.welded_vertices = self.vertex_map.iter().filter(again).count() as u32;
         Ok(())
     }
+}
+
+/// Adds up how many vertices became each new one, as far as two; `of`: how many an old one counts for.
+fn count_sources(vertex_map: &[u32], of: impl Fn(usize) -> u8, sources: &mut [u8]) {
+    for (old, &new) in vertex_map.iter().enumerate().filter(|&(_, &new)| new != NONE) {
+        let count = &mut sources[new as usize];
+        *count = (*count + of(old)).min(2);
+    }
+}
+
+/// The vertices of several sources.
+fn several(sources: &[u8]) -> Result<Vec<u32>> {
+    alloc::gather(sources.iter().zip(0..).filter(|&(&count, _)| count > 1).map(|(_, v)| v))
 }

@@ -37,8 +37,8 @@ pub(super) fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
     Ok(along)
 }
 
-/// The point nearest to `p` on the two edges of a closed polyline that meet in point `v`.
-pub(super) fn nearest_beside(points: &[DVec3], v: usize, p: DVec3) -> DVec3 {
+/// The point nearest to `p` on the edges of a polyline that meet in point `v`.
+pub(super) fn nearest_beside(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVec3 {
     let n = points.len();
     let here = points[v];
     let on_edge = |other: DVec3| {
@@ -47,6 +47,9 @@ pub(super) fn nearest_beside(points: &[DVec3], v: usize, p: DVec3) -> DVec3 {
         let t = if squared > 0.0 { ((p - here).dot(edge) / squared).clamp(0.0, 1.0) } else { 0.0 };
         here + edge * t
     };
-    let [before, after] = [on_edge(points[(v + n - 1) % n]), on_edge(points[(v + 1) % n])];
+    // An open one has no edge from one end to the other: nothing is nearer than the end there.
+    let end = |at: usize| !closed && v == at;
+    let before = on_edge(if end(0) { here } else { points[(v + n - 1) % n] });
+    let after = on_edge(if end(n - 1) { here } else { points[(v + 1) % n] });
     if before.distance_squared(p) < after.distance_squared(p) { before } else { after }
 }

@@ -1,5 +1,6 @@
 //! What is known of the loops among which those are looked for that face each other.
 
+use super::slit::Slit;
 use crate::alloc;
 use crate::error::Result;
 use crate::stitch::facing::{Arc, centre};
@@ -46,6 +47,8 @@ pub(super) struct FacingSearch<'a> {
     pub(super) candidates: &'a [Candidate],
     /// Loops that are already joined.
     pub(super) used: &'a [bool],
+    /// Of those that sewing left of two, how they lie.
+    pub(super) slits: &'a [Option<Slit>],
     /// Pairs (smaller, larger) that are not wanted, in ascending order.
     pub(super) excluded: &'a [[u32; 2]],
     pub(super) within_components: bool,

@@ -48,7 +48,7 @@ impl FacingSearch<'_> {
         self.max_gap.unwrap_or((MAX_ARC_GAP * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
     }
 
-    /// The pairs, nearest first. No loop is in two pairs of wholes; arcs do not overlap.
+    /// The pairs, in no special order. No loop is in two pairs of wholes; arcs do not overlap.
     ///
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
@@ -62,8 +62,6 @@ impl FacingSearch<'_> {
         if found.is_empty() {
             alloc::extend(&mut found, self.lone_pair()?)?;
         }
-        let first = |found: &Facing| found.arcs.map_or(0, |arcs| arcs[0].first);
-        found.sort_unstable_by(|x, y| x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y))));
         Ok(found)
     }
 

@@ -30,16 +30,21 @@ impl GivenPair<'_> {
         Ok(())
     }
 
-    /// The two rims that the pair names, each by a vertex: different ones that are not `taken` yet.
-    /// `named` gives those that a selector names.
-    pub(super) fn rims(&self, named: impl Fn(Selector) -> Result<Vec<usize>>, taken: &[bool]) -> Result<[usize; 2]> {
+    /// The two rims that the pair names, each by a vertex: different ones that are not `taken` yet, or
+    /// twice one that sewing left of two. `named` gives those that a selector names.
+    pub(super) fn rims(
+        &self,
+        named: impl Fn(Selector) -> Result<Vec<usize>>,
+        taken: &[bool],
+        is_slit: impl Fn(usize) -> bool,
+    ) -> Result<[usize; 2]> {
         let mut rims = [0; 2];
         for (k, &selector) in self.pair.iter().enumerate() {
             let fault = match named(selector)?.as_slice() {
                 _ if selector.vertex == NONE => PairFault::VertexMissing,
                 [] => PairFault::NoLoop,
                 &[r] if taken[r] => PairFault::LoopTaken,
-                &[r] if k == 1 && rims[0] == r => PairFault::SameLoop,
+                &[r] if k == 1 && rims[0] == r && !is_slit(r) => PairFault::SameLoop,
                 &[r] => {
                     rims[k] = r;
                     continue;

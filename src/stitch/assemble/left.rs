@@ -48,6 +48,10 @@ impl FacingSearch<'_> {
             if !left[r] {
                 return Ok(None);
             }
+            if let Some(slit) = self.slits[r].filter(|slit| slit.closes && !self.is_excluded(r, r)) {
+                let allowed = self.limit(r, r);
+                return Ok(Some(Explanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
+            }
             let (found, own) = match nearest(r, self.within_components)? {
                 Some(found) => (Some(found), self.within_components),
                 None => (nearest(r, !self.within_components)?, !self.within_components),

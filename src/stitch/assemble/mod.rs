@@ -4,8 +4,8 @@
 //!
 //! 1. The pieces are concatenated, and coincident borders sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
-//! 3. Loops of different components that face each other across a gap are paired
-//!    (`facing_loops`): whole loops that look at each other, by the best one-to-one choice
+//! 3. Loops that sewing left of two borders are joined with themselves (`slit`), and loops of
+//!    different components that face each other across a gap are paired (`facing_loops`): whole loops that look at each other, by the best one-to-one choice
 //!    (`whole_loops`, `assignment`), or arcs along which one loop is the other's nearest
 //!    neighbour, as on scans of adjacent parts.
 //! 4. Components are turned over so that they agree across the gaps: each is bound
@@ -18,12 +18,16 @@
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 
 mod assignment;
+mod base;
 mod candidates;
+mod edges;
 mod facing_loops;
 mod given_pair;
 mod left;
+mod loops;
 mod request;
 mod run;
+mod slit;
 mod whole_loops;
 
 pub use request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};

@@ -235,7 +235,7 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTre
         let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
             continue;
         };
-        let way = polyline::nearest_beside(&to.points, v as usize, p) - p;
+        let way = polyline::nearest_beside(&to.points, true, v as usize, p) - p;
         let (weight, distance) = (edge((i + n - 1) % n) + edge(i), way.length());
         sum += weight;
         distances.push(distance);

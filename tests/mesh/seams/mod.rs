@@ -3,4 +3,5 @@
 
 mod pairing;
 mod sew;
+mod slits;
 mod weld_tolerance;

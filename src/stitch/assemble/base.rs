@@ -1,0 +1,161 @@
+//! The pieces put together: welded, oriented, and in the end filled and turned outwards.
+
+use super::candidates::Facing;
+use super::loops::Loops;
+use super::request::{Assembly, Options, Outcome};
+use crate::alloc;
+use crate::boundary::{self, boundary_loops};
+use crate::error::Result;
+use crate::fill::{self, fill_holes};
+use crate::geom::disjoint_sets::ParitySets;
+use crate::job::Job;
+use crate::mesh::{Defect, MeshView, NONE, concat};
+use crate::repair::orient::{self, Outward, turn_outwards};
+use crate::repair::sew::{Sew, sew};
+use crate::repair::weld::weld;
+use crate::sort::sort_distinct;
+use crate::stitch::IndexMap;
+use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
+
+/// The pieces put together, welded and oriented.
+pub(super) struct Base {
+    pub(super) done: Assembly,
+    /// Per vertex of the mesh, the piece that it comes from first.
+    pub(super) piece: Vec<u32>,
+    /// The vertices that sewing made of several, ascending.
+    pub(super) seam: Vec<u32>,
+}
+
+impl Base {
+    pub(super) fn new(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Self> {
+        let (mut mesh, places) = concat::concatenate(pieces)?;
+        let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
+        let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
+        let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
+        let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
+        let mut seam = Vec::new();
+        if let Some(how) = &options.weld {
+            let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
+            let sewn = match options.edge_to_edge {
+                true => Sew::of(weld(&view, how, &part)?)?,
+                false => sew(&view, how, &part)?,
+            };
+            (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
+            (mesh, vertex_map, face_map, seam) = (sewn.mesh, sewn.vertex_map, sewn.face_map, sewn.seam_vertices);
+        }
+        let mut turned = alloc::filled(false, mesh.face_count())?;
+        let mut one_sided = Vec::new();
+        if !options.keep_orientation && mesh.face_count() > 0 {
+            let how = orient::Options::default();
+            let oriented = orient::orient(&mesh.view(&job.part(0.5, 0.6))?, &how, &job.part(0.6, 1.0))?;
+            (mesh, turned) = (oriented.mesh, oriented.turned);
+            one_sided = alloc::collect(oriented.one_sided.iter().map(|component| component.face))?;
+        }
+        let mut piece = alloc::filled(NONE, mesh.positions.len())?;
+        let mut maps = alloc::with_capacity(pieces.len())?;
+        for (k, (view, place)) in pieces.iter().zip(&places).enumerate() {
+            let vertices = &vertex_map[place.first_vertex as usize..][..view.positions().len()];
+            let faces = &face_map[place.first_face as usize..][..view.faces().len()];
+            for &v in vertices.iter().filter(|&&v| v != NONE) {
+                piece[v as usize] = piece[v as usize].min(k as u32);
+            }
+            maps.push(IndexMap { vertices: alloc::copied(vertices)?, faces: alloc::copied(faces)? });
+        }
+        let done = Assembly {
+            mesh,
+            maps,
+            turned,
+            welded_vertices,
+            sewn_edges,
+            splits,
+            one_sided,
+            joints: Vec::new(),
+            left: Vec::new(),
+            holes: Vec::new(),
+            hole_rims: Vec::new(),
+            loops_left: 0,
+            near_loops_left: 0,
+            non_manifold_edges: 0,
+        };
+        Ok(Base { done, piece, seam })
+    }
+
+    /// Decides which components are turned over, turns them, and says of each pair whether it can
+    /// be joined.
+    pub(super) fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
+        let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
+        if keep {
+            return Ok(outcomes);
+        }
+        let mut components = alloc::collect(loops.candidates.iter().map(|candidate| candidate.component))?;
+        sort_distinct(&mut components);
+        let place = |component: u32| components.partition_point(|&other| other < component) as u32;
+        let mut agreement = ParitySets::new(components.len())?;
+        for (facing, outcome) in found.iter().zip(&mut outcomes) {
+            let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
+            let [a, b] = loops.sides(facing)?;
+            let against = match facing.arcs {
+                None => rims_disagree(&a, &b)?,
+                Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
+            };
+            // Turning is no way out within one component: such loops are taken as they are.
+            if i != j && !agreement.union(place(i), place(j), against) {
+                *outcome = Outcome::OrientationConflict;
+            }
+        }
+        let mut turned = alloc::copied(&components)?;
+        turned.retain(|&component| agreement.find(place(component)).1);
+        let is_turned = |component: u32| turned.binary_search(&component).is_ok();
+        let Assembly { mesh, turned: faces_turned, .. } = &mut self.done;
+        for (face, turned) in mesh.face_offsets.windows(2).zip(faces_turned) {
+            let corners = &mut mesh.face_corners[face[0] as usize..face[1] as usize];
+            if is_turned(loops.components.find(corners[0])) {
+                corners[1..].reverse();
+                *turned ^= true;
+            }
+        }
+        for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
+            if is_turned(candidate.component) {
+                rim.turn();
+            }
+        }
+        // Places are counted along the loops as they run now.
+        for facing in found {
+            if let Some(arcs) = &mut facing.arcs {
+                for (arc, r) in arcs.iter_mut().zip(facing.rims) {
+                    let (n, component) = (loops.rims[r].vertices.len(), loops.candidates[r].component);
+                    if is_turned(component) {
+                        arc.first = (2 * n - arc.first - arc.count) % n;
+                    }
+                }
+            }
+        }
+        Ok(outcomes)
+    }
+
+    pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
+        let mut done = self.done;
+        if done.mesh.face_count() == 0 {
+            return Ok(done);
+        }
+        if let Some(how) = &options.fill {
+            let how = fill::Options { outward: Outward::Keep, ..*how };
+            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, None, &how, &job.part(0.1, 0.4))?;
+            (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+        }
+        if !(options.keep_orientation || options.keep_inside_out) {
+            for f in turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))? {
+                // Faces of strips and patches come after those of the pieces.
+                if let Some(turned) = done.turned.get_mut(f as usize) {
+                    *turned ^= true;
+                }
+            }
+        }
+        let view = done.mesh.view(&job.part(0.6, 0.7))?;
+        let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
+        done.loops_left = boundary.len() as u32;
+        let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
+        done.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        Ok(done)
+    }
+}

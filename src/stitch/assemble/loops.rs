@@ -1,0 +1,160 @@
+//! The boundary of the pieces put together.
+
+use super::base::Base;
+use super::candidates::{Candidate, Facing, FacingSearch};
+use super::edges::{Edges, loops_of};
+use super::request::{LeftLoop, MaxGap, Options, Reason, Selector};
+use super::slit::Slit;
+use crate::alloc;
+use crate::boundary::{self, Boundary, boundary_loops};
+use crate::error::Result;
+use crate::geom::Aabb;
+use crate::geom::disjoint_sets::DisjointSets;
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use crate::mesh::{Mesh, NONE, vertex_components};
+use crate::sort::sort_distinct;
+use crate::stitch::rim::{Rim, is_usable};
+
+/// The boundary of the base: loops that can carry a strip, and others.
+pub(super) struct Loops {
+    pub(super) rims: Vec<Rim>,
+    pub(super) candidates: Vec<Candidate>,
+    pub(super) components: DisjointSets,
+    /// Of each loop, if sewing left it of two borders, how its sides lie.
+    pub(super) slits: Vec<Option<Slit>>,
+    /// The loops that cannot, with the reason.
+    pub(super) others: Vec<LeftLoop>,
+    /// What the rims' points are multiplied by.
+    pub(super) unit: f64,
+}
+
+impl Loops {
+    pub(super) fn of(base: &Base, job: &Job<'_>) -> Result<Self> {
+        let mesh = &base.done.mesh;
+        let mut loops = Loops {
+            rims: Vec::new(),
+            candidates: Vec::new(),
+            components: DisjointSets::default(),
+            slits: Vec::new(),
+            others: Vec::new(),
+            unit: 1.0,
+        };
+        if mesh.face_count() == 0 {
+            return Ok(loops);
+        }
+        let view = mesh.view(&job.part(0.0, 0.3))?;
+        let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        loops.components = vertex_components(&view)?;
+        for found in boundary.iter() {
+            if is_usable(&found) {
+                alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
+            } else {
+                let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
+                alloc::push(
+                    &mut loops.others,
+                    LeftLoop { vertices: alloc::copied(found.vertices)?, reason, gap: f64::INFINITY, allowed_gap: 0.0 },
+                )?;
+            }
+        }
+        loops.unit = common_unit(loops.rims.iter().flat_map(|rim| &rim.points));
+        let sizes = component_sizes(mesh, &mut loops.components, &loops.rims)?;
+        for ((rim, size), found) in loops.rims.iter_mut().zip(sizes).zip(boundary.iter().filter(is_usable)) {
+            rim.points.iter_mut().for_each(|p| *p /= loops.unit);
+            alloc::push(&mut loops.slits, Slit::of(&view, &found, rim, loops.unit, &base.seam)?)?;
+            let component = loops.components.find(rim.vertices[0]);
+            let piece = base.piece[rim.vertices[0] as usize];
+            alloc::push(&mut loops.candidates, Candidate::new(rim, component, piece, size / loops.unit))?;
+        }
+        Ok(loops)
+    }
+
+    /// The two loops, or arcs of them, each with its surface on the left.
+    pub(super) fn sides(&self, facing: &Facing) -> Result<[Rim; 2]> {
+        let [r, k] = facing.rims;
+        let (mut a, mut b) = (self.rims[r].try_clone()?, self.rims[k].try_clone()?);
+        if let Some([arc_a, arc_b]) = facing.arcs {
+            a.cut(arc_a)?;
+            b.cut(arc_b)?;
+        }
+        Ok([a, b])
+    }
+
+    /// The edges that the mesh has between different rims, and between the vertices of one that is
+    /// a slit. A vertex may be on several.
+    pub(super) fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
+        let places = self.places()?;
+        let mut on_rim = alloc::filled(false, mesh.positions.len())?;
+        places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
+        let slits = alloc::collect(self.slits.iter().map(Option::is_some))?;
+        let mut edges = Edges { of: Vec::new(), places, slits };
+        for face in mesh.faces() {
+            for (k, &u) in face.iter().enumerate() {
+                let v = face[(k + 1) % face.len()];
+                if on_rim[u as usize] && on_rim[v as usize] {
+                    edges.enter(u, v)?;
+                }
+            }
+        }
+        sort_distinct(&mut edges.of);
+        Ok(edges)
+    }
+
+    pub(super) fn search<'a>(
+        &'a self,
+        options: &Options<'_>,
+        used: &'a [bool],
+        excluded: &'a [[u32; 2]],
+    ) -> FacingSearch<'a> {
+        let max_gap = match options.max_gap {
+            MaxGap::Given(gap) => Some(gap / self.unit),
+            MaxGap::Auto => None,
+        };
+        FacingSearch {
+            rims: &self.rims,
+            candidates: &self.candidates,
+            used,
+            slits: &self.slits,
+            excluded,
+            within_components: options.within_components,
+            arcs: !options.whole_loops_only,
+            max_gap,
+        }
+    }
+
+    /// Each vertex on a loop with the loop, in ascending order.
+    pub(super) fn places(&self) -> Result<Vec<(u32, u32)>> {
+        let mut places = alloc::with_capacity(self.rims.iter().map(|rim| rim.vertices.len()).sum())?;
+        for (rim, r) in self.rims.iter().zip(0u32..) {
+            places.extend(rim.vertices.iter().map(|&v| (v, r)));
+        }
+        places.sort_unstable();
+        Ok(places)
+    }
+
+    /// The loops that a selector names, in ascending order.
+    pub(super) fn named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
+        let Some(map) = base.done.maps.get(selector.piece as usize) else {
+            return Ok(Vec::new());
+        };
+        if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
+            return alloc::collect(loops_of(places, vertex).iter().map(|&(_, r)| r as usize));
+        }
+        let of_piece = |&v: &u32| selector.vertex == NONE && base.piece[v as usize] == selector.piece;
+        alloc::gather((0..self.rims.len()).filter(|&r| self.rims[r].vertices.iter().any(of_piece)))
+    }
+}
+
+/// For each rim, the largest extent of its component along an axis.
+fn component_sizes(mesh: &Mesh, components: &mut DisjointSets, rims: &[Rim]) -> Result<Vec<f64>> {
+    let of_rims = alloc::collect(rims.iter().map(|rim| components.find(rim.vertices[0])))?;
+    let mut roots = alloc::copied(&of_rims)?;
+    sort_distinct(&mut roots);
+    let mut boxes = alloc::filled(Aabb::EMPTY, roots.len())?;
+    for v in 0..mesh.positions.len() as u32 {
+        if let Ok(place) = roots.binary_search(&components.find(v)) {
+            boxes[place].add(mesh.positions.get(v));
+        }
+    }
+    alloc::collect(of_rims.iter().map(|&root| boxes[roots.partition_point(|&other| other < root)].size().max_element()))
+}
