@@ -26,5 +26,5 @@ mod sparse;
 mod tests;
 
 pub(crate) use curvature::mean_curvature;
-pub(crate) use plate::{Plate, thin_plate};
+pub(crate) use plate::{Plate, Shape, thin_plate};
 pub(crate) use rings::Weights;

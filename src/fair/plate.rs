@@ -25,18 +25,30 @@ pub(crate) struct Plate<'a> {
     /// `triangles`, old neighbours included.
     pub(crate) centres: &'a [bool],
     pub(crate) weights: Weights,
-    /// The Laplacian that the plate has where nothing bends it, vertex by vertex, in one over the
-    /// points' unit; `None` for 0, a plate that is flat by itself. With [`Weights::Cotangent`] only.
-    pub(crate) curvature: Option<&'a [DVec3]>,
+    /// The shape that the plate has by itself; `None`: flat. With [`Weights::Cotangent`] only.
+    pub(crate) shape: Option<Shape<'a>>,
     /// Places of the vertices by which they are put in order, near each other where they are
     /// neighbours and spread evenly; `None` for the points themselves. The result does not depend on
     /// it but for round-off; time and memory do.
     pub(crate) layout: Option<&'a [DVec3]>,
 }
 
-/// Moves the free vertices of a plate to where the sum over all its centres v of |L x(v) - h(v)|^2
-/// is least, h being its own curvature; the others stay. So does a vertex that no chain of free
-/// vertices connects with a fixed one, or whose place the equations do not determine.
+/// What a plate does where nothing bends it.
+#[derive(Clone, Copy)]
+pub(crate) struct Shape<'a> {
+    /// Its Laplacian h, vertex by vertex, in one over the points' unit.
+    pub(crate) curvature: &'a [DVec3],
+    /// Where it lies, x0.
+    pub(crate) places: &'a [DVec3],
+    /// What is wider than this length r hangs on its place by weak springs, in the points' unit:
+    /// small errors of the curvature would add up across it.
+    pub(crate) reach: f64,
+}
+
+/// Moves the free vertices of a plate to where the sum over all its centres v of A(v) |L x(v) -
+/// h(v)|^2 and, over the free vertices, of A(v) |x(v) - x0(v)|^2 / r^4 is least, A being the areas;
+/// the others stay. So does a vertex that no chain of free vertices connects with a fixed one, or
+/// whose place the equations do not determine. Without a shape h is 0, and nothing hangs on springs.
 ///
 /// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy
 /// where they are now and A its second derivative, a sparse matrix that couples vertices with a
@@ -57,7 +69,7 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
     let rings = Rings::new(&local, plate.triangles, plate.weights)?;
     let mut unknowns = anchored(&rings, plate.free)?;
     dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres)?;
-    let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, unit)?;
+    let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, (unit, origin))?;
     matrix.factor(&job.part(0.2, 1.0))?.solve(&mut moves);
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
@@ -93,13 +105,13 @@ fn anchored(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
 }
 
 /// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both
-/// halved. `points` in `unit`, the plate's curvature in one over what that is a multiple of.
+/// halved. `points` in `unit` from `origin`, the plate's shape as it was given.
 fn equations(
     points: &[DVec3],
     rings: &Rings,
     unknowns: &[u32],
     plate: &Plate<'_>,
-    unit: f64,
+    (unit, origin): (f64, DVec3),
 ) -> Result<(Triangle, Vec<DVec3>)> {
     let centres = plate.centres;
     // How far the Laplacian of each centre is from the plate's own, scaled.
@@ -107,7 +119,7 @@ fn equations(
     for c in (0..points.len()).filter(|&c| centres[c]) {
         let laplacian =
             rings.ring(c).iter().fold(DVec3::ZERO, |sum, &(w, weight)| sum + weight * (points[w as usize] - points[c]));
-        bend[c] = rings.scale(c) * laplacian - plate.curvature.map_or(DVec3::ZERO, |own| own[c] * unit);
+        bend[c] = rings.scale(c) * laplacian - plate.shape.map_or(DVec3::ZERO, |own| own.curvature[c] * unit);
     }
     let mut place = alloc::filled(NONE, points.len())?;
     for (k, &v) in unknowns.iter().enumerate() {
@@ -143,9 +155,15 @@ fn equations(
                 column[i] += factor * weight;
             }
         }
-        moves.push(-gradient);
+        // A spring of strength area / reach^4.
+        let spring = |own: Shape<'_>| {
+            let strength = (own.reach / unit).powi(-4) / rings.scale(v as usize);
+            (strength, points[v as usize] - (own.places[v as usize] / unit - origin))
+        };
+        let (strength, away) = plate.shape.map_or((0.0, DVec3::ZERO), spring);
+        moves.push(-gradient - strength * away);
         let is_centred = seen[k] == k as u32;
-        matrix.diagonal.push(if is_centred { column[k] } else { 0.0 });
+        matrix.diagonal.push(if is_centred { column[k] + strength } else { 0.0 });
         alloc::reserve(&mut matrix.entries, rows.len())?;
         matrix.entries.extend(rows.drain(..).filter(|&i| i as usize != k).map(|i| (i, column[i as usize])));
         matrix.start.push(matrix.entries.len());

@@ -22,8 +22,8 @@ pub(super) struct Triangle {
 const NONE: u32 = u32::MAX;
 /// Pivots up to this share of their diagonal entries are rounding.
 const MIN_RELATIVE_PIVOT: f64 = 4.0 * f64::EPSILON;
-/// Rows between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 10;
+/// Products between two progress reports, some milliseconds.
+const REPORT_INTERVAL: usize = 1 << 22;
 
 impl Triangle {
     /// The factor of a symmetric matrix. An unknown whose pivot is not positive is left out: its
@@ -40,8 +40,12 @@ impl Triangle {
         let mut end = alloc::copied(&factor.start[..n])?;
         let mut row = alloc::filled(0.0, n)?;
         tree.mark.fill(NONE);
+        let mut products = REPORT_INTERVAL;
         for k in 0..n {
-            job.step_every(REPORT_INTERVAL, k, n, "fairing")?;
+            if products >= REPORT_INTERVAL {
+                job.step(k as f64 / n as f64, "fairing")?;
+                products = 0;
+            }
             for &(i, value) in self.column(k) {
                 row[i as usize] = value;
             }
@@ -49,6 +53,7 @@ impl Triangle {
             for &i in tree.reach(self, k) {
                 let i = i as usize;
                 let value = std::mem::take(&mut row[i]);
+                products += end[i] - factor.start[i] + 1;
                 for &(j, l) in &factor.entries[factor.start[i]..end[i]] {
                     row[j as usize] -= l * value;
                 }

@@ -1,6 +1,6 @@
 //! Thin-plate fairing against known shapes and equations.
 
-use super::{Plate, Weights, mean_curvature, thin_plate};
+use super::{Plate, Shape, Weights, mean_curvature, thin_plate};
 use crate::Job;
 use glam::{DQuat, DVec3};
 use std::collections::BTreeSet;
@@ -42,7 +42,10 @@ impl Patch {
 
     fn bend(&mut self, centres: &[bool], weights: Weights, curvature: Option<&[DVec3]>) {
         let (triangles, free) = (&self.triangles, &self.free);
-        let plate = Plate { triangles, free, centres, weights, curvature, layout: None };
+        let places = self.points.clone();
+        // Far beyond the patch: the springs are felt nowhere.
+        let shape = curvature.map(|curvature| Shape { curvature, places: &places, reach: 1e9 });
+        let plate = Plate { triangles, free, centres, weights, shape, layout: None };
         thin_plate(&mut self.points, &plate, &Job::default()).unwrap();
     }
 }
@@ -319,7 +322,7 @@ fn degenerate_patches_do_no_harm() {
         }
     }
     let (triangles, free, centres, weights) = (&[], &[], &[], Weights::Uniform);
-    let plate = Plate { triangles, free, centres, weights, curvature: None, layout: None };
+    let plate = Plate { triangles, free, centres, weights, shape: None, layout: None };
     let nothing = thin_plate(&mut [], &plate, &Job::default());
     assert_eq!(nothing, Ok(()));
 }

@@ -145,7 +145,7 @@ fn fair(rim: &Rim, points: &[DVec3], mesh: &mut PatchMesh, job: &Job<'_>) -> Res
         free: &free,
         centres: &centres,
         weights: Weights::Cotangent,
-        curvature: None,
+        shape: None,
         layout: None,
     };
     thin_plate(&mut all, &plate, job)?;

@@ -18,9 +18,38 @@ const FLAT: f64 = 0.01;
 /// No collapse turns a triangle by more: the cosine.
 const MIN_TURN: f64 = 0.5;
 
+/// Sides so many times too long are halved before others.
+const MUCH_TOO_LONG: f64 = 8.0;
+/// Halving long needles may make as many vertices as there is room for, times this; else sides of twice
+/// the length come first, whose short ones are collapsed before.
+const MAX_PART_OF_ROOM: f64 = 1.0;
+
 /// Makes the sides inside the patch as long as `sizing` says, by halving the long ones, which leaves
 /// the surface as it is, and collapsing the short ones. The vertices below `rim` stay.
+///
+/// O(passes * triangles), for each doubling of the length that comes first.
 pub(crate) fn even(
+    mesh: &mut PatchMesh,
+    rim: usize,
+    sizing: &mut Sizing,
+    taken: &impl Fn(u32, u32) -> bool,
+    job: &Job<'_>,
+) -> Result<()> {
+    let side = |t: usize, k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
+    let longest = |t: usize| side(t, 0).max(side(t, 1)).max(side(t, 2)) / sizing.of(mesh.triangles[t]);
+    let halves = (0..mesh.triangles.len()).map(longest).filter(|count| count.is_finite()).sum::<f64>();
+    let room = MAX_PART_OF_ROOM * sizing.limit.saturating_sub(mesh.points.len()).max(1) as f64;
+    let coarser = libm::ceil(libm::log2(halves / room)).max(0.0) as usize;
+    let scale = |sizing: &mut Sizing, by: f64| sizing.size.iter_mut().for_each(|size| *size *= by);
+    scale(sizing, libm::exp2(coarser as f64));
+    for level in 0..coarser {
+        even_once(mesh, rim, sizing, taken, &job.share(level, coarser + 1))?;
+        scale(sizing, 0.5);
+    }
+    even_once(mesh, rim, sizing, taken, &job.share(coarser, coarser + 1))
+}
+
+fn even_once(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,
@@ -53,28 +82,49 @@ pub(crate) fn even(
     mesh.relax(rim, taken, &job.share(MAX_PASSES as usize, MAX_PASSES as usize + 1))
 }
 
-/// Halves long sides; true if the limit was in the way.
+/// Halves long sides; those that are far too long first, so that opposite sides of long needles are
+/// cut alike. True if the limit was in the way.
 fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<bool> {
-    let mut t = 0;
     job.step(0.0, "refining")?;
-    while t < mesh.triangles.len() && mesh.points.len() < sizing.limit {
-        let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
-        // Beside a longer side on the rim nothing becomes shorter than its half.
-        let k = (0..3).fold(0, |k, j| if length(j) > length(k) { j } else { k });
-        let Some(beyond) = mesh.beyond(t, k) else {
-            t += 1;
-            continue;
-        };
-        let ends = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
-        if length(k) > MAX_LENGTH * sizing.between(ends[0], ends[1]) {
-            let middle = mesh.points[ends[0] as usize].midpoint(mesh.points[ends[1] as usize]);
-            sizing.insert([ends[0], ends[1], ends[1]], [0.5, 0.5, 0.0])?;
-            mesh.split_side((t, k), beyond, middle)?;
-        } else {
-            t += 1;
-        }
+    let longest =
+        (0..mesh.triangles.len()).filter_map(|t| longest_inside(mesh, sizing, t)).fold(0.0, |x, y| y.1.max(x));
+    let mut length = MAX_LENGTH;
+    while MUCH_TOO_LONG * length < longest {
+        length *= 2.0;
     }
-    Ok(t < mesh.triangles.len())
+    loop {
+        let mut t = 0;
+        while t < mesh.triangles.len() {
+            match longest_inside(mesh, sizing, t).filter(|found| found.1 > length) {
+                None => t += 1,
+                Some(_) if mesh.points.len() >= sizing.limit => return Ok(true),
+                Some((k, _)) => halve_side(mesh, sizing, (t, k))?,
+            }
+        }
+        if length <= MAX_LENGTH {
+            return Ok(false);
+        }
+        length /= 2.0;
+    }
+}
+
+/// The longest side of a triangle, and its length in sizes, if it is inside the patch: beside a
+/// longer one on the rim nothing becomes shorter than its half.
+fn longest_inside(mesh: &PatchMesh, sizing: &Sizing, t: usize) -> Option<(usize, f64)> {
+    let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
+    let k = (0..3).fold(0, |k, j| if length(j) > length(k) { j } else { k });
+    let [u, v] = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
+    mesh.beyond(t, k).map(|_| (k, length(k) / sizing.between(u, v)))
+}
+
+fn halve_side(mesh: &mut PatchMesh, sizing: &mut Sizing, (t, k): (usize, usize)) -> Result<()> {
+    let Some(beyond) = mesh.beyond(t, k) else {
+        return Ok(());
+    };
+    let ends = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
+    let middle = mesh.points[ends[0] as usize].midpoint(mesh.points[ends[1] as usize]);
+    sizing.insert([ends[0], ends[1], ends[1]], [0.5, 0.5, 0.0])?;
+    mesh.split_side((t, k), beyond, middle).map(|_| ())
 }
 
 /// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are too

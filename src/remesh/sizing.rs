@@ -12,7 +12,7 @@ pub(crate) struct Sizing {
     pub(crate) size: Vec<f64>,
     /// Where each would be if nothing had been faired.
     pub(crate) unfaired: Vec<DVec3>,
-    /// How the surface bends there by itself (see [`Plate::curvature`](crate::fair::Plate)).
+    /// How the surface bends there by itself (see [`Shape`](crate::fair::Shape)).
     pub(crate) curvature: Vec<DVec3>,
     /// There will be no more vertices than this.
     pub(crate) limit: usize,

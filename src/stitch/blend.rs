@@ -6,8 +6,10 @@
 //! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
 //! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with care or
 //! less often. The plate is bent by itself as the strip is, its ridges averaged out: one that is flat
-//! by itself would narrow to a neck between two tubes, and, a few radii long, to a point. Creases that the old faces do not have are ironed out. At last the sharp triangles at
-//! the shortest edges of the rims are refined: there the plate would follow round-off.
+//! by itself would narrow to a neck between two tubes, and, a few radii long, to a point. Across many
+//! radii it hangs on the strip. Creases that the old faces do not have are ironed out. At last the
+//! sharp triangles at the shortest edges of the rims are refined: there the plate would follow
+//! round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
 //! order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants are
@@ -20,7 +22,7 @@ use super::rim::Rim;
 use super::strip::{Parents, Strip};
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::fair::{Plate, Weights, mean_curvature, thin_plate};
+use crate::fair::{Plate, Shape, Weights, mean_curvature, thin_plate};
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh};
@@ -46,10 +48,14 @@ const SETTLE: [u32; 2] = [2, 5];
 /// Averages over neighbours that make of the strip's curvature, which sits in its ridges, that of
 /// the surface it stands for.
 const SMOOTHING: u32 = 10;
+/// How wide a blend is before it hangs on the strip, in mean radii of the larger rim.
+const REACH: f64 = 3.0;
 /// New vertices that the sizes may ask for, by an estimate; more if [`MAX_NEW_AT_RIM`] allows more.
 /// Where more would be needed, all sides grow; where the estimate does not fit the shape, there are
 /// at most twice as many.
 const MAX_NEW: u32 = 50_000;
+/// Where sides would have to grow by more, the gap is too wide for a blend.
+const MAX_GROWTH: f64 = 2.0;
 /// New vertices for each of the rims' that the sizes may ask for, and as many again for sharp angles.
 const MAX_NEW_AT_RIM: u32 = 16;
 /// A triangle that turns by more is folded: the cosine.
@@ -96,9 +102,9 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Of a strip of triangles without rows. O(T + n log n) for T triangles of the strip and n new
-    /// vertices, and a pass over all old faces.
-    pub(super) fn new(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Plan> {
+    /// Of a strip of triangles without rows; `None` if it would need too many vertices. O(T + n log n)
+    /// for T triangles of the strip and n new vertices, and a pass over all old faces.
+    pub(super) fn new(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Option<Plan>> {
         let mut patch = OldRing::new(whole, strip, unit)?;
         let rim = strip.rim_count();
         let (usual, creased) = patch.bends(rim)?;
@@ -112,6 +118,9 @@ impl Plan {
         let limit = MAX_NEW.max(at_rim);
         let needed = needed(&mesh, &size).min(f64::from(limit));
         let grown = growth(&mesh, &size, limit);
+        if grown > MAX_GROWTH {
+            return Ok(None);
+        }
         size.iter_mut().for_each(|s| *s *= grown);
         patch.draw_near(&size)?;
         let mut sizing = Sizing {
@@ -125,9 +134,12 @@ impl Plan {
         let taken = |u: u32, v: u32| patch.has_edge(u, v);
         even(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
         insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
+        if mesh.points.len() >= sizing.limit {
+            return Ok(None);
+        }
         mesh.settle(rim, &taken, SETTLE[0], &job.part(0.8, 1.0))?;
         sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, rim, SMOOTHING)?;
-        Ok(Plan { patch, mesh, sizing, rim, min_cosine, creased })
+        Ok(Some(Plan { patch, mesh, sizing, rim, min_cosine, creased }))
     }
 
     /// The blend in the place of the strip. For n new vertices O(n log n) and the plate's
@@ -222,6 +234,8 @@ struct OldRing {
     edges: Vec<(u32, u32)>,
     /// True of the rims' vertices whose Laplacian the plate counts.
     centred: Vec<bool>,
+    /// What is wider than this hangs on the strip's place; see [`Shape`].
+    reach: f64,
 }
 
 impl OldRing {
@@ -284,7 +298,8 @@ impl OldRing {
         triangles.as_flattened().iter().filter(|&&v| (v as usize) < rim).for_each(|&v| valence[v as usize] += 1);
         let is_end = |v: u32| around.ends.binary_search(&v).is_ok();
         let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
-        Ok(OldRing { points, origin, triangles, sides, edges, centred })
+        let reach = REACH * strip.a.radius().max(strip.b.radius());
+        Ok(OldRing { points, origin, triangles, sides, edges, centred, reach })
     }
 
     /// The mean length of the old sides at each vertex of the rims, by their lengths, so that slivers
@@ -359,12 +374,14 @@ impl OldRing {
         let mut curvature = alloc::copied(&sizing.curvature[..rim])?;
         alloc::append(&mut curvature, &alloc::filled(DVec3::ZERO, old - rim)?)?;
         alloc::append(&mut curvature, &sizing.curvature[rim..])?;
+        let mut places = alloc::copied(&self.points)?;
+        alloc::append(&mut places, &sizing.unfaired[rim..])?;
         let plate = Plate {
             triangles: &triangles,
             free: &free,
             centres: &centres,
             weights: Weights::Cotangent,
-            curvature: Some(&curvature),
+            shape: Some(Shape { curvature: &curvature, places: &places, reach: self.reach }),
             layout: None,
         };
         thin_plate(&mut points, &plate, job)?;

@@ -106,7 +106,10 @@ fn check_blend(
     let rims = strip.rim_count();
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
     let mut best: Option<(CheckedStrip, Blend)> = None;
-    let plan = Plan::new(whole, strip, unit, &job.part(0.0, 0.2))?;
+    let Some(plan) = Plan::new(whole, strip, unit, &job.part(0.0, 0.2))? else {
+        job.note("a blend would need too many vertices: the strip stays in its place");
+        return Ok(plain);
+    };
     let job = job.part(0.2, 1.0);
     for (k, way) in WAYS.into_iter().enumerate() {
         let part = job.share(k, WAYS.len());
@@ -217,7 +220,7 @@ impl Neighbourhood<'_> {
             free: &free,
             centres: &centres,
             weights: Weights::Uniform,
-            curvature: None,
+            shape: None,
             layout: Some(&layout),
         };
         thin_plate(&mut points, &plate, job)?;

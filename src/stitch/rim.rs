@@ -1,6 +1,6 @@
 //! A rim: a validated boundary loop, or an arc of one, to which a strip can be attached.
 
-use super::facing::Arc;
+use super::facing::{Arc, centre};
 use crate::alloc;
 use crate::boundary::{Boundary, EdgeFlags, Loop, LoopFlags};
 use crate::error::{Error, Result, Side};
@@ -111,6 +111,12 @@ impl Rim {
             normals: alloc::copied(&self.normals)?,
             ..*self
         })
+    }
+
+    /// The mean distance of its vertices from their centre.
+    pub(super) fn radius(&self) -> f64 {
+        let middle = centre(&self.points);
+        self.points.iter().map(|p| p.distance(middle)).sum::<f64>() / self.points.len() as f64
     }
 
     pub(super) fn segments(&self) -> u32 {

@@ -3,7 +3,7 @@
 use super::slit::Slit;
 use crate::alloc;
 use crate::error::Result;
-use crate::stitch::facing::{Arc, centre};
+use crate::stitch::facing::Arc;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
 
@@ -34,11 +34,9 @@ pub(super) struct Candidate {
 
 impl Candidate {
     pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
-        let middle = centre(&rim.points);
         let n = rim.points.len();
-        let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / n as f64;
         let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
-        Candidate { component, piece, size, radius, length, spacing: length / n as f64 }
+        Candidate { component, piece, size, radius: rim.radius(), length, spacing: length / n as f64 }
     }
 }
 
