@@ -115,7 +115,7 @@ fn wide_gaps_are_bridged_by_tubes() {
     let circle = |n: u32, z: f64| ring(n, |t| [t.cos(), t.sin(), z]);
     for (n, m) in [(24, 24), (48, 35)] {
         for (gap, share) in
-            [(0.5, 0.03), (2.0, 0.05), (4.0, 0.07), (6.0, 0.08), (10.0, 0.12), (20.0, 0.15), (80.0, 0.15)]
+            [(0.5, 0.03), (2.0, 0.05), (4.0, 0.07), (6.0, 0.08), (10.0, 0.12), (20.0, 0.15), (80.0, 0.2)]
         {
             let down = |[x, y, z]: [f64; 3]| [x, y, z - 0.2];
             let (a, b) = (shell(&circle(n, 0.0), down, false), shell(&circle(m, gap), up, false));
