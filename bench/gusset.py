@@ -62,7 +62,7 @@ class Parts(Structure):
         ("meridians", Indices), ("matrix", Indices), ("parents", Indices), ("weights", c_void_p),
         ("strip_face_first", c_size_t), ("strip_face_count", c_size_t), ("row_count", c_uint32), ("closed", c_uint32),
         ("turned", c_uint32), ("intersections_known", c_uint32), ("intersections", Indices), ("back_off_count", c_uint32),
-        ("reserved", c_uint32)]
+        ("finish", c_uint32), ("turned_outwards", Indices)]
 
 
 class LoopPair(Structure):
@@ -81,7 +81,7 @@ class Joint(Structure):
     _fields_ = [
         ("sides", Indices * 2), ("gap", c_double), ("vertex_first", c_size_t), ("vertex_count", c_size_t),
         ("face_first", c_size_t), ("face_count", c_size_t), ("intersections", Indices), ("intersections_known", c_uint32),
-        ("outcome", c_uint32), ("whole", c_uint32), ("reserved", c_uint32)]
+        ("outcome", c_uint32), ("whole", c_uint32), ("finish", c_uint32)]
 
 
 class PieceMap(Structure):
@@ -92,9 +92,9 @@ class AssemblyParts(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("pieces", POINTER(PieceMap)), ("piece_count", c_size_t), ("joints", POINTER(Joint)),
         ("joint_count", c_size_t), ("left", c_void_p), ("left_count", c_size_t), ("holes", c_void_p), ("hole_count", c_size_t),
-        ("hole_rims", Indices), ("turned", Indices), ("one_sided", Indices), ("welded_vertices", c_uint32),
+        ("hole_rims", Indices), ("turned", Indices), ("one_sided", Indices), ("flat", Indices), ("welded_vertices", c_uint32),
         ("sewn_edges", c_uint32), ("loops_left", c_uint32), ("non_manifold_edges", c_uint32),
-        ("splits", c_uint32), ("reserved", c_uint32)]
+        ("splits", c_uint32), ("near_loops_left", c_uint32)]
 
 
 class OutlinesGiven(Structure):

@@ -849,9 +849,11 @@
  * tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
  * no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
  * Where every blend would cut more faces than the strip does, the strip stays; the log says so.
- * Made for gaps that are narrow beside the rims: across a tube's gap of three radii it is a quarter
- * narrower in the middle, at six it closes; rows of new vertices with fairing keep the tube. Time
- * and memory grow with the number of new triangles.
+ * The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged by
+ * a tube, to within some per cent of its radius. Time and memory grow with the number of new
+ * triangles. There are about as many as the sides round the rims ask for, as far as 50,000 new
+ * vertices or 16 for each of the rims'; where more are asked for, they are up to twice as long, and
+ * where they would have to be longer still, the strip stays; the log says so.
  */
 #define GUSSET_FINISH_BLEND 1
 
@@ -2526,9 +2528,10 @@ typedef struct gusset_joint {
      */
     uint32_t whole;
     /**
-     * 0.
+     * GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
+     * the strip.
      */
-    uint32_t reserved;
+    uint32_t finish;
 } gusset_joint;
 
 /**
@@ -2655,6 +2658,11 @@ typedef struct gusset_assembly_view {
      * A face of each component that cannot be oriented.
      */
     struct gusset_indices one_sided;
+    /**
+     * A face of each closed component of the result that encloses no volume up to rounding, as a
+     * piece does that is given twice. Not looked for where orientation is kept.
+     */
+    struct gusset_indices flat;
     /**
      * Vertices that became one with another.
      */
@@ -3185,9 +3193,10 @@ typedef struct gusset_stitch_view {
      */
     uint32_t back_off_count;
     /**
-     * 0.
+     * GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
+     * the strip.
      */
-    uint32_t reserved;
+    uint32_t finish;
     /**
      * Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
      * end, ascending. Each keeps its first corner and has the others in reverse order.

@@ -165,6 +165,7 @@ static void stitch_options(void) {
     parts.struct_size = sizeof parts;
     EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
     CHECK(parts.strip_face_count == 8 && parts.intersections_known == 1 && parts.intersections.count == 0);
+    CHECK(parts.finish == GUSSET_FINISH_STRIP);
     gusset_stitch_destroy(stitch);
 
     /* Each field counts from the size on that holds it. */

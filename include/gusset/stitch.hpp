@@ -149,6 +149,8 @@ public:
         }
         return detail::indices(found.intersections);
     }
+    /// What the strip is: a blend that was asked for may have had to give way to the strip.
+    Finish finish() const { return static_cast<Finish>(view().finish); }
     /// The number of local back-offs of the fairing.
     uint32_t back_off_count() const { return view().back_off_count; }
     /// The second piece was turned over to agree with the first.

@@ -176,7 +176,7 @@ impl<'a> Plan<'a> {
         let quality = Quality::of(&whole, &part, &job.part(0.3, measured))?;
         let turned_outwards = match outward {
             Outward::Keep => Vec::new(),
-            Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?,
+            Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned,
         };
         Ok(Filled { mesh: whole, holes: self.holes, rims: self.rims, turned_outwards, quality })
     }

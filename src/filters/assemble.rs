@@ -136,6 +136,9 @@ fn report(done: &Assembly) -> Report {
     if turned > 0 {
         push_line!(text, "{} of the pieces turned over", counted(turned, FACE));
     }
+    if !done.flat.is_empty() {
+        push_line!(text, "closed without any volume, as one piece given twice: {}", done.flat.len());
+    }
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let values = [
         ("sewn_edges", f64::from(done.sewn_edges)),
@@ -145,6 +148,8 @@ fn report(done: &Assembly) -> Report {
         ("boundary_loops", f64::from(done.loops_left)),
         ("near_loops_left", f64::from(done.near_loops_left)),
         ("turned_faces", turned as f64),
+        ("flat_components", done.flat.len() as f64),
+        ("blends", done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count() as f64),
     ];
     Report::new(text, &values)
 }

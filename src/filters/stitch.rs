@@ -155,6 +155,7 @@ fn report(done: &Stitch) -> Report {
         ("largest_aspect_ratio", max_aspect),
         ("turned_outwards", done.turned_outwards.len() as f64),
         ("boundary_loops", f64::from(loops_left)),
+        ("blended", f64::from(u8::from(done.finish == Finish::Blend))),
     ];
     if let Some(pairs) = &done.intersections {
         values.push(("intersections", pairs.len() as f64));

@@ -121,8 +121,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
 }
 
 /// Turns over, each as a whole, the components of `mesh` that are closed, consistently oriented and
-/// face inwards: their volume is negative by more than rounding. Returns their faces in ascending
-/// order. Every other component stays as it is, bit for bit: an open one, one with an edge of three
+/// face inwards: their volume is negative by more than rounding. Every other component stays as it is, bit for bit: an open one, one with an edge of three
 /// or more faces, one whose faces disagree. Of shells inside one another each one faces outwards
 /// then, the walls of a cavity too. A note to the host says so if anything is turned.
 ///
@@ -131,27 +130,36 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
 /// [`Error::Cancelled`](crate::Error::Cancelled).
-pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Vec<u32>> {
+pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
     if mesh.face_count() == 0 {
-        return Ok(Vec::new());
+        return Ok(Outwards::default());
     }
-    let mut inward = inward_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
-    sort(&mut inward, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
-    for &f in &inward {
+    let mut found = inward_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
+    sort(&mut found.turned, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
+    for &f in &found.turned {
         mesh.turn_face(f as usize);
     }
-    if !inward.is_empty() {
+    if !found.turned.is_empty() {
         job.note("what is closed and was inside out has been turned over");
     }
-    Ok(inward)
+    Ok(found)
 }
 
-/// The faces of the closed, consistently oriented components that face inwards.
-fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
+/// The closed, consistently oriented components that do not face outwards.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Outwards {
+    /// The faces that were turned over, ascending.
+    pub turned: Vec<u32>,
+    /// A face of each component that encloses no volume up to rounding, and stays as it is.
+    pub flat: Vec<u32>,
+}
+
+/// What faces inwards, and what neither way.
+fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
     let mut against = alloc::filled(false, mesh.faces().len())?;
     let mut search = Search::new(mesh, &topology)?;
-    let mut inward = Vec::new();
+    let mut outwards = Outwards::default();
     for f in 0..mesh.faces().len() as u32 {
         if search.seen[f as usize] {
             continue;
@@ -159,11 +167,15 @@ fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
         search.component(f, &mut against, &job.part(0.6, 1.0))?;
         let found = &search.found;
         let consistent = search.half_edge == NONE && !found.iter().any(|&g| against[g as usize]);
-        if search.closed && consistent && faces_inward(mesh, found, &against) == Some(true) {
-            alloc::append(&mut inward, found)?;
+        if search.closed && consistent {
+            match faces_inward(mesh, found, &against) {
+                Some(true) => alloc::append(&mut outwards.turned, found)?,
+                Some(false) => {}
+                None => alloc::push(&mut outwards.flat, f)?,
+            }
         }
     }
-    Ok(inward)
+    Ok(outwards)
 }
 
 /// The search through one component after another.

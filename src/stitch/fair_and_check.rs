@@ -39,6 +39,7 @@ pub(super) struct CheckedStrip {
     /// See [`Stitch::intersections`](super::Stitch::intersections).
     pub(super) intersections: Option<Vec<[u32; 2]>>,
     pub(super) back_offs: u32,
+    pub(super) finish: Finish,
 }
 
 /// Fairs the strip's rows, or puts a blend in its place, and looks for faces that cut each other, as
@@ -74,7 +75,7 @@ fn check_strip(
         && options.cells == Cells::Triangles;
     if avoids && options.intersections == Intersections::Auto {
         let left = avoid_cuts(whole, strip, bridges, unit, options, job)?;
-        return Ok(CheckedStrip { intersections: Some(left), back_offs: 0 });
+        return Ok(CheckedStrip { intersections: Some(left), back_offs: 0, finish: Finish::Strip });
     }
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
     let rims = strip.rim_count();
@@ -137,6 +138,7 @@ fn check_blend(
             Ok(plain)
         }
         Some((checked, found)) => {
+            let checked = CheckedStrip { finish: Finish::Blend, ..checked };
             strip.faces = found.faces;
             strip.grid.points.truncate(rims);
             alloc::append(&mut strip.grid.points, &found.points)?;
@@ -156,7 +158,7 @@ impl Neighbourhood<'_> {
         intersections: Intersections,
         job: &Job<'_>,
     ) -> Result<CheckedStrip> {
-        let mut checked = CheckedStrip { intersections: None, back_offs: 0 };
+        let mut checked = CheckedStrip { intersections: None, back_offs: 0, finish: Finish::Strip };
         if intersections == Intersections::Ignore {
             return Ok(checked);
         }

@@ -109,7 +109,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let quality = Quality::of(&whole, &strip, &job.part(0.75, measured))?;
     let mut turned_outwards = Vec::new();
     if options.outward == Outward::Closed {
-        turned_outwards = turn_outwards(&mut whole, &job.part(measured, 1.0))?;
+        turned_outwards = turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned;
         let of_strip = turned_outwards.iter().filter_map(|f| f.checked_sub(attached.faces.start));
         of_strip.for_each(|f| strip.turn_face(f as usize));
     }
@@ -126,6 +126,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         intersections: checked.intersections,
         strip_faces: attached.faces,
         meridians,
+        finish: checked.finish,
         back_offs: checked.back_offs,
         turned: turn,
         turned_outwards,

@@ -243,6 +243,8 @@ pub struct Stitch {
     /// taken as triangles: quads split by their shorter diagonals, others as fans; a polygon that
     /// cuts itself is paired with itself.
     pub intersections: Option<Vec<[u32; 2]>>,
+    /// What the strip is: a blend that was asked for may have had to give way to the strip.
+    pub finish: Finish,
     /// How often the fairing had to be taken back in places.
     pub back_offs: u32,
     /// The second piece was turned over, so as to agree with the first one.

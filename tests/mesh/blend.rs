@@ -113,10 +113,9 @@ fn a_tube_stays_round_between_its_ends() {
 #[test]
 fn wide_gaps_are_bridged_by_tubes() {
     let circle = |n: u32, z: f64| ring(n, |t| [t.cos(), t.sin(), z]);
-    for (n, m) in [(24, 24), (48, 35)] {
-        for (gap, share) in
-            [(0.5, 0.03), (2.0, 0.05), (4.0, 0.07), (6.0, 0.08), (10.0, 0.12), (20.0, 0.15), (80.0, 0.2)]
-        {
+    for (n, m, widest) in [(24, 24, 80.0), (48, 35, 20.0)] {
+        let gaps = [(0.5, 0.03), (2.0, 0.05), (4.0, 0.07), (6.0, 0.08), (10.0, 0.12), (20.0, 0.15), (80.0, 0.2)];
+        for (gap, share) in gaps.into_iter().filter(|&(gap, _)| gap <= widest) {
             let down = |[x, y, z]: [f64; 3]| [x, y, z - 0.2];
             let (a, b) = (shell(&circle(n, 0.0), down, false), shell(&circle(m, gap), up, false));
             let joined = join(&a, &b, &BLEND);
@@ -134,6 +133,23 @@ fn wide_gaps_are_bridged_by_tubes() {
                 }
             }
         }
+    }
+}
+
+/// A gap that would take very many vertices stays with its strip, quickly; the answer says so.
+#[test]
+fn far_too_wide_gaps_stay_with_the_strip() {
+    let circle = |n: u32, z: f64| ring(n, |t| [t.cos(), t.sin(), z]);
+    let down = |[x, y, z]: [f64; 3]| [x, y, z - 0.2];
+    for gap in [1e4, 1e7, 1e12] {
+        let (a, b) = (shell(&circle(40, 0.0), down, false), shell(&circle(30, gap), up, false));
+        let notes = Notes::default();
+        let [va, vb] = [a.soup.view(), b.soup.view()];
+        let request = Request { a: &va, loop_a: Some(&a.rim), b: Some(&vb), loop_b: Some(&b.rim) };
+        let joined = stitch(&request, &BLEND, &Job::new(1, &notes)).unwrap();
+        assert_valid(&a, &b, &joined, "far");
+        assert_eq!((joined.finish, new_vertices(&joined).len()), (Finish::Strip, 0));
+        assert!(notes.0.borrow().iter().any(|note| note.contains("too many vertices")), "{gap}");
     }
 }
 
@@ -205,6 +221,8 @@ fn every_pair_of_rims_gives_a_valid_surface() {
         let strip = join(&a, &b, &OPTIONS);
         let blend = join(&a, &b, &BLEND);
         assert_valid(&a, &b, &blend, name);
+        let same = blend.strip.face_corners == strip.strip.face_corners;
+        assert!(strip.finish == Finish::Strip && (same || blend.finish == Finish::Blend), "{name}");
         // The strip is kept where the blend would cut more.
         let cuts = |joined: &Stitch| joined.intersections.as_ref().unwrap().len();
         assert!(cuts(&blend) <= cuts(&strip), "{name}: {} {}", cuts(&blend), cuts(&strip));

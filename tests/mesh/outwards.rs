@@ -97,11 +97,11 @@ fn whole_closed_consistent_components_are_turned_and_no_others() {
     for threads in [1, 3] {
         let mut mesh = before.clone();
         let notes = Notes::default();
-        assert_eq!(turn_outwards(&mut mesh, &Job::new(threads, &notes)).unwrap(), expected);
+        assert_eq!(turn_outwards(&mut mesh, &Job::new(threads, &notes)).unwrap().turned, expected);
         assert_turned(&before, &mesh, &expected);
         assert_eq!(notes.0.borrow().len(), 1);
         // A second time nothing is left to do, and nothing is said.
-        assert!(turn_outwards(&mut mesh, &Job::new(threads, &notes)).unwrap().is_empty());
+        assert!(turn_outwards(&mut mesh, &Job::new(threads, &notes)).unwrap().turned.is_empty());
         assert_turned(&before, &mesh, &expected);
         assert_eq!(notes.0.borrow().len(), 1);
     }
@@ -118,7 +118,7 @@ fn each_shell_is_turned_by_its_own_volume() {
     let before = mesh_of(&torus(6, 5).and(&wall));
     let mut mesh = before.clone();
     let cavity: Vec<u32> = (30..60).collect();
-    assert_eq!(turn_outwards(&mut mesh, &Job::default()).unwrap(), cavity);
+    assert_eq!(turn_outwards(&mut mesh, &Job::default()).unwrap().turned, cavity);
     assert!(volume_of(&mesh) > volume_of(&before));
 }
 

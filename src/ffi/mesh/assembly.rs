@@ -156,8 +156,9 @@ pub struct gusset_joint {
     pub outcome: u32,
     /// 1 if both sides are whole loops.
     pub whole: u32,
-    /// 0.
-    pub reserved: u32,
+    /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
+    /// the strip.
+    pub finish: u32,
 }
 
 /// A boundary loop of the pieces that no strip hangs on.
@@ -210,6 +211,9 @@ pub struct gusset_assembly_view {
     pub turned: gusset_indices,
     /// A face of each component that cannot be oriented.
     pub one_sided: gusset_indices,
+    /// A face of each closed component of the result that encloses no volume up to rounding, as a
+    /// piece does that is given twice. Not looked for where orientation is kept.
+    pub flat: gusset_indices,
     /// Vertices that became one with another.
     pub welded_vertices: u32,
     /// Edges that were two free edges.
@@ -235,7 +239,7 @@ pub struct gusset_assembly {
     turned: Vec<u32>,
 }
 
-versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 144 }
+versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 160 }
 fixed! { gusset_joint: 104, gusset_left_loop: 40, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
@@ -321,7 +325,7 @@ impl gusset_assembly {
             intersections_known: joint.intersections.is_some().into(),
             outcome: joint.outcome.number(),
             whole: joint.whole.into(),
-            reserved: 0,
+            finish: joint.finish.number(),
         };
         let left = |left: &LeftLoop| gusset_left_loop {
             vertices: gusset_indices::lend(&left.vertices),
@@ -448,6 +452,7 @@ pub unsafe extern "C" fn gusset_assembly_get_view(
         hole_rims: gusset_indices::lend(&all.done.hole_rims),
         turned: gusset_indices::lend(&all.turned),
         one_sided: gusset_indices::lend(&all.done.one_sided),
+        flat: gusset_indices::lend(&all.done.flat),
         welded_vertices: all.done.welded_vertices,
         sewn_edges: all.done.sewn_edges,
         loops_left: all.done.loops_left,

@@ -61,8 +61,9 @@ pub struct gusset_stitch_view {
     pub intersections: gusset_indices,
     /// How often the fairing had to be taken back in places.
     pub back_off_count: u32,
-    /// 0.
-    pub reserved: u32,
+    /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
+    /// the strip.
+    pub finish: u32,
     /// Faces of the result, those of the strip too, that GUSSET_OUTWARD_CLOSED turned over in the
     /// end, ascending. Each keeps its first corner and has the others in reverse order.
     pub turned_outwards: gusset_indices,
@@ -235,7 +236,7 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
         intersections_known: done.intersections.is_some().into(),
         intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
         back_off_count: done.back_offs,
-        reserved: 0,
+        finish: done.finish.number(),
         turned_outwards: gusset_indices::lend(&done.turned_outwards),
     })
 }

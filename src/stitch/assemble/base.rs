@@ -1,21 +1,16 @@
 //! The pieces put together: welded, oriented, and in the end filled and turned outwards.
 
-use super::candidates::Facing;
-use super::loops::Loops;
-use super::request::{Assembly, Options, Outcome};
+use super::request::{Assembly, Options};
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
 use crate::error::Result;
 use crate::fill::{self, fill_holes};
-use crate::geom::disjoint_sets::ParitySets;
 use crate::job::Job;
 use crate::mesh::{Defect, MeshView, NONE, concat};
 use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
-use crate::sort::sort_distinct;
 use crate::stitch::IndexMap;
-use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
 
 /// The pieces put together, welded and oriented.
 pub(super) struct Base {
@@ -69,6 +64,7 @@ impl Base {
             sewn_edges,
             splits,
             one_sided,
+            flat: Vec::new(),
             joints: Vec::new(),
             left: Vec::new(),
             holes: Vec::new(),
@@ -78,59 +74,6 @@ impl Base {
             non_manifold_edges: 0,
         };
         Ok(Base { done, piece, seam })
-    }
-
-    /// Decides which components are turned over, turns them, and says of each pair whether it can
-    /// be joined.
-    pub(super) fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
-        let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
-        if keep {
-            return Ok(outcomes);
-        }
-        let mut components = alloc::collect(loops.candidates.iter().map(|candidate| candidate.component))?;
-        sort_distinct(&mut components);
-        let place = |component: u32| components.partition_point(|&other| other < component) as u32;
-        let mut agreement = ParitySets::new(components.len())?;
-        for (facing, outcome) in found.iter().zip(&mut outcomes) {
-            let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
-            let [a, b] = loops.sides(facing)?;
-            let against = match facing.arcs {
-                None => rims_disagree(&a, &b)?,
-                Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
-            };
-            // Turning is no way out within one component: such loops are taken as they are.
-            if i != j && !agreement.union(place(i), place(j), against) {
-                *outcome = Outcome::OrientationConflict;
-            }
-        }
-        let mut turned = alloc::copied(&components)?;
-        turned.retain(|&component| agreement.find(place(component)).1);
-        let is_turned = |component: u32| turned.binary_search(&component).is_ok();
-        let Assembly { mesh, turned: faces_turned, .. } = &mut self.done;
-        for (face, turned) in mesh.face_offsets.windows(2).zip(faces_turned) {
-            let corners = &mut mesh.face_corners[face[0] as usize..face[1] as usize];
-            if is_turned(loops.components.find(corners[0])) {
-                corners[1..].reverse();
-                *turned ^= true;
-            }
-        }
-        for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
-            if is_turned(candidate.component) {
-                rim.turn();
-            }
-        }
-        // Places are counted along the loops as they run now.
-        for facing in found {
-            if let Some(arcs) = &mut facing.arcs {
-                for (arc, r) in arcs.iter_mut().zip(facing.rims) {
-                    let (n, component) = (loops.rims[r].vertices.len(), loops.candidates[r].component);
-                    if is_turned(component) {
-                        arc.first = (2 * n - arc.first - arc.count) % n;
-                    }
-                }
-            }
-        }
-        Ok(outcomes)
     }
 
     pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
@@ -144,7 +87,12 @@ impl Base {
             (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
         }
         if !(options.keep_orientation || options.keep_inside_out) {
-            for f in turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))? {
+            let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;
+            done.flat = outwards.flat;
+            if !done.flat.is_empty() {
+                job.note("a closed component encloses no volume, as one piece given twice does");
+            }
+            for f in outwards.turned {
                 // Faces of strips and patches come after those of the pieces.
                 if let Some(turned) = done.turned.get_mut(f as usize) {
                     *turned ^= true;

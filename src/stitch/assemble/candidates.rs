@@ -1,6 +1,5 @@
 //! What is known of the loops among which those are looked for that face each other.
 
-use super::slit::Slit;
 use crate::alloc;
 use crate::error::Result;
 use crate::stitch::facing::Arc;
@@ -38,6 +37,17 @@ impl Candidate {
         let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
         Candidate { component, piece, size, radius: rim.radius(), length, spacing: length / n as f64 }
     }
+}
+
+/// A loop whose sides were one border each.
+#[derive(Clone, Copy)]
+pub(super) struct Slit {
+    /// The side with both ends, and the other one.
+    pub(super) arcs: [Arc; 2],
+    /// The mean distance from the vertices of a side to the other, the larger of the two.
+    pub(super) gap: f64,
+    /// The sides look at each other, or are near.
+    pub(super) closes: bool,
 }
 
 pub(super) struct FacingSearch<'a> {

@@ -1,10 +1,9 @@
 //! The boundary of the pieces put together.
 
 use super::base::Base;
-use super::candidates::{Candidate, Facing, FacingSearch};
+use super::candidates::{Candidate, Facing, FacingSearch, Slit};
 use super::edges::{Edges, loops_of};
 use super::request::{LeftLoop, MaxGap, Options, Reason, Selector};
-use super::slit::Slit;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::Result;

@@ -5,11 +5,11 @@
 //! 1. The pieces are concatenated, and coincident borders sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Loops that sewing left of two borders are joined with themselves (`slit`), and loops of
-//!    different components that face each other across a gap are paired (`facing_loops`): whole loops that look at each other, by the best one-to-one choice
-//!    (`whole_loops`, `assignment`), or arcs along which one loop is the other's nearest
-//!    neighbour, as on scans of adjacent parts.
-//! 4. Components are turned over so that they agree across the gaps: each is bound
-//!    to those that it faces, turned or not (union-find with parity).
+//!    different components that face each other across a gap are paired (`facing_loops`): whole
+//!    loops that look at each other, by the best one-to-one choice (`whole_loops`, `assignment`),
+//!    or arcs along which one loop is the other's nearest neighbour, as on scans of adjacent parts.
+//! 4. Components are turned over so that they agree across the gaps (`agreement`): each is bound
+//!    to those that it faces, turned or not.
 //! 5. Each pair is stitched, nearest first ([`stitch`](super)).
 //! 6. The remaining holes are filled, on request ([`fill`](crate::fill)).
 //! 7. Closed components of the result that are inside out are turned over, each by its own volume
@@ -17,6 +17,7 @@
 //!
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 
+mod agreement;
 mod assignment;
 mod base;
 mod candidates;

@@ -92,6 +92,8 @@ pub struct Joint {
     pub gap: f64,
     /// What became of them.
     pub outcome: Outcome,
+    /// What the strip is: a blend that was asked for may have had to give way to the strip.
+    pub finish: stitch::Finish,
     /// The strip's new vertices and its faces.
     pub vertices: Range<u32>,
     /// See above.
@@ -161,6 +163,9 @@ pub struct Assembly {
     pub splits: u32,
     /// Components that cannot be oriented: a face of each.
     pub one_sided: Vec<u32>,
+    /// Closed components of the result that enclose no volume, as a piece does that is given twice:
+    /// a face of each. Not looked for where orientation is kept.
+    pub flat: Vec<u32>,
     /// The pairs that face each other, nearest first, pairs that were given before all others.
     pub joints: Vec<Joint>,
     /// The loops that no strip hangs on.

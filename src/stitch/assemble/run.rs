@@ -14,7 +14,7 @@ use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::pairing::mean_gap;
 use crate::stitch::rim::shared_vertex;
 use crate::stitch::strip::Strip;
-use crate::stitch::{self, Rows};
+use crate::stitch::{self, Finish, Rows};
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
 /// loops that face each other across a gap stitched, holes filled, and closed components turned
@@ -61,6 +61,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             whole,
             gap: facing.gap * loops.unit,
             outcome,
+            finish: Finish::Strip,
             vertices: 0..0,
             faces: 0..0,
             intersections: None,
@@ -91,6 +92,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                     joint.vertices = attached.vertices;
                     joint.faces = attached.faces;
                     joint.intersections = checked.intersections;
+                    joint.finish = checked.finish;
                     facing.rims.iter().for_each(|&r| hangs[r] = true);
                 }
             }

@@ -9,7 +9,7 @@
 //! One side takes both ends, so that the strip begins and ends at an edge of the other: of M + N
 //! vertices it has M + N - 2 triangles, and nothing is left open. The criteria are ours.
 
-use super::candidates::{Facing, FacingSearch};
+use super::candidates::{Facing, FacingSearch, Slit};
 use super::whole_loops::conormals;
 use crate::alloc;
 use crate::boundary::Loop;
@@ -27,17 +27,6 @@ const MIN_SUM_OF_LOOKS: f64 = 0.3;
 
 /// Sides are near if their distance is at most this part of the depth of the faces along them.
 const MAX_PART_OF_DEPTH: f64 = 0.25;
-
-/// A loop whose sides were one border each.
-#[derive(Clone, Copy)]
-pub(super) struct Slit {
-    /// The side with both ends, and the other one.
-    arcs: [Arc; 2],
-    /// The mean distance from the vertices of a side to the other, the larger of the two.
-    pub(super) gap: f64,
-    /// The sides look at each other, or are near.
-    pub(super) closes: bool,
-}
 
 impl Slit {
     /// Of a loop that passes two of the `seam`'s vertices, which ascend. `unit`: what the rim's

@@ -73,7 +73,7 @@ fn text_with_three_decimals() {
     for n in [24, 60, 91] {
         let [mut lower, mut upper] = halves(n, |_| 0.0);
         let to = |soup: &mut Soup, write: fn(f64) -> f64| {
-            soup.points.iter_mut().flatten().for_each(|x| *x = write(*x * 1e3) / 1e3)
+            soup.points.iter_mut().flatten().for_each(|x| *x = write(*x * 1e3) / 1e3);
         };
         to(&mut lower, f64::round);
         to(&mut upper, f64::floor);
