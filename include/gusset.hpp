@@ -1,7 +1,9 @@
 // gusset: joins surfaces that come in pieces. The C++17 face of gusset.h: RAII, ranges, exceptions.
 // Header only.
 //
-// * Every failure is a gusset::Error with the status, the sentence and the report.
+// * Every failure of the library is a gusset::Error with the status, the sentence and the report.
+//   Mistakes that the wrapper finds itself are std::logic_error: std::invalid_argument where arrays do
+//   not fit together, std::out_of_range where there is no such element.
 // * A callback may throw: the call is cancelled, and the exception comes out of it.
 // * Results own their memory; spans and views into them are valid as long as they live, and an empty
 //   span has no pointer. Results are immutable and may be read from many threads. A Context serves one

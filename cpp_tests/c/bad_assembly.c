@@ -289,12 +289,16 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     weld.struct_size = sizeof weld, weld.tolerance_mode = GUSSET_TOLERANCE_GIVEN, weld.tolerance = NAN;
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    weld.tolerance_mode = 3;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+    CHECK(strcmp(gusset_context_get_message(context), "weld_options.tolerance_mode has the unknown value 3") == 0);
     options.weld_options = misaligned();
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(pieces, 2, &options, &done));
     options.weld_options = NULL, options.strip_options = &strips;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
     strips.struct_size = sizeof strips, strips.extent = 9;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+    CHECK(strcmp(gusset_context_get_message(context), "strip_options.extent has the unknown value 9") == 0);
     strips.extent = 0, strips.fairing = 9;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
     strips.fairing = 0, strips.finish = 2;

@@ -249,6 +249,7 @@ static void stitch_pointers(void) {
            GUSSET_ERROR_OUT_OF_RANGE);
     /* The rims of the pyramids are coaxial. */
     OPTION(options.extent = GUSSET_EXTENT_OPEN_ARCS, GUSSET_ERROR_PLANES_UNDECIDED);
+    OPTION((options.extent = GUSSET_EXTENT_OPEN_ARCS, options.twist = 1), GUSSET_ERROR_OUT_OF_RANGE);
     OPTION((options.rows = GUSSET_ROWS_COUNT, options.row_count = UINT32_MAX), GUSSET_ERROR_TOO_LARGE);
 
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));

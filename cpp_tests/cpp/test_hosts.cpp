@@ -98,7 +98,8 @@ void agree(const Soup &a, const Soup &b, const gusset::StitchOptions &options, s
     const Verdict verdict = judge(by_cgal.mesh(), false);
     CHECK(verdict.is_mesh);
     CHECK(verdict.boundary.size() == boundaries);
-    const auto report = gusset::Check(by_cgal.mesh()).view();
+    const gusset::Check check(by_cgal.mesh());
+    const auto report = check.view();
     CHECK(report.component_count == verdict.components);
     CHECK(report.euler == verdict.euler);
 }

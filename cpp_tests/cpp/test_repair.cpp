@@ -138,7 +138,8 @@ Sewn sewn_by_us(const Soup &soup) {
     gusset::WeldOptions options;
     options.tolerance = 0; // CGAL stitches equal points only.
     const gusset::Weld weld(soup.view(), options);
-    const auto report = gusset::Check(weld.mesh()).view();
+    const gusset::Check check(weld.mesh());
+    const auto report = check.view();
     CHECK(report.non_manifold_edges.count == 0);
     CHECK(report.bow_ties.count == 0);
     return {report.vertex_count - report.unused_vertices.count, report.boundary_edges.count, report.component_count};
@@ -217,7 +218,8 @@ TEST_CASE("borders with different vertices are sewn") {
     CHECK(std::vector<uint32_t>(sew.face_origin().begin(), sew.face_origin().end()) ==
           std::vector<uint32_t>{0, 0, 0, 0, 1, 2});
     CHECK(std::vector<uint32_t>(sew.face_map().begin(), sew.face_map().end()) == std::vector<uint32_t>{0, 4, 5});
-    const auto report = gusset::Check(sew.mesh()).view();
+    const gusset::Check check(sew.mesh());
+    const auto report = check.view();
     CHECK(report.euler == 1);
     CHECK(report.boundary_edges.count == 6);
 }
@@ -350,7 +352,8 @@ TEST_CASE("CGAL's own cases of stitching") {
     gusset::WeldOptions all;
     all.vertices = gusset::WeldVertices::all;
     const gusset::Weld welded_all(twice.view(), all);
-    CHECK(gusset::Check(welded_all.mesh()).view().non_manifold_edges.count == 1);
+    const gusset::Check check(welded_all.mesh());
+    CHECK(check.view().non_manifold_edges.count == 1);
 }
 
 TEST_CASE("every oriented mesh: borders are sewn as CGAL's stitch_borders does") {
@@ -398,7 +401,8 @@ TEST_CASE("every mesh in single faces, turned by chance, comes back") {
         }
         CHECK(check.is_oriented());
         CHECK(weld.left_edges().empty());
-        const auto now = check.view(), then = gusset::Check(whole.mesh()).view();
+        const gusset::Check unbroken(whole.mesh());
+        const auto now = check.view(), then = unbroken.view();
         CHECK(now.boundary_edges.count == then.boundary_edges.count);
         CHECK(now.edge_count == then.edge_count);
         CHECK(now.component_count == then.component_count);

@@ -197,7 +197,8 @@ TEST_CASE("what a deformation does") {
     hard.absorb(pressed.contracted());
     CHECK(gusset::NetValidation(hard).is_valid());
     CHECK(hard.snap() == 0);
-    CHECK(gusset::NetComplex(hard).view().quad_count == 4 * 5);
+    const gusset::NetComplex complex(hard);
+    CHECK(complex.view().quad_count == 4 * 5);
     CHECK(hard.measure().area == doctest::Approx(1.25));
 
     Net torn = net;
@@ -345,7 +346,8 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     down.mode = BridgeMode::hide;
     const Net three = gusset::concatenate(std::vector<Net>{torus(), sphere, tube}, down);
     CHECK(three.bridge_count() == 2);
-    CHECK(gusset::NetComplex(three, gusset::NetCells::present).view().component_count == 3);
+    const gusset::NetComplex complex(three, gusset::NetCells::present);
+    CHECK(complex.view().component_count == 3);
     const NetMesh three_mesh(three);
     CHECK(judge(three_mesh.mesh(), false).components == 3);
     CHECK(three.measure().area == doctest::Approx(torus().measure().area + sphere.measure().area + tube.measure().area));
@@ -439,7 +441,8 @@ TEST_CASE("scenes") {
         CHECK(wanted.size() == (hidden ? 2 : 4));
         const Net whole = scene.flatten();
         CHECK(whole.bridge_count() == wanted.size() - 1);
-        CHECK(gusset::NetComplex(whole, gusset::NetCells::present).view().component_count == wanted.size());
+        const gusset::NetComplex complex(whole, gusset::NetCells::present);
+        CHECK(complex.view().component_count == wanted.size());
         const Scene back = Scene::unflatten(whole);
         const auto children = back.children(0);
         REQUIRE(children.size() == wanted.size());

@@ -66,7 +66,8 @@ public:
     MeshView mesh() const & { return MeshView(detail::lent(gusset_assembly_get_mesh, assembly_.get())); }
     MeshView mesh() const && = delete;
     /// The whole report; its lists live as long as this.
-    gusset_assembly_view view() const { return detail::lent(gusset_assembly_get_view, assembly_.get()); }
+    gusset_assembly_view view() const & { return detail::lent(gusset_assembly_get_view, assembly_.get()); }
+    gusset_assembly_view view() const && = delete;
     /// The vertices and faces of each piece in the result.
     Span<const gusset_piece_map> pieces() const & { return {view().pieces, view().piece_count}; }
     Span<const gusset_piece_map> pieces() const && = delete;

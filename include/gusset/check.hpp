@@ -12,7 +12,8 @@ public:
     explicit Check(const MeshView &mesh, const Context &context = Context()) {
         check_.reset(context.result(gusset_check_create, &mesh.get()));
     }
-    gusset_check_view view() const { return detail::lent(gusset_check_get_view, check_.get()); }
+    gusset_check_view view() const & { return detail::lent(gusset_check_get_view, check_.get()); }
+    gusset_check_view view() const && = delete;
     /// There are edges, and every one has exactly two faces; degenerate faces have none.
     bool is_closed() const { return has(GUSSET_MESH_CLOSED); }
     /// No edge has three or more faces, no vertex is a bow-tie.

@@ -33,7 +33,8 @@ public:
                                      detail::numbers(b.data()), b.size(), &given));
     }
     /// Centres, normals, distances, runs, and the runs taken; valid as long as this lives.
-    gusset_facing_view view() const { return detail::lent(gusset_facing_get_view, facing_.get()); }
+    gusset_facing_view view() const & { return detail::lent(gusset_facing_get_view, facing_.get()); }
+    gusset_facing_view view() const && = delete;
     /// The run taken on loop 0 or 1.
     LoopArc arc(int loop) const & {
         const gusset_facing_view found = view();

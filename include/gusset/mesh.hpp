@@ -17,7 +17,7 @@ public:
 
     /// Faces of `face_size` corners each. `points`: any container or array that keeps its elements
     /// side by side; their first bytes are three floats or doubles, p[0] to p[2]. The view borrows:
-    /// points and indices must outlive it.
+    /// points and indices must outlive it. Throws std::invalid_argument if there are corners over.
     template <class Points>
     static MeshView uniform(const Points &points, Indices corners, uint32_t face_size) {
         gusset_mesh_view view = with_points(std::data(points), std::size(points));
@@ -38,7 +38,8 @@ public:
     template <class... Arguments, class = std::enable_if_t<(detail::is_temporary<Arguments> || ...)>>
     static MeshView triangles(Arguments &&...) = delete;
 
-    /// Face f has the corners offsets[f] to offsets[f + 1] - 1.
+    /// Face f has the corners offsets[f] to offsets[f + 1] - 1. Throws std::invalid_argument if the last
+    /// offset is not the number of corners.
     template <class Points>
     static MeshView polygons(const Points &points, Indices offsets, Indices corners) {
         if (offsets.empty() || offsets[offsets.size() - 1] != corners.size()) {

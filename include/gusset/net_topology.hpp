@@ -16,7 +16,8 @@ public:
     explicit NetComplex(const Net &net, NetCells cells = NetCells::all, const Context &context = Context()) {
         complex_.reset(context.result(gusset_net_complex_create, net.get(), static_cast<gusset_net_cells>(cells)));
     }
-    gusset_net_complex_view view() const { return detail::lent(gusset_net_complex_get_view, complex_.get()); }
+    gusset_net_complex_view view() const & { return detail::lent(gusset_net_complex_get_view, complex_.get()); }
+    gusset_net_complex_view view() const && = delete;
     /// No boundary edges.
     bool is_closed() const { return has(GUSSET_NET_CLOSED); }
     /// A surface everywhere.

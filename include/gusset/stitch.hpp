@@ -142,13 +142,14 @@ public:
     bool is_closed_band() const { return view().closed != 0; }
     /// Pairs of faces of mesh() that intersect each other, interleaved; empty if they were not
     /// sought.
-    std::optional<Indices> intersections() const {
+    std::optional<Indices> intersections() const & {
         const gusset_stitch_view found = view();
         if (found.intersections_known == 0) {
             return std::nullopt;
         }
         return detail::indices(found.intersections);
     }
+    std::optional<Indices> intersections() const && = delete;
     /// What the strip is: a blend that was asked for may have had to give way to the strip.
     Finish finish() const { return static_cast<Finish>(view().finish); }
     /// The number of local back-offs of the fairing.

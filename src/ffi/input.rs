@@ -280,10 +280,24 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
     match tail.iter().find(|&&byte| byte != 0) {
-        Some(&byte) => Err(Failure::unknown("a field that this version does not know", byte.into())),
-        None if value.reserved() != 0 => Err(Failure::unknown("reserved", value.reserved().into())),
+        Some(&byte) => {
+            Err(Failure::unknown(format_args!("a field of {name} that this version does not know"), byte.into()))
+        }
+        None if value.reserved() != 0 => {
+            Err(Failure::unknown(format_args!("{name}.reserved"), value.reserved().into()))
+        }
         None => Ok(value),
     }
+}
+
+/// Options within other options, NULL for the defaults, as `checked` makes them: what it refuses is
+/// named by its path.
+pub(crate) fn nested<T: Versioned, U>(
+    pointer: *const T,
+    name: &'static str,
+    checked: impl FnOnce(T) -> Result<U, Failure>,
+) -> Result<U, Failure> {
+    checked(read(pointer, true, name)?).map_err(|failure| failure.of_field(name))
 }
 
 /// Where the structs of an array are, all of which must be as large as the first one says; each

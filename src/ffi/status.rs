@@ -188,7 +188,7 @@ impl Failure {
         Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
     }
 
-    pub(crate) fn unknown(what: &'static str, value: u64) -> Self {
+    pub(crate) fn unknown(what: impl std::fmt::Display, value: u64) -> Self {
         Failure {
             value: value as f64,
             ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
@@ -207,6 +207,11 @@ impl Failure {
             GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
             _ => self,
         }
+    }
+
+    /// The same failure, of a field of the struct `name` that the options point to.
+    pub(crate) fn of_field(self, name: &'static str) -> Self {
+        Failure { message: format!("{name}.{}", self.message).into(), ..self }
     }
 
     /// The same failure, of input mesh `input`.

@@ -1,7 +1,7 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
 use super::combine::{append_piece, append_strip, strip_alone};
-use super::extent::arcs;
+use super::extent::{Extent, arcs};
 use super::facing::{self, check_tolerance};
 use super::fair_and_check::fair_and_check;
 use super::pairing::{nearest_pair, usable_rims};
@@ -44,6 +44,10 @@ use crate::repair::orient::{Outward, turn_outwards};
 /// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
+    // A twist of arcs is refused whether or not there are any.
+    if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
+        Error::require(options.twist == 0, "twist", options.twist as f64)?;
+    }
     let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
     let bridges = match request.b {
@@ -59,8 +63,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let turn = must_turn(request, &a, &b, options.orientation)?;
     if turn {
         job.note(match request.b {
-            Some(_) => "the second piece was inside out and has been turned over",
-            None => "the component of the second loop was inside out and has been turned over",
+            Some(_) => "the pieces disagree in orientation: the second has been turned over",
+            None => "the loops' components disagree in orientation: that of the second loop has been turned over",
         });
     }
     options.note_unread(job);

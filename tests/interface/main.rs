@@ -3,3 +3,4 @@
 mod c_abi;
 mod layers;
 mod lenders;
+mod messages;

@@ -54,7 +54,17 @@ fn of_one_mesh_no_second_one_is_spoken() {
     assert!(matches!(error, Error::OrientationConflict { .. }) && !error.to_string().contains("piece"), "{error}");
     let notes = Notes::default();
     assert!(within(&both, &stitch::Options::default(), &Job::new(1, &notes)).unwrap().turned);
-    assert_eq!(*notes.0.borrow(), ["the component of the second loop was inside out and has been turned over"]);
+    let note = "the loops' components disagree in orientation: that of the second loop has been turned over";
+    assert_eq!(*notes.0.borrow(), [note]);
+    // Whichever of the two is inside out, the second is the one that is turned.
+    let (inward, outward) = (cap(8, 2, 0.2, 1.0).turned(), cap(8, 2, 0.2, -1.0));
+    for (first, second) in [(&inward, &outward), (&outward, &inward)] {
+        let notes = Notes::default();
+        let (first, second) = (first.view(), second.view());
+        let request = Request { a: &first, loop_a: None, b: Some(&second), loop_b: None };
+        assert!(stitch(&request, &stitch::Options::default(), &Job::new(1, &notes)).unwrap().turned);
+        assert_eq!(*notes.0.borrow(), ["the pieces disagree in orientation: the second has been turned over"]);
+    }
 }
 
 #[test]

@@ -175,9 +175,15 @@ fn arcs_count_along_the_loop_as_it_was_given() {
         let refused = stitch(&request, &options, &Job::default());
         assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "arc_a", .. })), "{first} {count}");
     }
-    let options = Options { extent: Extent::Arcs([arc_a, arc_b]), twist: 1, ..Options::default() };
-    let refused = stitch(&request, &options, &Job::default());
-    assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "twist", .. })));
+    let refuses_a_twist = |a: &Soup, b: &Soup, extent| {
+        let request = Request { a: &a.view(), loop_a: None, b: Some(&b.view()), loop_b: None };
+        let refused = stitch(&request, &Options { extent, twist: 1, ..Options::default() }, &Job::default());
+        assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "twist", .. })), "{refused:?}");
+    };
+    refuses_a_twist(&a, &b, Extent::Arcs([arc_a, arc_b]));
+    refuses_a_twist(&a, &b, Extent::OpenArcs);
+    // The rims are coaxial, so that there are no facing arcs either.
+    refuses_a_twist(&cap(8, 2, 0.2, 1.0), &cap(8, 2, 0.2, -1.0), Extent::OpenArcs);
 }
 
 #[test]

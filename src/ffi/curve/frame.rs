@@ -119,8 +119,8 @@ impl gusset_frame_options {
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
             other => return Err(Failure::unknown("correspondence", other.into())),
         };
-        let across = input::read(self.across, true, "across")?.checked()?;
-        let along = input::read(self.along, true, "along")?.checked()?;
+        let across = input::nested(self.across, "across", gusset_outline_options::checked)?;
+        let along = input::nested(self.along, "along", gusset_outline_options::checked)?;
         Ok(FrameOptions { correspondence, across, along, ring })
     }
 }

@@ -6,7 +6,6 @@ use crate::ffi::mesh::weld::gusset_weld_options;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
-use crate::repair::weld;
 use crate::stitch::IndexMap;
 use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector, assemble};
 
@@ -272,11 +271,8 @@ c_enum! {
 impl gusset_assembly_options {
     fn checked<'a>(&self, pairs: &'a [[Selector; 2]], excluded: &'a [[Selector; 2]]) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
-            GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE if self.weld_options.is_null() => {
-                Some(weld::Options::default())
-            }
             GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE => {
-                Some(input::read(self.weld_options, true, "weld_options")?.checked()?)
+                Some(input::nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
             GUSSET_ASSEMBLY_NO_WELD => None,
             other => return Err(Failure::unknown("weld", other.into())),
@@ -291,7 +287,7 @@ impl gusset_assembly_options {
             GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
             other => return Err(Failure::unknown("gap", other.into())),
         };
-        let fill = input::read(self.fill_options, true, "fill_options")?.checked()?;
+        let fill = input::nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {
             weld,
             edge_to_edge: self.weld == GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE,
@@ -302,7 +298,7 @@ impl gusset_assembly_options {
             within_components: flag(self.within_components, "within_components")?,
             pairs,
             excluded,
-            strip: input::read(self.strip_options, true, "strip_options")?.checked()?,
+            strip: input::nested(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
             fill: flag(self.fill, "fill")?.then_some(fill),
         })
     }

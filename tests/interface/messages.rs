@@ -1,0 +1,82 @@
+//! Sentences about mistakes of the caller's: which of several structs has the field.
+
+#![allow(unsafe_code, reason = "the functions are those of C")]
+
+use gusset::ffi::context::*;
+use gusset::ffi::curve::frame::*;
+use gusset::ffi::curve::outline::gusset_outlines;
+use gusset::ffi::curve::outline_options::gusset_outline_options;
+use gusset::ffi::mesh::assembly::*;
+use gusset::ffi::mesh::fill::gusset_fill_options;
+use gusset::ffi::mesh::stitch_options::gusset_stitch_options;
+use gusset::ffi::mesh::weld::gusset_weld_options;
+use gusset::ffi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
+use std::ffi::CStr;
+use std::ptr;
+
+/// All zeros but the size, with which it begins.
+fn sized<T: Copy>() -> T {
+    // SAFETY: the structs of the interface are plain numbers and pointers, and begin with a size.
+    unsafe {
+        let mut value: T = std::mem::zeroed();
+        (&raw mut value).cast::<usize>().write(size_of::<T>());
+        value
+    }
+}
+
+/// What the context says of a call that meets an unknown value.
+fn message(call: impl FnOnce(*const gusset_context) -> gusset_status) -> String {
+    let mut context = ptr::null_mut();
+    // SAFETY: a context that lives until the end of the block.
+    unsafe {
+        assert_eq!(gusset_context_create(&raw mut context), gusset_status::GUSSET_OK);
+        assert_eq!(call(context), GUSSET_ERROR_UNKNOWN_VALUE);
+        let message = CStr::from_ptr(gusset_context_get_message(context)).to_str().unwrap().to_owned();
+        gusset_context_destroy(context);
+        message
+    }
+}
+
+/// Of the options of an assembly; they are looked at before the pieces.
+fn of_assembly(options: &gusset_assembly_options) -> String {
+    let mut out = ptr::null_mut();
+    // SAFETY: options that live, and no pieces.
+    message(|context| unsafe { gusset_assembly_create(context, ptr::null(), 0, options, &raw mut out) })
+}
+
+#[test]
+fn a_field_of_options_within_options_is_named_by_its_path() {
+    let plain = sized::<gusset_assembly_options>();
+    let weld = gusset_weld_options { tolerance_mode: 7, ..sized() };
+    let options = gusset_assembly_options { weld_options: &raw const weld, ..plain };
+    assert_eq!(of_assembly(&options), "weld_options.tolerance_mode has the unknown value 7");
+    let strips = gusset_stitch_options { orientation: 9, ..sized() };
+    let options = gusset_assembly_options { strip_options: &raw const strips, ..plain };
+    assert_eq!(of_assembly(&options), "strip_options.orientation has the unknown value 9");
+    let strips = gusset_stitch_options { reserved: 1, ..sized() };
+    let options = gusset_assembly_options { strip_options: &raw const strips, ..plain };
+    assert_eq!(of_assembly(&options), "strip_options.reserved has the unknown value 1");
+    let fill = gusset_fill_options { keep_longest: 2, ..sized() };
+    let options = gusset_assembly_options { fill_options: &raw const fill, ..plain };
+    assert_eq!(of_assembly(&options), "fill_options.keep_longest has the unknown value 2");
+    // Its own fields have no path.
+    assert_eq!(
+        of_assembly(&gusset_assembly_options { orientation: 9, ..plain }),
+        "orientation has the unknown value 9"
+    );
+}
+
+#[test]
+fn the_curves_across_and_along_a_frame_have_options_each() {
+    let given = gusset_outline_options { lock: 77, ..sized() };
+    for (name, across, along) in [("across", &raw const given, ptr::null()), ("along", ptr::null(), &raw const given)] {
+        let options = gusset_frame_options { across, along, ..sized() };
+        let sections = sized::<gusset_outlines>();
+        let mut out = ptr::null_mut();
+        // SAFETY: options that live, and no sections.
+        let said = message(|context| unsafe {
+            gusset_frame_create(context, &raw const sections, &raw const options, &raw mut out)
+        });
+        assert_eq!(said, format!("{name}.lock has the unknown value 77"));
+    }
+}
