@@ -420,7 +420,8 @@
 #define GUSSET_LEFT_NOT_JOINED 3
 
 /**
- * The nearest loop is farther than is allowed: see gap and allowed_gap.
+ * The nearest loop, or of what sewing left of two borders the other side, is farther than is
+ * allowed: see gap and allowed_gap.
  */
 #define GUSSET_LEFT_TOO_FAR 4
 
@@ -735,26 +736,33 @@
 #define GUSSET_FAIRING_THIN_PLATE 1
 
 /**
- * Faces of the strip that cut others are looked for. Where rows are faired the fairing is taken
- * back in places until nothing cuts, or nothing is left to take back; a strip of triangles without
- * rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it cuts, and of the strips tried the
- * one that cuts least is kept. Other strips stay as they are.
+ * Faces of the strip that cut others are looked for, and what can be done about them is done:
+ * - a strip of triangles without rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it
+ *   cuts, and of the strips tried the one that cuts least is kept;
+ * - faired rows are taken back in places, up to 12 times, until nothing cuts or nothing is left to
+ *   take back; if the straight rows cut less in the end, they are kept;
+ * - blends are taken back likewise, and made with less fairing where they still cut; the one that
+ *   cuts least is kept, or the strip if that cuts less than every blend.
+ *
+ * All other strips stay as they are: rows that are not faired, quads, and other meridians.
  */
 #define GUSSET_INTERSECTIONS_AUTO 0
 
 /**
- * They are not looked for.
+ * They are not looked for: rows are faired in full, and the first blend is kept.
  */
 #define GUSSET_INTERSECTIONS_IGNORE 1
 
 /**
- * They are looked for; faired rows and blends are taken back, and other strips stay as they are.
+ * They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO, and
+ * no strip goes another way, nor does the strip that a blend follows.
  */
 #define GUSSET_INTERSECTIONS_REPORT 2
 
 /**
  * A second piece that is oriented against the first is turned over: the component that rim B is
- * on. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
+ * on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
+ * the end. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
  * and by where their surfaces lie if both lead off them to the same side, as at the ends of a
  * U-bend; where nothing is clear, nothing is turned.
  */
@@ -858,8 +866,9 @@
 #define GUSSET_FINISH_BLEND 1
 
 /**
- * No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the
- * coordinates can do; see gusset_weld_options.
+ * No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that
+ * face another loop that is at most 2^-16 of the loops' largest coordinate for 32-bit positions,
+ * 2^-45 for 64-bit ones; for vertices that are welded see gusset_weld_options.
  */
 #define GUSSET_TOLERANCE_AUTO 0
 
@@ -1430,9 +1439,17 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
 
 /**
  * Called with remarks that are no failures, on the thread that made the call; message is valid
- * during the callback only. The same rules as for progress. Stitching, filling and assembling have
- * some: that the second piece of a stitch was turned over to agree with the first, that what is
- * closed was turned outwards, and that fairing was asked for where no new vertices were.
+ * during the callback only. The same rules as for progress. Stitching, filling and assembling remark
+ * that
+ * - the pieces of a stitch, or the components of its two loops, disagree in orientation, and the
+ *   second was turned over;
+ * - what is closed was inside out, and was turned over;
+ * - fairing was asked for, and no new vertices were;
+ * - rows, cells or fairing were asked for with a blend, which does not read them;
+ * - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
+ * - loops are left although others are near: near_loops_left of an assembly is not 0.
+ *
+ * Programs read the same from the results; the sentences may change.
  */
 typedef void (*gusset_log_fn)(void *user, const char *message);
 
@@ -2211,11 +2228,15 @@ typedef struct gusset_weld_options {
     uint32_t vertices;
     /**
      * GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
-     * have put copies of one vertex. That is 2^-19 of the largest coordinate for 32-bit positions,
-     * 2^-48 for 64-bit ones; twice the last decimal place where positions show fewer digits, as
-     * those from text files do (of those that are no multiples of 1e-4 of the size, a third or more
-     * end there); and at each vertex at most a quarter of the shortest edge that ends there, so that
-     * no edge collapses. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+     * have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
+     * 64-bit ones, or twice the last decimal place that positions show, as those from text files do,
+     * if that is more. Let D be the largest power of ten that does not exceed the longest side of
+     * the box round the vertices in question. The last place is the largest of 1e-5 D, 1e-6 D, ...
+     * of which at least a third of the coordinates (those of the largest order of magnitude), or of
+     * their differences from one vertex to the next, are multiples. Multiples of 1e-4 D do not count, as a coarse grid is no sign of
+     * rounding; of the rest there must be eight. At each vertex it is at most a quarter of the
+     * shortest edge that ends there, so that no edge collapses. See tolerance of the result's view
+     * for what it was. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
      * GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
      */
     uint32_t tolerance_mode;
@@ -2253,7 +2274,8 @@ typedef struct gusset_stitch_options {
      * The first meridian joins the closest pair that is not joined by an edge already; with a
      * twist, the vertex of rim B so many places later, counted in the direction in which rim A
      * runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
-     * rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+     * rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and with GUSSET_EXTENT_OPEN_ARCS also if
+     * there are none to join.
      */
     int64_t twist;
     /**
@@ -2422,7 +2444,8 @@ typedef struct gusset_assembly_options {
     double max_gap;
     /**
      * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-     * different loops, and none is named twice. Errors name a pair by its number from 0, and say
+     * different loops, or the same one twice if sewing left it of two borders (see gusset_joint), and
+     * none is named in two pairs. Errors name a pair by its number from 0, and say
      * what is wrong with it.
      */
     const struct gusset_loop_pair *pairs;
@@ -2457,7 +2480,8 @@ typedef struct gusset_assembly_options {
      * oriented and inside out are turned over in the end, each as a whole and by its own volume:
      * the wall of a cavity within another component is turned too. 1: they stay as they are, which
      * is mostly as the first piece has it. All other components stay as they are either way. 0 or
-     * 1.
+     * 1. The opposite of outward in the options of stitching and filling: 0 is the default there
+     * and here.
      */
     uint32_t keep_inside_out;
     /**
@@ -2484,6 +2508,11 @@ typedef struct gusset_piece_map {
 
 /**
  * Two loops, or runs of loops, that face each other across a gap.
+ *
+ * Of two borders that coincide along a part only, sewing leaves loops that run along the rest of
+ * one and back along the other; they turn at two vertices that sewing made of several. Such a loop
+ * may be joined with itself: both sides are on it, one of them with both ends, whole is 0, and the
+ * strip has no interior rows whatever the options say.
  */
 typedef struct gusset_joint {
     /**
@@ -2492,7 +2521,7 @@ typedef struct gusset_joint {
      */
     struct gusset_indices side[2];
     /**
-     * The mean width of the gap.
+     * The mean width of the gap; of a loop that is joined with itself the mean distance of its sides.
      */
     double gap;
     /**
@@ -2535,7 +2564,8 @@ typedef struct gusset_joint {
 } gusset_joint;
 
 /**
- * A boundary loop of the pieces that no strip hangs on.
+ * A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
+ * afterwards: holes says what became of it then.
  */
 typedef struct gusset_left_loop {
     /**
@@ -2545,11 +2575,12 @@ typedef struct gusset_left_loop {
     /**
      * The mean distance from its vertices to the nearest of the loop that is nearest to most of
      * them, of another component where there is one; infinite if there is none, or if this loop
-     * cannot carry a strip.
+     * cannot carry a strip. Of what sewing left of two borders, whose sides are too far from each
+     * other, the mean distance of these.
      */
     double gap;
     /**
-     * How far that loop may be to be joined as a whole; 0 if there is none.
+     * How far that loop, or that side, may be to be joined; 0 if there is none.
      */
     double allowed_gap;
     /**
@@ -2628,7 +2659,8 @@ typedef struct gusset_assembly_view {
      */
     size_t joint_count;
     /**
-     * The loops that no strip hangs on.
+     * The loops that no strip hangs on, by their smallest vertices; those that were filled in the end
+     * are among them. loops_left counts what is open now.
      */
     const struct gusset_left_loop *left;
     /**
@@ -2684,8 +2716,8 @@ typedef struct gusset_assembly_view {
      */
     uint32_t splits;
     /**
-     * Loops that were left although another one is within the gap that is allowed: those that look
-     * away, whose partner is taken, or that no strip could join.
+     * Loops of left although another one is within the gap that is allowed: those that look away,
+     * whose partner is taken, or that no strip could join.
      */
     uint32_t near_loops_left;
 } gusset_assembly_view;
@@ -3147,13 +3179,14 @@ typedef struct gusset_stitch_view {
     struct gusset_indices matrix;
     /**
      * Of each new vertex (they are the last ones of the result), the two vertices that it lies
-     * between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the nearest
-     * ones.
+     * between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the vertex of
+     * each rim that is nearest to it.
      */
     struct gusset_indices parents;
     /**
      * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
-     * this.
+     * this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as a part of
+     * the sum of both distances.
      */
     const double *weights;
     /**
@@ -3161,11 +3194,12 @@ typedef struct gusset_stitch_view {
      */
     size_t strip_face_first;
     /**
-     * How many there are; N + M triangles for whole rims without interior rows.
+     * How many there are; N + M triangles for whole rims without interior rows. A blend has as many
+     * as it needs, and meridians and matrix are those of the strip that it follows.
      */
     size_t strip_face_count;
     /**
-     * Interior rows; the matrix has two rows more.
+     * Interior rows; the matrix has two rows more. 0 of a blend.
      */
     uint32_t row_count;
     /**
@@ -3189,7 +3223,7 @@ typedef struct gusset_stitch_view {
      */
     struct gusset_indices intersections;
     /**
-     * How often the fairing had to be taken back in places.
+     * How often the fairing, of rows or of the blend that was kept, had to be taken back in places.
      */
     uint32_t back_off_count;
     /**
@@ -7909,8 +7943,10 @@ gusset_status gusset_sew_get_view(const struct gusset_sew *sew,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh_a the first mesh.
  * @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
- *     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
- *     and the loops that lie nearest to each other are taken.
+ *     (and the last with the first) an edge with exactly one face. If both are NULL, the loops that
+ *     lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to the
+ *     one given. Those to choose from are not open, have three vertices or more, and the faces
+ *     along them agree in orientation and are manifold there; two of one mesh share no vertex.
  * @param mesh_b NULL if both loops are of mesh_a.
  * @param loop_b see loop_a.
  * @param options NULL for the defaults.
@@ -7923,7 +7959,8 @@ gusset_status gusset_sew_get_view(const struct gusset_sew *sew,
  *     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
  *     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
  *     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
- *     case); plus a box test for each pair of loops where the choice is left open. Extra memory is
+ *     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five plates,
+ *     O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair of loops where the choice is left open. Extra memory is
  *     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
  *     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
  *     GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each pair, where the best strip would

@@ -273,7 +273,7 @@ TEST_CASE("a torus in sectors, apart, some inside out: closed, and outwards, or 
                 pieces.push_back(set >> k & 1 ? turned(sectors[k]) : sectors[k]);
             }
             gusset::AssemblyOptions options;
-            options.keep_inside_out = set / 2 % 2 == 0;
+            options.outward = set / 2 % 2 == 0 ? gusset::Outward::keep : gusset::Outward::closed;
             options.strips.rows = rows ? gusset::StripRows::mean_edge() : gusset::StripRows::none();
             options.strips.meridians = rows ? gusset::Meridians::quad : gusset::Meridians::min_area;
             options.strips.cells = rows ? gusset::StripCells::quads : gusset::StripCells::triangles;
@@ -283,7 +283,7 @@ TEST_CASE("a torus in sectors, apart, some inside out: closed, and outwards, or 
             check_closed(verdict, 0);
             CHECK(verdict.self_intersections == 0);
             CHECK(verdict.bounds_a_volume);
-            CHECK((volume(done.mesh()) > 0) == (set % 2 == 0 || !options.keep_inside_out));
+            CHECK((volume(done.mesh()) > 0) == (set % 2 == 0 || options.outward == gusset::Outward::closed));
             CHECK(done.joints().size() == 5);
             CHECK(done.left().empty());
         }

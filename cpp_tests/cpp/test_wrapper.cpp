@@ -287,7 +287,7 @@ TEST_CASE("closed results face outwards if that is wanted") {
         CHECK(stitch.turned_outwards().size() == (outwards ? stitch.mesh().face_count() : 0));
         gusset::AssemblyOptions assembling;
         assembling.max_gap = 3.0;
-        assembling.keep_inside_out = !outwards;
+        assembling.outward = outwards ? gusset::Outward::closed : gusset::Outward::keep;
         const std::vector<gusset::MeshView> pieces{up.view(), down.view()};
         const gusset::Assembly assembly(pieces, assembling);
         CHECK(second(assembly.mesh()) == expected);
@@ -295,7 +295,7 @@ TEST_CASE("closed results face outwards if that is wanted") {
     }
     CHECK(gusset::FillOptions().outward == gusset::Outward::keep);
     CHECK(gusset::StitchOptions().outward == gusset::Outward::keep);
-    CHECK(!gusset::AssemblyOptions().keep_inside_out);
+    CHECK(gusset::AssemblyOptions().outward == gusset::Outward::closed);
 }
 
 TEST_CASE("views of any point type") {

@@ -16,8 +16,9 @@ struct AssemblyOptions {
     bool edge_to_edge = false;
     /// No piece is turned over.
     bool keep_orientation = false;
-    /// Closed results that are inside out stay so; otherwise they are turned over.
-    bool keep_inside_out = false;
+    /// Closed components of the result face outwards; Outward::keep: they stay as they are. Not so with
+    /// keep_orientation, which leaves all as it is.
+    Outward outward = Outward::closed;
     /// Empty: by the size of the loops. 0 leaves all gaps open.
     std::optional<double> max_gap;
     bool whole_loops_only = false;
@@ -47,7 +48,7 @@ public:
                      : options.edge_to_edge ? GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE
                                             : GUSSET_ASSEMBLY_WELD;
         given.orientation = options.keep_orientation ? GUSSET_ORIENTATION_KEEP : GUSSET_ORIENTATION_FIX;
-        given.keep_inside_out = options.keep_inside_out ? 1 : 0;
+        given.keep_inside_out = options.outward == Outward::keep ? 1 : 0;
         given.gap = options.max_gap ? GUSSET_GAP_GIVEN : GUSSET_GAP_AUTO;
         given.max_gap = options.max_gap.value_or(0.0);
         given.whole_loops_only = options.whole_loops_only ? 1 : 0;

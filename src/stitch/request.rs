@@ -84,10 +84,9 @@ pub enum Finish {
     /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
     /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own,
     /// and no edges of the result; rows, cells and fairing are not read. Where every blend would cut
-    /// more faces than the strip does, the strip stays, and a note says so. Made for gaps that are
-    /// narrow beside the rims: a plate across a tube's gap of three radii is a quarter narrower in
-    /// the middle, at six it closes; rows of new vertices with fairing keep the tube. Time and
-    /// memory grow with the number of new triangles.
+    /// more faces than the strip does, or would need too many vertices, the strip stays, and a note says
+    /// so. The surface bends as the strip does as a whole, so that a gap in a tube is bridged by a tube.
+    /// Time and memory grow with the number of new triangles.
     Blend,
 }
 
@@ -100,21 +99,22 @@ choices! { for Finish:
 /// or an edge, is no cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Intersections {
-    /// Always, and they are avoided: faired rows are taken back until nothing cuts that did not
-    /// before, and a strip of triangles without rows by [`Meridians::Continuation`] goes another way
-    /// where it cuts (`avoid`). Other strips stay as they are.
+    /// Always, and they are avoided: faired rows and blends are taken back until nothing cuts, or
+    /// nothing is left to take back, and a strip of triangles without rows by
+    /// [`Meridians::Continuation`] goes another way where it cuts (`avoid`). Other strips stay as they
+    /// are.
     #[default]
     Auto,
-    /// Never.
+    /// Never: rows are faired in full, and the first blend is kept.
     Ignore,
-    /// Always. Only faired rows and blends are changed.
+    /// Always. Faired rows and blends are taken back; no strip goes another way.
     Report,
 }
 
 choices! { for Intersections:
-    Auto => "Automatic", "They are looked for, and avoided by faired rows and by the best continuation.";
+    Auto => "Automatic", "They are looked for, and avoided by faired rows, blends and the best continuation.";
     Ignore => "Ignore", "No search.";
-    Report => "Report", "Always.";
+    Report => "Report", "They are looked for, and avoided by faired rows and blends only.";
 }
 
 /// How to stitch.
@@ -126,7 +126,7 @@ pub struct Options {
     pub search: Search,
     /// Which first meridians of a closed band are tried.
     pub start: Start,
-    /// What to do about a second piece that is inside out.
+    /// What to do about a second piece that is oriented against the first.
     pub orientation: Orientation,
     /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim
     /// B that comes this many places later, counted in the direction in which rim A runs (negative:

@@ -45,7 +45,8 @@ pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
 pub const GUSSET_LEFT_TOO_SHORT: u32 = 2;
 /// It faces another loop, but no strip could be made: see the joints.
 pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
-/// The nearest loop is farther than is allowed: see gap and allowed_gap.
+/// The nearest loop, or of what sewing left of two borders the other side, is farther than is
+/// allowed: see gap and allowed_gap.
 pub const GUSSET_LEFT_TOO_FAR: u32 = 4;
 /// All other loops are of its own component, and within_components is not set.
 pub const GUSSET_LEFT_SAME_COMPONENT: u32 = 5;
@@ -91,7 +92,8 @@ pub struct gusset_assembly_options {
     /// finite and at least 0; 0 leaves all open.
     pub max_gap: f64,
     /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-    /// different loops, and none is named twice. Errors name a pair by its number from 0, and say
+    /// different loops, or the same one twice if sewing left it of two borders (see gusset_joint), and
+    /// none is named in two pairs. Errors name a pair by its number from 0, and say
     /// what is wrong with it.
     pub pairs: *const gusset_loop_pair,
     /// How many.
@@ -112,7 +114,8 @@ pub struct gusset_assembly_options {
     /// oriented and inside out are turned over in the end, each as a whole and by its own volume:
     /// the wall of a cavity within another component is turned too. 1: they stay as they are, which
     /// is mostly as the first piece has it. All other components stay as they are either way. 0 or
-    /// 1.
+    /// 1. The opposite of outward in the options of stitching and filling: 0 is the default there
+    /// and here.
     pub keep_inside_out: u32,
     /// 0.
     pub reserved: u32,
@@ -131,13 +134,18 @@ pub struct gusset_piece_map {
 }
 
 /// Two loops, or runs of loops, that face each other across a gap.
+///
+/// Of two borders that coincide along a part only, sewing leaves loops that run along the rest of
+/// one and back along the other; they turn at two vertices that sewing made of several. Such a loop
+/// may be joined with itself: both sides are on it, one of them with both ends, whole is 0, and the
+/// strip has no interior rows whatever the options say.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
     /// The vertices of each side in the result, in order; if joined, side by side from the first
     /// meridian on. The order is that of before closed components were turned outwards.
     pub side: [gusset_indices; 2],
-    /// The mean width of the gap.
+    /// The mean width of the gap; of a loop that is joined with itself the mean distance of its sides.
     pub gap: f64,
     /// The strip's first new vertex in the result.
     pub vertex_first: usize,
@@ -160,7 +168,8 @@ pub struct gusset_joint {
     pub finish: u32,
 }
 
-/// A boundary loop of the pieces that no strip hangs on.
+/// A boundary loop of the sewn pieces that no strip hangs on. It is listed even if it was filled
+/// afterwards: holes says what became of it then.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_left_loop {
@@ -168,9 +177,10 @@ pub struct gusset_left_loop {
     pub vertices: gusset_indices,
     /// The mean distance from its vertices to the nearest of the loop that is nearest to most of
     /// them, of another component where there is one; infinite if there is none, or if this loop
-    /// cannot carry a strip.
+    /// cannot carry a strip. Of what sewing left of two borders, whose sides are too far from each
+    /// other, the mean distance of these.
     pub gap: f64,
-    /// How far that loop may be to be joined as a whole; 0 if there is none.
+    /// How far that loop, or that side, may be to be joined; 0 if there is none.
     pub allowed_gap: f64,
     /// GUSSET_LEFT_...
     pub reason: u32,
@@ -193,7 +203,8 @@ pub struct gusset_assembly_view {
     pub joints: *const gusset_joint,
     /// How many.
     pub joint_count: usize,
-    /// The loops that no strip hangs on.
+    /// The loops that no strip hangs on, by their smallest vertices; those that were filled in the end
+    /// are among them. loops_left counts what is open now.
     pub left: *const gusset_left_loop,
     /// How many.
     pub left_count: usize,
@@ -223,8 +234,8 @@ pub struct gusset_assembly_view {
     pub non_manifold_edges: u32,
     /// Points at which free edges were split for borders to match.
     pub splits: u32,
-    /// Loops that were left although another one is within the gap that is allowed: those that look
-    /// away, whose partner is taken, or that no strip could join.
+    /// Loops of left although another one is within the gap that is allowed: those that look away,
+    /// whose partner is taken, or that no strip could join.
     pub near_loops_left: u32,
 }
 

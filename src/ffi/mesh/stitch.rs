@@ -35,17 +35,19 @@ pub struct gusset_stitch_view {
     /// of the result.
     pub matrix: gusset_indices,
     /// Of each new vertex (they are the last ones of the result), the two vertices that it lies
-    /// between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the nearest
-    /// ones.
+    /// between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the vertex of
+    /// each rim that is nearest to it.
     pub parents: gusset_indices,
     /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
-    /// this.
+    /// this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as a part of
+    /// the sum of both distances.
     pub weights: *const f64,
     /// The first of the strip's faces in the result; they are the last ones.
     pub strip_face_first: usize,
-    /// How many there are; N + M triangles for whole rims without interior rows.
+    /// How many there are; N + M triangles for whole rims without interior rows. A blend has as many
+    /// as it needs, and meridians and matrix are those of the strip that it follows.
     pub strip_face_count: usize,
-    /// Interior rows; the matrix has two rows more.
+    /// Interior rows; the matrix has two rows more. 0 of a blend.
     pub row_count: u32,
     /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
     pub closed: u32,
@@ -59,7 +61,7 @@ pub struct gusset_stitch_view {
     /// is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
     /// as fans from their first corners; a polygon that cuts itself is paired with itself.
     pub intersections: gusset_indices,
-    /// How often the fairing had to be taken back in places.
+    /// How often the fairing, of rows or of the blend that was kept, had to be taken back in places.
     pub back_off_count: u32,
     /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
     /// the strip.
@@ -123,8 +125,10 @@ impl gusset_quality_report {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh_a the first mesh.
 /// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
-///     (and the last with the first) an edge with exactly one face; NULL leaves the choice open,
-///     and the loops that lie nearest to each other are taken.
+///     (and the last with the first) an edge with exactly one face. If both are NULL, the loops that
+///     lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to the
+///     one given. Those to choose from are not open, have three vertices or more, and the faces
+///     along them agree in orientation and are manifold there; two of one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
 /// @param loop_b see loop_a.
 /// @param options NULL for the defaults.
@@ -137,7 +141,8 @@ impl gusset_quality_report {
 ///     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
 ///     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
 ///     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
-///     case); plus a box test for each pair of loops where the choice is left open. Extra memory is
+///     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five plates,
+///     O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair of loops where the choice is left open. Extra memory is
 ///     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
 ///     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
 ///     GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each pair, where the best strip would

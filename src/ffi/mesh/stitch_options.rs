@@ -54,18 +54,25 @@ pub const GUSSET_FAIRING_NONE: u32 = 0;
 /// ends of an open strip, stay where they are.
 pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 
-/// Faces of the strip that cut others are looked for. Where rows are faired the fairing is taken
-/// back in places until nothing cuts, or nothing is left to take back; a strip of triangles without
-/// rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it cuts, and of the strips tried the
-/// one that cuts least is kept. Other strips stay as they are.
+/// Faces of the strip that cut others are looked for, and what can be done about them is done:
+/// - a strip of triangles without rows by GUSSET_MERIDIANS_CONTINUATION goes another way where it
+///   cuts, and of the strips tried the one that cuts least is kept;
+/// - faired rows are taken back in places, up to 12 times, until nothing cuts or nothing is left to
+///   take back; if the straight rows cut less in the end, they are kept;
+/// - blends are taken back likewise, and made with less fairing where they still cut; the one that
+///   cuts least is kept, or the strip if that cuts less than every blend.
+///
+/// All other strips stay as they are: rows that are not faired, quads, and other meridians.
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
-/// They are not looked for.
+/// They are not looked for: rows are faired in full, and the first blend is kept.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
-/// They are looked for; faired rows and blends are taken back, and other strips stay as they are.
+/// They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO, and
+/// no strip goes another way, nor does the strip that a blend follows.
 pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
 
 /// A second piece that is oriented against the first is turned over: the component that rim B is
-/// on. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
+/// on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
+/// the end. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
 /// and by where their surfaces lie if both lead off them to the same side, as at the ends of a
 /// U-bend; where nothing is clear, nothing is turned.
 pub const GUSSET_ORIENTATION_FIX: u32 = 0;
@@ -122,8 +129,9 @@ pub const GUSSET_FINISH_STRIP: u32 = 0;
 /// where they would have to be longer still, the strip stays; the log says so.
 pub const GUSSET_FINISH_BLEND: u32 = 1;
 
-/// No tolerance is given: facing vertices are found, and vertices welded, with what round-off of the
-/// coordinates can do; see gusset_weld_options.
+/// No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that
+/// face another loop that is at most 2^-16 of the loops' largest coordinate for 32-bit positions,
+/// 2^-45 for 64-bit ones; for vertices that are welded see gusset_weld_options.
 pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
 /// The tolerance is the one given.
 pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
@@ -143,7 +151,8 @@ pub struct gusset_stitch_options {
     /// The first meridian joins the closest pair that is not joined by an edge already; with a
     /// twist, the vertex of rim B so many places later, counted in the direction in which rim A
     /// runs (negative: earlier), and no other start is tried. Any value; taken modulo the length of
-    /// rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+    /// rim B. Must be 0 if arcs are joined (OUT_OF_RANGE), and with GUSSET_EXTENT_OPEN_ARCS also if
+    /// there are none to join.
     pub twist: i64,
     /// GUSSET_EXTENT_...
     pub extent: u32,

@@ -79,7 +79,9 @@ pub enum Outcome {
     NoStrip,
 }
 
-/// Two loops, or runs of loops, that face each other. Indices are those of the result.
+/// Two loops, or runs of loops, that face each other. Indices are those of the result. What sewing
+/// left of two borders is a loop that is joined with itself (`slit`): both sides are on it, and the
+/// strip has no interior rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
     /// The vertices of each side in order; if joined, side by side from the first meridian on. The
@@ -88,7 +90,7 @@ pub struct Joint {
     /// Both are whole loops.
     pub whole: bool,
     /// The mean distance from the vertices of one side to the nearest of the other; the larger of
-    /// the two means.
+    /// the two means. Of a loop that is joined with itself, to the nearest points of the other side.
     pub gap: f64,
     /// What became of them.
     pub outcome: Outcome,
@@ -108,7 +110,8 @@ pub struct Joint {
 pub enum Reason {
     /// There is no other loop.
     Alone,
-    /// The nearest loop is farther than is allowed.
+    /// The nearest loop, or of what sewing left of two borders the other side, is farther than is
+    /// allowed.
     TooFar,
     /// All other loops are of its own component, and such are not joined.
     SameComponent,
@@ -126,7 +129,7 @@ pub enum Reason {
     NotJoined,
 }
 
-/// A loop of the welded pieces that no strip hangs on.
+/// A loop of the welded pieces that no strip hangs on, before holes are filled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftLoop {
     /// Its vertices in the result, in order.
@@ -135,9 +138,10 @@ pub struct LeftLoop {
     pub reason: Reason,
     /// The mean distance from its vertices to the nearest of the loop that is nearest to most of
     /// them, of another component where there is one; infinite if there is none, or if this loop
-    /// cannot carry a strip.
+    /// cannot carry a strip. Of what sewing left of two borders, whose sides are too far from each
+    /// other, the mean distance of these.
     pub gap: f64,
-    /// How far that loop may be to be joined as a whole; 0 if there is none.
+    /// How far that loop, or that side, may be to be joined; 0 if there is none.
     pub allowed_gap: f64,
 }
 
@@ -168,7 +172,7 @@ pub struct Assembly {
     pub flat: Vec<u32>,
     /// The pairs that face each other, nearest first, pairs that were given before all others.
     pub joints: Vec<Joint>,
-    /// The loops that no strip hangs on.
+    /// The loops that no strip hangs on; those that were filled in the end are among them.
     pub left: Vec<LeftLoop>,
     /// The holes that were looked at in the end.
     pub holes: Vec<fill::Hole>,
