@@ -2479,9 +2479,9 @@ typedef struct gusset_assembly_options {
      * 0: components of the result that are closed (every edge has two faces), consistently
      * oriented and inside out are turned over in the end, each as a whole and by its own volume:
      * the wall of a cavity within another component is turned too. 1: they stay as they are, which
-     * is mostly as the first piece has it. All other components stay as they are either way. 0 or
-     * 1. The opposite of outward in the options of stitching and filling: 0 is the default there
-     * and here.
+     * is mostly as the first piece has it. All other components stay as they are either way. Either
+     * 0 or 1. It is the opposite of outward in the options of stitching and filling, as 0 is the
+     * default everywhere.
      */
     uint32_t keep_inside_out;
     /**
