@@ -42,15 +42,16 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts check lint exhaustive cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo 'make demo                         stitch two halves of a real mesh, with a page to turn it and pictures, into build/demo'
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
-	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
-	@echo 'make check                        the quick part of them: Rust tests and lints'
-	@echo 'make exhaustive                   long searches for wrong answers of surfaces, by brute force; minutes'
+	@echo 'make test                         all tests: Rust, header drift, C and C++'
+	@echo 'make lint                         formatting, lints and the Rust documentation'
+	@echo 'make check                        both of Rust, without C and C++'
+	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
@@ -79,7 +80,10 @@ released   := --config 'build.rustflags=[$(remapped)]'
 build:
 	$(CARGO) build -p gusset --profile $(PROFILE) --locked $(released)
 
-check: lint test-units test-programs
+# All that a change must pass, the hosts' side apart.
+check: lint test-rust
+
+test-rust: test-units test-programs
 
 # The fuzzers among all others, under a stable compiler and without linking; to run them: CONTRIBUTING.md.
 lint:
@@ -95,8 +99,9 @@ test-units:
 test-programs: build
 	$(CARGO) test --locked -p gusset-tests --release $(released) --no-fail-fast
 
-# What is ignored in `make test` because it takes minutes, and the unit tests with all their cases.
+# What is ignored in `make test` because it takes minutes, and all cases of the tests that try some of many.
 exhaustive:
+	GUSSET_EXHAUSTIVE=1 $(CARGO) test --locked -p gusset-tests --release $(released) --test mesh --test net
 	$(CARGO) test --locked -p gusset --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 
@@ -108,7 +113,7 @@ openmfx:
 test:
 	@scripts/install-packages.sh $(test_packages)
 	@mkdir -p '$(plain)' # Two that made it at once would be in each other's way.
-	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts check
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=line test-hosts test-rust
 
 test-hosts: dist openmfx
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx) -DGUSSET_ARCHIVE=$(archive)
