@@ -367,10 +367,12 @@
  * Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
  * size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
  * from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
- * is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of the
- * loop with the longer ones. The width is the mean distance from each loop to the nearest points of
- * the other, the larger of the two. Loops must look at each other, or lie round each other: of all
- * that do, the best one-to-one choice is joined.
+ * is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
+ * the loop with the longer ones. The width is the mean distance from each loop to the nearest
+ * points of the other, the larger of the two. Loops must look at each other, or lie round each
+ * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
+ * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it may
+ * be a hole that the seam crosses.
  */
 #define GUSSET_GAP_AUTO 0
 
@@ -420,8 +422,8 @@
 #define GUSSET_LEFT_NOT_JOINED 3
 
 /**
- * The nearest loop, or of what sewing left of two borders the other side, is farther than is
- * allowed: see gap and allowed_gap.
+ * The nearest loop is farther away than is allowed; or the loop is what sewing left of two
+ * borders, and its two sides are. See gap and allowed_gap.
  */
 #define GUSSET_LEFT_TOO_FAR 4
 
@@ -754,17 +756,17 @@
 #define GUSSET_INTERSECTIONS_IGNORE 1
 
 /**
- * They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO, and
- * no strip goes another way, nor does the strip that a blend follows.
+ * They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO,
+ * and no strip goes another way, nor does the strip that a blend follows.
  */
 #define GUSSET_INTERSECTIONS_REPORT 2
 
 /**
  * A second piece that is oriented against the first is turned over: the component that rim B is
  * on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
- * the end. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
- * and by where their surfaces lie if both lead off them to the same side, as at the ends of a
- * U-bend; where nothing is clear, nothing is turned.
+ * the end. Two loops of one connected piece are taken as they are. Whole rims are compared as
+ * curves, and by where their surfaces lie if both lead off them to the same side, as at the ends
+ * of a U-bend; where nothing is clear, nothing is turned.
  */
 #define GUSSET_ORIENTATION_FIX 0
 
@@ -857,11 +859,11 @@
  * tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
  * no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
  * Where every blend would cut more faces than the strip does, the strip stays; the log says so.
- * The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged by
- * a tube, to within some per cent of its radius. Time and memory grow with the number of new
- * triangles. There are about as many as the sides round the rims ask for, as far as 50,000 new
- * vertices or 16 for each of the rims'; where more are asked for, they are up to twice as long, and
- * where they would have to be longer still, the strip stays; the log says so.
+ * The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged
+ * by a tube, to within some per cent of its radius across a few radii. Time and memory grow with
+ * the number of new triangles. Where sides as short as those round the rims would take more than
+ * about 50,000 new vertices, or 16 for each of the rims', the sides are up to twice as long; where
+ * that is not enough, the strip stays, and the log says so.
  */
 #define GUSSET_FINISH_BLEND 1
 
@@ -1447,7 +1449,8 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
  * - fairing was asked for, and no new vertices were;
  * - rows, cells or fairing were asked for with a blend, which does not read them;
  * - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
- * - loops are left although others are near: near_loops_left of an assembly is not 0.
+ * - loops are left although others are near: near_loops_left of an assembly is not 0;
+ * - a closed component encloses no volume: flat of an assembly is not empty.
  *
  * Programs read the same from the results; the sentences may change.
  */
@@ -2228,15 +2231,16 @@ typedef struct gusset_weld_options {
     uint32_t vertices;
     /**
      * GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
-     * have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
-     * 64-bit ones, or twice the last decimal place that positions show, as those from text files do,
-     * if that is more. Let D be the largest power of ten that does not exceed the longest side of
-     * the box round the vertices in question. The last place is the largest of 1e-5 D, 1e-6 D, ...
-     * of which at least a third of the coordinates (those of the largest order of magnitude), or of
-     * their differences from one vertex to the next, are multiples. Multiples of 1e-4 D do not count, as a coarse grid is no sign of
-     * rounding; of the rest there must be eight. At each vertex it is at most a quarter of the
-     * shortest edge that ends there, so that no edge collapses. See tolerance of the result's view
-     * for what it was. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+     * have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48
+     * for 64-bit ones, or twice the last decimal place that positions show, as those from text
+     * files do, if that is more. Let D be the largest power of ten that does not exceed the
+     * longest side of the box round the vertices in question. The last place is the largest of
+     * 1e-5 D, 1e-6 D, ... of which at least a third of the coordinates (those of the largest order
+     * of magnitude), or of their differences from one vertex to the next, are multiples. Multiples
+     * of 1e-4 D do not count, as a coarse grid is no sign of rounding; of the rest there must be
+     * eight. At each vertex it is at most a quarter of the shortest edge that ends there, so that
+     * no edge collapses. See tolerance of the result's view for what it was.
+     * GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
      * GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
      */
     uint32_t tolerance_mode;
@@ -2326,7 +2330,8 @@ typedef struct gusset_stitch_options {
      */
     uint32_t start;
     /**
-     * GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is not.
+     * GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is
+     * not.
      */
     uint32_t fairing;
     /**
@@ -2426,7 +2431,8 @@ typedef struct gusset_assembly_options {
      */
     uint32_t gap;
     /**
-     * 1: only whole loops are joined, no parts of them. 0 or 1.
+     * 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
+     * 1.
      */
     uint32_t whole_loops_only;
     /**
@@ -2444,9 +2450,9 @@ typedef struct gusset_assembly_options {
     double max_gap;
     /**
      * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-     * different loops, or the same one twice if sewing left it of two borders (see gusset_joint), and
-     * none is named in two pairs. Errors name a pair by its number from 0, and say
-     * what is wrong with it.
+     * different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
+     * and none is named in two pairs. Errors name a pair by its number from 0, and say what is
+     * wrong with it.
      */
     const struct gusset_loop_pair *pairs;
     /**
@@ -2467,8 +2473,8 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_weld_options *weld_options;
     /**
-     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing,
-     * intersections and finish are read; the other fields must be valid too.
+     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
+     * fairing, intersections and finish are read; the other fields must be valid too.
      */
     const struct gusset_stitch_options *strip_options;
     /**
@@ -2479,9 +2485,9 @@ typedef struct gusset_assembly_options {
      * 0: components of the result that are closed (every edge has two faces), consistently
      * oriented and inside out are turned over in the end, each as a whole and by its own volume:
      * the wall of a cavity within another component is turned too. 1: they stay as they are, which
-     * is mostly as the first piece has it. All other components stay as they are either way. Either
-     * 0 or 1. It is the opposite of outward in the options of stitching and filling, as 0 is the
-     * default everywhere.
+     * is mostly as the first piece has it. All other components stay as they are in both cases. 0
+     * or 1. Its sense is opposite to that of outward in the options of stitching and filling, so
+     * that 0 can be the default in each.
      */
     uint32_t keep_inside_out;
     /**
@@ -2521,7 +2527,8 @@ typedef struct gusset_joint {
      */
     struct gusset_indices side[2];
     /**
-     * The mean width of the gap; of a loop that is joined with itself the mean distance of its sides.
+     * The mean width of the gap; of a loop that is joined with itself the mean distance of its
+     * sides.
      */
     double gap;
     /**
@@ -2659,8 +2666,8 @@ typedef struct gusset_assembly_view {
      */
     size_t joint_count;
     /**
-     * The loops that no strip hangs on, by their smallest vertices; those that were filled in the end
-     * are among them. loops_left counts what is open now.
+     * The loops that no strip hangs on, by their smallest vertices; those that were filled in the
+     * end are among them. loops_left counts what is open now.
      */
     const struct gusset_left_loop *left;
     /**
@@ -2680,10 +2687,10 @@ typedef struct gusset_assembly_view {
      */
     struct gusset_indices hole_rims;
     /**
-     * Faces of the pieces that run the other way than they did in their pieces, by their indices in
-     * the result: turned to agree with others, or with their component to face outwards, but not
-     * both. Faces of strips and patches were nothing before, and are not listed: they run as the
-     * faces of pieces beside them do.
+     * Faces of the pieces that run the other way than they did in their pieces, by their indices
+     * in the result: turned to agree with others, or with their component to face outwards, but
+     * not both. Faces of strips and patches were nothing before, and are not listed: they run as
+     * the faces of pieces beside them do.
      */
     struct gusset_indices turned;
     /**
@@ -2692,7 +2699,7 @@ typedef struct gusset_assembly_view {
     struct gusset_indices one_sided;
     /**
      * A face of each closed component of the result that encloses no volume up to rounding, as a
-     * piece does that is given twice. Not looked for where orientation is kept.
+     * piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or keep_inside_out.
      */
     struct gusset_indices flat;
     /**
@@ -2716,7 +2723,7 @@ typedef struct gusset_assembly_view {
      */
     uint32_t splits;
     /**
-     * Loops of left although another one is within the gap that is allowed: those that look away,
+     * Entries of left that have another loop within the gap that is allowed: those that look away,
      * whose partner is taken, or that no strip could join.
      */
     uint32_t near_loops_left;
@@ -3185,8 +3192,8 @@ typedef struct gusset_stitch_view {
     struct gusset_indices parents;
     /**
      * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
-     * this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as a part of
-     * the sum of both distances.
+     * this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as
+     * a part of the sum of both distances.
      */
     const double *weights;
     /**
@@ -3194,8 +3201,8 @@ typedef struct gusset_stitch_view {
      */
     size_t strip_face_first;
     /**
-     * How many there are; N + M triangles for whole rims without interior rows. A blend has as many
-     * as it needs, and meridians and matrix are those of the strip that it follows.
+     * How many there are; N + M triangles for whole rims without interior rows. A blend has as
+     * many as it needs, and meridians and matrix are those of the strip that it follows.
      */
     size_t strip_face_count;
     /**
@@ -3223,7 +3230,8 @@ typedef struct gusset_stitch_view {
      */
     struct gusset_indices intersections;
     /**
-     * How often the fairing, of rows or of the blend that was kept, had to be taken back in places.
+     * How often the fairing, of rows or of the blend that was kept, had to be taken back in
+     * places.
      */
     uint32_t back_off_count;
     /**
@@ -7445,11 +7453,11 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
  * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
  *     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
  *     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
- *     report's index is its number, its input is 0 or 1 for the first or the second loop, its value
- *     the piece that does not exist, else the vertex, and the message says what is wrong: there is
- *     no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop that can
- *     be joined passes it or several do, it is on the pair's other loop, or its loop is in a pair
- *     before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *     report's index is its number, its input is 0 or 1 for the first or the second loop, its
+ *     value the piece that does not exist, else the vertex, and the message says what is wrong:
+ *     there is no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop
+ *     that can be joined passes it or several do, it is on the pair's other loop, or its loop is
+ *     in a pair before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
  *     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
  *     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for
@@ -7943,28 +7951,30 @@ gusset_status gusset_sew_get_view(const struct gusset_sew *sew,
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh_a the first mesh.
  * @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
- *     (and the last with the first) an edge with exactly one face. If both are NULL, the loops that
- *     lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to the
- *     one given. Those to choose from are not open, have three vertices or more, and the faces
+ *     (and the last with the first) an edge with exactly one face. If both are NULL, the loops
+ *     that lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to
+ *     the one given. Those to choose from are not open, have three vertices or more, and the faces
  *     along them agree in orientation and are manifold there; two of one mesh share no vertex.
  * @param mesh_b NULL if both loops are of mesh_a.
  * @param loop_b see loop_a.
  * @param options NULL for the defaults.
  * @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
- *     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
- *     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
- *     f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT,
+ *     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
+ *     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE,
+ *     OUT_OF_MEMORY, CANCELLED.
  * @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians
  *     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
  *     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
  *     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
- *     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five plates,
- *     O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair of loops where the choice is left open. Extra memory is
- *     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
- *     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
- *     GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each pair, where the best strip would
- *     use an edge twice 8; twice that with more than one thread and two starts.
+ *     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five
+ *     plates, O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair
+ *     of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+ *     GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes
+ *     for each 2^26 pairs begun, with GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each
+ *     pair, where the best strip would use an edge twice 8; twice that with more than one thread
+ *     and two starts.
  * @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
  *     start: N + 1 and M + 1 points.
  * @since 0.1

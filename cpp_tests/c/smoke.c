@@ -21,7 +21,7 @@ static void layouts(void) {
         CHECK(sizeof(gusset_winged_options) == 16);
         CHECK(sizeof(gusset_strip_options) == 24 && sizeof(gusset_strip_view) == 48);
         CHECK(sizeof(gusset_assembly_options) == 104 && offsetof(gusset_assembly_options, max_gap) == 32);
-        CHECK(sizeof(gusset_assembly_view) == 144 && offsetof(gusset_assembly_view, loops_left) == 128);
+        CHECK(sizeof(gusset_assembly_view) == 160 && offsetof(gusset_assembly_view, loops_left) == 144);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);
         CHECK(sizeof(gusset_left_loop) == 40 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);
         CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);

@@ -3,7 +3,11 @@
 use super::rings::{Rings, Weights};
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use glam::DVec3;
+
+/// Averages of the normals.
+const NORMAL_PASSES: u32 = 2;
 
 /// Sums over vertices.
 #[derive(Clone, Copy)]
@@ -17,14 +21,21 @@ struct Sum {
 }
 
 /// The Laplacian of the surface at each vertex, twice its mean curvature times its normal, both
-/// averaged over a few edges round it: the ridges of a polyhedron go, the way that it bends as a
-/// whole stays. (The mean of the Laplacians as vectors would be too short where the normals turn.)
+/// averaged over some edges round it: the ridges of a polyhedron go, the way that it bends as a
+/// whole stays. (The mean of the Laplacians as vectors would be too short where the normals turn;
+/// that of the normals, round a thin tube, is no direction: it goes [`NORMAL_PASSES`] far.)
 ///
 /// Those of the vertices before `rim`, whose rings of triangles are open, come from their
-/// neighbours. Of `points` in a unit of about their size, one over that unit. `passes`: averages over
-/// all neighbours, weighted by area, one after the other; they reach about twice their number's
-/// square root of edges far. O(passes * T) for T triangles.
-pub(crate) fn mean_curvature(points: &[DVec3], triangles: &[[u32; 3]], rim: usize, passes: u32) -> Result<Vec<DVec3>> {
+/// neighbours. `points` are in a unit of about their size, the result is in one over that unit.
+/// `passes`: averages over all neighbours, weighted by area, one after the other, which reach about
+/// 2 sqrt(passes) edges far. O(passes * T) for T triangles.
+pub(crate) fn mean_curvature(
+    points: &[DVec3],
+    triangles: &[[u32; 3]],
+    rim: usize,
+    passes: u32,
+    job: &Job<'_>,
+) -> Result<Vec<DVec3>> {
     let rings = Rings::new(points, triangles, Weights::Cotangent)?;
     let mut sums = alloc::filled(Sum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
     for &corners in triangles {
@@ -37,7 +48,8 @@ pub(crate) fn mean_curvature(points: &[DVec3], triangles: &[[u32; 3]], rim: usiz
         sum.area = 1.0 / rings.scale(v);
     }
     let mut next = alloc::copied(&sums)?;
-    for _ in 0..passes {
+    for pass in 0..passes {
+        job.step(f64::from(pass) / f64::from(passes), "refining")?;
         for (v, mean) in next.iter_mut().enumerate() {
             let share = 1.0 / (1.0 + rings.ring(v).len() as f64);
             let ring = rings.ring(v).iter().map(|&(w, _)| sums[w as usize]);
@@ -46,7 +58,8 @@ pub(crate) fn mean_curvature(points: &[DVec3], triangles: &[[u32; 3]], rim: usiz
                 area: mean.area + sum.area,
                 normal: mean.normal + sum.normal,
             });
-            *mean = Sum { bend: share * mean.bend, area: share * mean.area, normal: share * mean.normal };
+            let normal = if pass < NORMAL_PASSES { share * mean.normal } else { sums[v].normal };
+            *mean = Sum { bend: share * mean.bend, area: share * mean.area, normal };
         }
         std::mem::swap(&mut sums, &mut next);
     }

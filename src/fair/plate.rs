@@ -1,8 +1,8 @@
 //! The normal equations of the thin-plate energy, and their solution for the free vertices.
 //!
-//! With the Laplacian L of the patch, the vertices C at which it is counted and the Laplacian h that
-//! the plate has by itself, the energy is the sum over C of |L p - h|^2; its minimum over the free vertices solves a sparse symmetric
-//! system, factored once for all three coordinates.
+//! With the Laplacian L of the patch, the vertices C at which it is counted and the Laplacian h
+//! that the plate has by itself, the energy is the sum over C of |L p - h|^2; its minimum over the
+//! free vertices solves a sparse symmetric system, factored once for all three coordinates.
 
 use super::order::dissect;
 use super::rings::{Rings, Weights};
@@ -28,8 +28,8 @@ pub(crate) struct Plate<'a> {
     /// The shape that the plate has by itself; `None`: flat. With [`Weights::Cotangent`] only.
     pub(crate) shape: Option<Shape<'a>>,
     /// Places of the vertices by which they are put in order, near each other where they are
-    /// neighbours and spread evenly; `None` for the points themselves. The result does not depend on
-    /// it but for round-off; time and memory do.
+    /// neighbours and spread evenly; `None` for the points themselves. The result does not depend
+    /// on it but for round-off; time and memory do.
     pub(crate) layout: Option<&'a [DVec3]>,
 }
 
@@ -48,7 +48,8 @@ pub(crate) struct Shape<'a> {
 /// Moves the free vertices of a plate to where the sum over all its centres v of A(v) |L x(v) -
 /// h(v)|^2 and, over the free vertices, of A(v) |x(v) - x0(v)|^2 / r^4 is least, A being the areas;
 /// the others stay. So does a vertex that no chain of free vertices connects with a fixed one, or
-/// whose place the equations do not determine. Without a shape h is 0, and nothing hangs on springs.
+/// whose place the equations do not determine. Without a shape h is 0, and nothing hangs on
+/// springs.
 ///
 /// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy
 /// where they are now and A its second derivative, a sparse matrix that couples vertices with a
@@ -157,7 +158,8 @@ fn equations(
         }
         // A spring of strength area / reach^4.
         let spring = |own: Shape<'_>| {
-            let strength = (own.reach / unit).powi(-4) / rings.scale(v as usize);
+            let squared = (own.reach / unit) * (own.reach / unit);
+            let strength = 1.0 / (squared * squared * rings.scale(v as usize));
             (strength, points[v as usize] - (own.places[v as usize] / unit - origin))
         };
         let (strength, away) = plate.shape.map_or((0.0, DVec3::ZERO), spring);

@@ -36,7 +36,8 @@ pub type gusset_progress_fn =
 /// - fairing was asked for, and no new vertices were;
 /// - rows, cells or fairing were asked for with a blend, which does not read them;
 /// - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
-/// - loops are left although others are near: near_loops_left of an assembly is not 0.
+/// - loops are left although others are near: near_loops_left of an assembly is not 0;
+/// - a closed component encloses no volume: flat of an assembly is not empty.
 ///
 /// Programs read the same from the results; the sentences may change.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;

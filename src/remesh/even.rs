@@ -20,12 +20,11 @@ const MIN_TURN: f64 = 0.5;
 
 /// Sides so many times too long are halved before others.
 const MUCH_TOO_LONG: f64 = 8.0;
-/// Halving long needles may make as many vertices as there is room for, times this; else sides of twice
-/// the length come first, whose short ones are collapsed before.
-const MAX_PART_OF_ROOM: f64 = 1.0;
 
-/// Makes the sides inside the patch as long as `sizing` says, by halving the long ones, which leaves
-/// the surface as it is, and collapsing the short ones. The vertices below `rim` stay.
+/// Makes the sides inside the patch as long as `sizing` says, by halving the long ones, which
+/// leaves the surface as it is, and collapsing the short ones. The vertices below `rim` stay. Where
+/// halving long needles would make more vertices than there is room for, sides of twice the length
+/// come first, whose short ones are collapsed before.
 ///
 /// O(passes * triangles), for each doubling of the length that comes first.
 pub(crate) fn even(
@@ -38,8 +37,8 @@ pub(crate) fn even(
     let side = |t: usize, k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
     let longest = |t: usize| side(t, 0).max(side(t, 1)).max(side(t, 2)) / sizing.of(mesh.triangles[t]);
     let halves = (0..mesh.triangles.len()).map(longest).filter(|count| count.is_finite()).sum::<f64>();
-    let room = MAX_PART_OF_ROOM * sizing.limit.saturating_sub(mesh.points.len()).max(1) as f64;
-    let coarser = libm::ceil(libm::log2(halves / room)).max(0.0) as usize;
+    let room = sizing.limit.saturating_sub(mesh.points.len()).max(1) as f64;
+    let coarser = libm::ceil(libm::log2(halves / room)).clamp(0.0, 64.0) as usize;
     let scale = |sizing: &mut Sizing, by: f64| sizing.size.iter_mut().for_each(|size| *size *= by);
     scale(sizing, libm::exp2(coarser as f64));
     for level in 0..coarser {
@@ -127,8 +126,8 @@ fn halve_side(mesh: &mut PatchMesh, sizing: &mut Sizing, (t, k): (usize, usize))
     mesh.split_side((t, k), beyond, middle).map(|_| ())
 }
 
-/// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are too
-/// near each other and nothing speaks against it.
+/// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are
+/// too near each other and nothing speaks against it.
 fn collapse(
     mesh: &mut PatchMesh,
     rim: usize,

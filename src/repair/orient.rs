@@ -121,9 +121,10 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
 }
 
 /// Turns over, each as a whole, the components of `mesh` that are closed, consistently oriented and
-/// face inwards: their volume is negative by more than rounding. Every other component stays as it is, bit for bit: an open one, one with an edge of three
-/// or more faces, one whose faces disagree. Of shells inside one another each one faces outwards
-/// then, the walls of a cavity too. A note to the host says so if anything is turned.
+/// face inwards: their volume is negative by more than rounding. Every other component stays as it
+/// is, bit for bit: an open one, one with an edge of three or more faces, one whose faces disagree.
+/// Of shells inside one another each one faces outwards then, the walls of a cavity too. A note to
+/// the host says so if anything is turned.
 ///
 /// O(H log d), and about 20 bytes a half-edge, as for [`orient`].
 ///

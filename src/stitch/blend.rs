@@ -1,20 +1,20 @@
-//! A blend: instead of the strip's long triangles, triangles as fine as those round it, on a surface
-//! that leaves both pieces along their tangents.
+//! A blend: instead of the strip's long triangles, triangles as fine as those round it, on a
+//! surface that leaves both pieces along their tangents.
 //!
-//! The strip says which way the surface goes. Its sides are halved until they are as long as the old
-//! ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices added
-//! where angles are small ([`crate::remesh`]); then all new vertices move to where a thin plate
-//! clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with care or
-//! less often. The plate is bent by itself as the strip is, its ridges averaged out: one that is flat
-//! by itself would narrow to a neck between two tubes, and, a few radii long, to a point. Across many
-//! radii it hangs on the strip. Creases that the old faces do not have are ironed out. At last the
-//! sharp triangles at the shortest edges of the rims are refined: there the plate would follow
-//! round-off.
+//! The strip says which way the surface goes. Its sides are halved until they are as long as the
+//! old ones at the rims (more exactly [`SIZE`] of them), short ones are collapsed, and vertices
+//! added where angles are small ([`crate::remesh`]); then all new vertices move to where a thin
+//! plate clamped to the old faces bends least ([`crate::fair`]), twice, or, where that cuts, with
+//! care or less often. The plate is bent by itself as the strip is, its ridges averaged out: one
+//! that is flat by itself would narrow to a neck between two tubes, and, a few radii long, to a
+//! point. Across many radii it hangs on the strip. Creases that the old faces do not have are
+//! ironed out. At last the sharp triangles at the shortest edges of the rims are refined: there the
+//! plate would follow round-off.
 //!
-//! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for the
-//! order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants are
-//! those of the joints that were nearest to what had been cut out of closed meshes, and whose angles
-//! were best (`make bench ONLY=truth`).
+//! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for
+//! the order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants
+//! are those of the joints that were nearest to what had been cut out of closed meshes, and whose
+//! angles were best (`make bench ONLY=truth`).
 
 use super::grid::FaceList;
 use super::neighbourhood::{MAX_FAN_TRIANGLES, Neighbourhood};
@@ -56,7 +56,8 @@ const REACH: f64 = 3.0;
 const MAX_NEW: u32 = 50_000;
 /// Where sides would have to grow by more, the gap is too wide for a blend.
 const MAX_GROWTH: f64 = 2.0;
-/// New vertices for each of the rims' that the sizes may ask for, and as many again for sharp angles.
+/// New vertices for each of the rims' that the sizes may ask for, and as many again for sharp
+/// angles.
 const MAX_NEW_AT_RIM: u32 = 16;
 /// A triangle that turns by more is folded: the cosine.
 const MIN_TURN: f64 = 0.2;
@@ -102,8 +103,8 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Of a strip of triangles without rows; `None` if it would need too many vertices. O(T + n log n)
-    /// for T triangles of the strip and n new vertices, and a pass over all old faces.
+    /// Of a strip of triangles without rows; `None` if it would need too many vertices. O(T + n log
+    /// n) for T triangles of the strip and n new vertices, and a pass over all old faces.
     pub(super) fn new(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<Option<Plan>> {
         let mut patch = OldRing::new(whole, strip, unit)?;
         let rim = strip.rim_count();
@@ -116,7 +117,12 @@ impl Plan {
         size.iter_mut().for_each(|s| *s *= SIZE);
         let at_rim = MAX_NEW_AT_RIM.saturating_mul(rim as u32);
         let limit = MAX_NEW.max(at_rim);
-        let needed = needed(&mesh, &size).min(f64::from(limit));
+        let needed = needed(&mesh, &size);
+        // Of sides without length.
+        if !needed.is_finite() {
+            return Ok(None);
+        }
+        let needed = needed.min(f64::from(limit));
         let grown = growth(&mesh, &size, limit);
         if grown > MAX_GROWTH {
             return Ok(None);
@@ -138,7 +144,7 @@ impl Plan {
             return Ok(None);
         }
         mesh.settle(rim, &taken, SETTLE[0], &job.part(0.8, 1.0))?;
-        sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, rim, SMOOTHING)?;
+        sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, rim, SMOOTHING, &job.part(1.0, 1.0))?;
         Ok(Some(Plan { patch, mesh, sizing, rim, min_cosine, creased }))
     }
 
@@ -245,8 +251,8 @@ impl OldRing {
     }
 
     /// How old faces at the rims bend against each other: the cosine that [`USUAL_PERCENT`] of a
-    /// hundred edges reach, at least 0; and of which vertices of the rims an edge bends by more than
-    /// [`MAX_SMOOTH_BEND`].
+    /// hundred edges reach, at least 0; and of which vertices of the rims an edge bends by more
+    /// than [`MAX_SMOOTH_BEND`].
     fn bends(&self, rim: usize) -> Result<(f64, Vec<bool>)> {
         let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
         for &[a, b, c] in &self.triangles {
@@ -302,9 +308,9 @@ impl OldRing {
         Ok(OldRing { points, origin, triangles, sides, edges, centred, reach })
     }
 
-    /// The mean length of the old sides at each vertex of the rims, by their lengths, so that slivers
-    /// count for little. Next to a vertex of larger size none is smaller than that less its distance:
-    /// a corner that the rim cuts off says nothing about the surface.
+    /// The mean length of the old sides at each vertex of the rims, by their lengths, so that
+    /// slivers count for little. Next to a vertex of larger size none is smaller than that less its
+    /// distance: a corner that the rim cuts off says nothing about the surface.
     fn sizes(&self, rims: &[&Rim; 2]) -> Result<Vec<f64>> {
         let rim = self.centred.len();
         let mut sums = alloc::filled((0.0, 0.0), rim)?;

@@ -40,8 +40,8 @@ use crate::repair::orient::{Outward, turn_outwards};
 /// # Errors
 /// [`Error::NoLoop`], [`Error::NoPairOfLoops`], [`Error::LoopTooShort`],
 /// [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`],
-/// [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`], [`Error::NoStrip`],
-/// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
+/// [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`],
+/// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
     // A twist of arcs is refused whether or not there are any.

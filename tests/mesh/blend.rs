@@ -136,6 +136,27 @@ fn wide_gaps_are_bridged_by_tubes() {
     }
 }
 
+/// Ducts of three to six sides: triangles go round them in a few steps, and the blend keeps its width.
+#[test]
+fn ducts_of_few_sides_are_bridged() {
+    for n in 3..=6 {
+        // Three sides are too few to go far.
+        for gap in [1.0, 3.0, 6.0].into_iter().take(if n == 3 { 2 } else { 3 }) {
+            let circle = |z: f64| ring(n, |t| [t.cos(), t.sin(), z]);
+            let down = |[x, y, z]: [f64; 3]| [x, y, z - 1.0];
+            let high = |[x, y, z]: [f64; 3]| [x, y, z + 1.0];
+            let (a, b) = (shell(&circle(0.0), down, false), shell(&circle(gap), high, false));
+            let blend = join(&a, &b, &BLEND);
+            assert_valid(&a, &b, &blend, "duct");
+            assert_eq!(blend.intersections.as_deref(), Some(&[][..]), "{n} {gap}");
+            let inside = (std::f64::consts::PI / f64::from(n)).cos();
+            for p in new_vertices(&blend) {
+                assert!((0.6 * inside..1.3).contains(&p[0].hypot(p[1])), "{n} {gap}: {p:?}");
+            }
+        }
+    }
+}
+
 /// A gap that would take very many vertices stays with its strip, quickly; the answer says so.
 #[test]
 fn far_too_wide_gaps_stay_with_the_strip() {

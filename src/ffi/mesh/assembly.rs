@@ -20,10 +20,12 @@ pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
 /// Whole loops are joined if the mean width of the gap is at most a fifth of the larger component's
 /// size along an axis, or the mean radius of the smaller loop (the mean distance of its vertices
 /// from their centre) if that is more; two loops that are the only ones, of two pieces, whatever it
-/// is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of the
-/// loop with the longer ones. The width is the mean distance from each loop to the nearest points of
-/// the other, the larger of the two. Loops must look at each other, or lie round each other: of all
-/// that do, the best one-to-one choice is joined.
+/// is. Runs of loops are joined where the gap is at most half that radius wide, and four edges of
+/// the loop with the longer ones. The width is the mean distance from each loop to the nearest
+/// points of the other, the larger of the two. Loops must look at each other, or lie round each
+/// other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
+/// joined with itself if it is at most one of its mean edges wide, and half its radius; wider it may
+/// be a hole that the seam crosses.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;
@@ -45,8 +47,8 @@ pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
 pub const GUSSET_LEFT_TOO_SHORT: u32 = 2;
 /// It faces another loop, but no strip could be made: see the joints.
 pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
-/// The nearest loop, or of what sewing left of two borders the other side, is farther than is
-/// allowed: see gap and allowed_gap.
+/// The nearest loop is farther away than is allowed; or the loop is what sewing left of two
+/// borders, and its two sides are. See gap and allowed_gap.
 pub const GUSSET_LEFT_TOO_FAR: u32 = 4;
 /// All other loops are of its own component, and within_components is not set.
 pub const GUSSET_LEFT_SAME_COMPONENT: u32 = 5;
@@ -82,7 +84,8 @@ pub struct gusset_assembly_options {
     pub orientation: u32,
     /// GUSSET_GAP_...
     pub gap: u32,
-    /// 1: only whole loops are joined, no parts of them. 0 or 1.
+    /// 1: only whole loops are joined, no parts of them, nor what sewing left of two borders. 0 or
+    /// 1.
     pub whole_loops_only: u32,
     /// 1: loops of one component may be joined without being asked for. 0 or 1.
     pub within_components: u32,
@@ -92,9 +95,9 @@ pub struct gusset_assembly_options {
     /// finite and at least 0; 0 leaves all open.
     pub max_gap: f64,
     /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two
-    /// different loops, or the same one twice if sewing left it of two borders (see gusset_joint), and
-    /// none is named in two pairs. Errors name a pair by its number from 0, and say
-    /// what is wrong with it.
+    /// different loops, or the same one twice if sewing left it of two borders (see gusset_joint),
+    /// and none is named in two pairs. Errors name a pair by its number from 0, and say what is
+    /// wrong with it.
     pub pairs: *const gusset_loop_pair,
     /// How many.
     pub pair_count: usize,
@@ -105,17 +108,17 @@ pub struct gusset_assembly_options {
     pub excluded_count: usize,
     /// How to weld; NULL for the defaults.
     pub weld_options: *const gusset_weld_options,
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing,
-    /// intersections and finish are read; the other fields must be valid too.
+    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
+    /// fairing, intersections and finish are read; the other fields must be valid too.
     pub strip_options: *const gusset_stitch_options,
     /// How to fill, NULL for the defaults. outward is not read, but must be valid too.
     pub fill_options: *const gusset_fill_options,
     /// 0: components of the result that are closed (every edge has two faces), consistently
     /// oriented and inside out are turned over in the end, each as a whole and by its own volume:
     /// the wall of a cavity within another component is turned too. 1: they stay as they are, which
-    /// is mostly as the first piece has it. All other components stay as they are either way. Either
-    /// 0 or 1. It is the opposite of outward in the options of stitching and filling, as 0 is the
-    /// default everywhere.
+    /// is mostly as the first piece has it. All other components stay as they are in both cases. 0
+    /// or 1. Its sense is opposite to that of outward in the options of stitching and filling, so
+    /// that 0 can be the default in each.
     pub keep_inside_out: u32,
     /// 0.
     pub reserved: u32,
@@ -145,7 +148,8 @@ pub struct gusset_joint {
     /// The vertices of each side in the result, in order; if joined, side by side from the first
     /// meridian on. The order is that of before closed components were turned outwards.
     pub side: [gusset_indices; 2],
-    /// The mean width of the gap; of a loop that is joined with itself the mean distance of its sides.
+    /// The mean width of the gap; of a loop that is joined with itself the mean distance of its
+    /// sides.
     pub gap: f64,
     /// The strip's first new vertex in the result.
     pub vertex_first: usize,
@@ -203,8 +207,8 @@ pub struct gusset_assembly_view {
     pub joints: *const gusset_joint,
     /// How many.
     pub joint_count: usize,
-    /// The loops that no strip hangs on, by their smallest vertices; those that were filled in the end
-    /// are among them. loops_left counts what is open now.
+    /// The loops that no strip hangs on, by their smallest vertices; those that were filled in the
+    /// end are among them. loops_left counts what is open now.
     pub left: *const gusset_left_loop,
     /// How many.
     pub left_count: usize,
@@ -214,15 +218,15 @@ pub struct gusset_assembly_view {
     pub hole_count: usize,
     /// The vertices of their rims, in the order of before closed components were turned outwards.
     pub hole_rims: gusset_indices,
-    /// Faces of the pieces that run the other way than they did in their pieces, by their indices in
-    /// the result: turned to agree with others, or with their component to face outwards, but not
-    /// both. Faces of strips and patches were nothing before, and are not listed: they run as the
-    /// faces of pieces beside them do.
+    /// Faces of the pieces that run the other way than they did in their pieces, by their indices
+    /// in the result: turned to agree with others, or with their component to face outwards, but
+    /// not both. Faces of strips and patches were nothing before, and are not listed: they run as
+    /// the faces of pieces beside them do.
     pub turned: gusset_indices,
     /// A face of each component that cannot be oriented.
     pub one_sided: gusset_indices,
     /// A face of each closed component of the result that encloses no volume up to rounding, as a
-    /// piece does that is given twice. Not looked for where orientation is kept.
+    /// piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or keep_inside_out.
     pub flat: gusset_indices,
     /// Vertices that became one with another.
     pub welded_vertices: u32,
@@ -234,7 +238,7 @@ pub struct gusset_assembly_view {
     pub non_manifold_edges: u32,
     /// Points at which free edges were split for borders to match.
     pub splits: u32,
-    /// Loops of left although another one is within the gap that is allowed: those that look away,
+    /// Entries of left that have another loop within the gap that is allowed: those that look away,
     /// whose partner is taken, or that no strip could join.
     pub near_loops_left: u32,
 }
@@ -379,11 +383,11 @@ impl gusset_assembly {
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
 ///     EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64 positions and the first one f32),
 ///     UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or one of pairs or of excluded: the
-///     report's index is its number, its input is 0 or 1 for the first or the second loop, its value
-///     the piece that does not exist, else the vertex, and the message says what is wrong: there is
-///     no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop that can
-///     be joined passes it or several do, it is on the pair's other loop, or its loop is in a pair
-///     before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///     report's index is its number, its input is 0 or 1 for the first or the second loop, its
+///     value the piece that does not exist, else the vertex, and the message says what is wrong:
+///     there is no such piece, or no such vertex of it; of pairs also: no vertex is named, no loop
+///     that can be joined passes it or several do, it is on the pair's other loop, or its loop is
+///     in a pair before), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for V
 ///     vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as
 ///     for gusset_fill_create; a pass over all faces for each strip that is faired or tested for

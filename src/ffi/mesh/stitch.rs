@@ -39,13 +39,13 @@ pub struct gusset_stitch_view {
     /// each rim that is nearest to it.
     pub parents: gusset_indices,
     /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
-    /// this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as a part of
-    /// the sum of both distances.
+    /// this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as
+    /// a part of the sum of both distances.
     pub weights: *const f64,
     /// The first of the strip's faces in the result; they are the last ones.
     pub strip_face_first: usize,
-    /// How many there are; N + M triangles for whole rims without interior rows. A blend has as many
-    /// as it needs, and meridians and matrix are those of the strip that it follows.
+    /// How many there are; N + M triangles for whole rims without interior rows. A blend has as
+    /// many as it needs, and meridians and matrix are those of the strip that it follows.
     pub strip_face_count: usize,
     /// Interior rows; the matrix has two rows more. 0 of a blend.
     pub row_count: u32,
@@ -61,7 +61,8 @@ pub struct gusset_stitch_view {
     /// is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
     /// as fans from their first corners; a polygon that cuts itself is paired with itself.
     pub intersections: gusset_indices,
-    /// How often the fairing, of rows or of the blend that was kept, had to be taken back in places.
+    /// How often the fairing, of rows or of the blend that was kept, had to be taken back in
+    /// places.
     pub back_off_count: u32,
     /// GUSSET_FINISH_...: what the strip is. A blend that was asked for may have had to give way to
     /// the strip.
@@ -125,28 +126,30 @@ impl gusset_quality_report {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh_a the first mesh.
 /// @param loop_a the vertices of each loop in order, in either direction, each consecutive pair
-///     (and the last with the first) an edge with exactly one face. If both are NULL, the loops that
-///     lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to the
-///     one given. Those to choose from are not open, have three vertices or more, and the faces
+///     (and the last with the first) an edge with exactly one face. If both are NULL, the loops
+///     that lie nearest to each other are taken; if one is, the loop of its mesh that is nearest to
+///     the one given. Those to choose from are not open, have three vertices or more, and the faces
 ///     along them agree in orientation and are manifold there; two of one mesh share no vertex.
 /// @param mesh_b NULL if both loops are of mesh_a.
 /// @param loop_b see loop_a.
 /// @param options NULL for the defaults.
 /// @param[out] stitch receives the result, for gusset_stitch_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE,
-///     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
-///     LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has
-///     f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///     PLANES_UNDECIDED, NO_LOOP (of one mesh: it has no two that share no vertex), LOOP_TOO_SHORT,
+///     LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX,
+///     ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE,
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians
 ///     O(N M) up to 2^21 pairs of vertices, beyond that and for the simple rules O((N + M) log M);
 ///     plus the size of the strip, and fairing and intersection tests where asked for (O(n log n)
 ///     and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst
-///     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five plates,
-///     O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair of loops where the choice is left open. Extra memory is
-///     linear in the meshes and the strip; GUSSET_SEARCH_EXACT takes one byte for each of up to
-///     2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
-///     GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each pair, where the best strip would
-///     use an edge twice 8; twice that with more than one thread and two starts.
+///     case); plus, for a blend of n new vertices, O(n log n) and the solution of up to five
+///     plates, O(n^1.5) each, nearly linear where the gap is narrow; plus a box test for each pair
+///     of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+///     GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes
+///     for each 2^26 pairs begun, with GUSSET_MERIDIANS_CONTINUATION or _SMOOTH 2 bytes for each
+///     pair, where the best strip would use an edge twice 8; twice that with more than one thread
+///     and two starts.
 /// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
 ///     start: N + 1 and M + 1 points.
 /// @since 0.1

@@ -66,15 +66,15 @@ pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
 /// They are not looked for: rows are faired in full, and the first blend is kept.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
-/// They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO, and
-/// no strip goes another way, nor does the strip that a blend follows.
+/// They are looked for. Faired rows and blends are taken back as with GUSSET_INTERSECTIONS_AUTO,
+/// and no strip goes another way, nor does the strip that a blend follows.
 pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
 
 /// A second piece that is oriented against the first is turned over: the component that rim B is
 /// on. Which of the two is inside out is not asked: see GUSSET_OUTWARD_CLOSED for what is closed in
-/// the end. Two loops of one connected piece are taken as they are. Whole rims are compared as curves,
-/// and by where their surfaces lie if both lead off them to the same side, as at the ends of a
-/// U-bend; where nothing is clear, nothing is turned.
+/// the end. Two loops of one connected piece are taken as they are. Whole rims are compared as
+/// curves, and by where their surfaces lie if both lead off them to the same side, as at the ends
+/// of a U-bend; where nothing is clear, nothing is turned.
 pub const GUSSET_ORIENTATION_FIX: u32 = 0;
 /// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
 pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
@@ -122,11 +122,11 @@ pub const GUSSET_FINISH_STRIP: u32 = 0;
 /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own, and
 /// no edges of the result; rows, cells and fairing are not read (the log says so if they are set).
 /// Where every blend would cut more faces than the strip does, the strip stays; the log says so.
-/// The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged by
-/// a tube, to within some per cent of its radius. Time and memory grow with the number of new
-/// triangles. There are about as many as the sides round the rims ask for, as far as 50,000 new
-/// vertices or 16 for each of the rims'; where more are asked for, they are up to twice as long, and
-/// where they would have to be longer still, the strip stays; the log says so.
+/// The surface bends as the strip does as a whole, without its ridges: a gap in a tube is bridged
+/// by a tube, to within some per cent of its radius across a few radii. Time and memory grow with
+/// the number of new triangles. Where sides as short as those round the rims would take more than
+/// about 50,000 new vertices, or 16 for each of the rims', the sides are up to twice as long; where
+/// that is not enough, the strip stays, and the log says so.
 pub const GUSSET_FINISH_BLEND: u32 = 1;
 
 /// No tolerance is given, and what rounding can do to the coordinates is taken. For vertices that
@@ -179,7 +179,8 @@ pub struct gusset_stitch_options {
     pub search: u32,
     /// GUSSET_START_...
     pub start: u32,
-    /// GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is not.
+    /// GUSSET_FAIRING_..., read if interior rows are asked for; otherwise the log says that it is
+    /// not.
     pub fairing: u32,
     /// GUSSET_INTERSECTIONS_...
     pub intersections: u32,

@@ -33,15 +33,16 @@ pub struct gusset_weld_options {
     /// Which vertices: GUSSET_WELD_...
     pub vertices: u32,
     /// GUSSET_TOLERANCE_AUTO: vertices lie together if they are no farther apart than rounding can
-    /// have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
-    /// 64-bit ones, or twice the last decimal place that positions show, as those from text files do,
-    /// if that is more. Let D be the largest power of ten that does not exceed the longest side of
-    /// the box round the vertices in question. The last place is the largest of 1e-5 D, 1e-6 D, ...
-    /// of which at least a third of the coordinates (those of the largest order of magnitude), or of
-    /// their differences from one vertex to the next, are multiples. Multiples of 1e-4 D do not count, as a coarse grid is no sign of
-    /// rounding; of the rest there must be eight. At each vertex it is at most a quarter of the
-    /// shortest edge that ends there, so that no edge collapses. See tolerance of the result's view
-    /// for what it was. GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
+    /// have put copies of one vertex: 2^-19 of the largest coordinate for 32-bit positions, 2^-48
+    /// for 64-bit ones, or twice the last decimal place that positions show, as those from text
+    /// files do, if that is more. Let D be the largest power of ten that does not exceed the
+    /// longest side of the box round the vertices in question. The last place is the largest of
+    /// 1e-5 D, 1e-6 D, ... of which at least a third of the coordinates (those of the largest order
+    /// of magnitude), or of their differences from one vertex to the next, are multiples. Multiples
+    /// of 1e-4 D do not count, as a coarse grid is no sign of rounding; of the rest there must be
+    /// eight. At each vertex it is at most a quarter of the shortest edge that ends there, so that
+    /// no edge collapses. See tolerance of the result's view for what it was.
+    /// GUSSET_TOLERANCE_GIVEN: if they are not farther apart than the tolerance.
     /// GUSSET_TOLERANCE_EXACT: if their positions are equal, where -0 equals 0.
     pub tolerance_mode: u32,
     /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.

@@ -3,7 +3,7 @@
 //! The loop that is nearest to most of its vertices is what it might have been joined with, one of
 //! another component before its own; of that it is said why it was not.
 
-use super::candidates::FacingSearch;
+use super::candidates::{FacingSearch, Slit};
 use super::request::Reason;
 use crate::alloc;
 use crate::error::Result;
@@ -48,8 +48,9 @@ impl FacingSearch<'_> {
             if !left[r] {
                 return Ok(None);
             }
-            if let Some(slit) = self.slits[r].filter(|slit| slit.closes && !self.is_excluded(r, r)) {
-                let allowed = self.limit(r, r);
+            let allowed = self.slit_limit(r);
+            let is_wide = |slit: &Slit| slit.closes && slit.gap > allowed && !self.is_excluded(r, r);
+            if let Some(slit) = self.slits[r].filter(is_wide) {
                 return Ok(Some(Explanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
             }
             let (found, own) = match nearest(r, self.within_components)? {

@@ -60,7 +60,7 @@ impl Loops {
         let sizes = component_sizes(mesh, &mut loops.components, &loops.rims)?;
         for ((rim, size), found) in loops.rims.iter_mut().zip(sizes).zip(boundary.iter().filter(is_usable)) {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
-            alloc::push(&mut loops.slits, Slit::of(&view, &found, rim, loops.unit, &base.seam)?)?;
+            alloc::push(&mut loops.slits, Slit::of(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?)?;
             let component = loops.components.find(rim.vertices[0]);
             let piece = base.piece[rim.vertices[0] as usize];
             alloc::push(&mut loops.candidates, Candidate::new(rim, component, piece, size / loops.unit))?;
@@ -139,8 +139,13 @@ impl Loops {
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
             return alloc::collect(loops_of(places, vertex).iter().map(|&(_, r)| r as usize));
         }
-        let of_piece = |&v: &u32| selector.vertex == NONE && base.piece[v as usize] == selector.piece;
-        alloc::gather((0..self.rims.len()).filter(|&r| self.rims[r].vertices.iter().any(of_piece)))
+        if selector.vertex != NONE {
+            return Ok(Vec::new());
+        }
+        let mut of_piece = alloc::filled(false, base.done.mesh.positions.len())?;
+        map.vertices.iter().filter(|&&v| v != NONE).for_each(|&v| of_piece[v as usize] = true);
+        let has_one = |&r: &usize| self.rims[r].vertices.iter().any(|&v| of_piece[v as usize]);
+        alloc::gather((0..self.rims.len()).filter(has_one))
     }
 }
 

@@ -10,9 +10,11 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum MaxGap {
     /// For whole loops a fifth of the larger component's size, or the mean radius of the smaller
-    /// loop (the mean distance of its vertices from their centre) if that is more; for runs of loops
-    /// half the smaller radius, and at most four edges of the loop with the longer ones. Two loops
-    /// that are the only ones, of two pieces, are joined however far they are.
+    /// loop (the mean distance of its vertices from their centre) if that is more; for runs of
+    /// loops half the smaller radius, and at most four edges of the loop with the longer ones. Two
+    /// loops that are the only ones, of two pieces, are joined however far they are.
+    ///
+    /// For what sewing left of two borders half the loop's radius, and at most one of its mean edges.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.
@@ -46,12 +48,12 @@ pub struct Options<'a> {
     pub edge_to_edge: bool,
     /// The pieces keep their orientation as it is: nothing is turned, nor in the end.
     pub keep_orientation: bool,
-    /// Closed components of the result that are inside out stay so. Otherwise each is turned over as
-    /// a whole in the end, as [`turn_outwards`](repair::orient::turn_outwards()) does.
+    /// Closed components of the result that are inside out stay so. Otherwise each is turned over
+    /// as a whole in the end, as [`turn_outwards`](repair::orient::turn_outwards()) does.
     pub keep_inside_out: bool,
     /// Which gaps are closed.
     pub max_gap: MaxGap,
-    /// Only whole loops are joined, no parts of them.
+    /// Only whole loops are joined, no parts of them, nor what sewing left of two borders.
     pub whole_loops_only: bool,
     /// Loops of one component may be joined too. Otherwise only pairs that are given are.
     pub within_components: bool,
@@ -90,7 +92,8 @@ pub struct Joint {
     /// Both are whole loops.
     pub whole: bool,
     /// The mean distance from the vertices of one side to the nearest of the other; the larger of
-    /// the two means. Of a loop that is joined with itself, to the nearest points of the other side.
+    /// the two means. Of a loop that is joined with itself, to the nearest points of the other
+    /// side.
     pub gap: f64,
     /// What became of them.
     pub outcome: Outcome,
@@ -168,7 +171,7 @@ pub struct Assembly {
     /// Components that cannot be oriented: a face of each.
     pub one_sided: Vec<u32>,
     /// Closed components of the result that enclose no volume, as a piece does that is given twice:
-    /// a face of each. Not looked for where orientation is kept.
+    /// a face of each. Empty where orientation is kept, or `keep_inside_out` is set.
     pub flat: Vec<u32>,
     /// The pairs that face each other, nearest first, pairs that were given before all others.
     pub joints: Vec<Joint>,

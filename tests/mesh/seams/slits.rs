@@ -99,6 +99,54 @@ fn patches_side_by_side_are_sewn_and_not_folded_together() {
     assert_eq!((done.sewn_edges, done.joints.len(), done.loops_left), (1, 0, 1));
 }
 
+/// Half a washer, or half a pipe of one row of quads: an arc of `n` quads from angle `from` on, half
+/// round, between two circles.
+fn half_ring(n: u32, from: f64, point: impl Fn(f64, bool) -> [f64; 3]) -> Soup {
+    let angle = |i: u32| from + std::f64::consts::PI * f64::from(i) / f64::from(n);
+    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+    for outer in [false, true] {
+        soup.points.extend((0..=n).map(|i| point(angle(i), outer)));
+    }
+    (0..n).for_each(|i| soup.face(&[i, i + 1, n + 2 + i, n + 1 + i]));
+    soup
+}
+
+#[test]
+fn holes_that_a_seam_crosses_stay_open() {
+    let exact = |x: f64| (x * 1e6).round() / 1e6;
+    let washer = |t: f64, outer: bool| {
+        let r = if outer { 3.0 } else { 1.0 };
+        [exact(r * t.cos()), exact(r * t.sin()), 0.0]
+    };
+    let pipe = |t: f64, outer: bool| [exact(t.cos()), exact(t.sin()), if outer { 5.0 } else { 0.0 }];
+    for n in [6, 12, 40] {
+        for (name, shape) in [("washer", &washer as &dyn Fn(f64, bool) -> [f64; 3]), ("pipe", &pipe)] {
+            let halves = [half_ring(n, 0.0, shape), half_ring(n, std::f64::consts::PI, shape)];
+            let done = run(&halves, &sewing());
+            assert_eq!((done.sewn_edges, done.joints.len(), done.loops_left), (2, 0, 2), "{name} {n}");
+        }
+    }
+}
+
+/// The lower half of a ball is itself of two parts: the slit passes their seam, too.
+#[test]
+fn a_slit_that_another_seam_crosses() {
+    let [lower, upper] = halves(24, |i| if i < 4 { 0.0 } else { 1e-3 });
+    let part = |keep: &dyn Fn(f64) -> bool| {
+        let mut soup = Soup { points: lower.points.clone(), offsets: vec![0], ..Soup::default() };
+        for face in lower.faces() {
+            let middle = face.iter().map(|&v| lower.points[v as usize][0]).sum::<f64>();
+            if keep(middle) {
+                soup.face(face);
+            }
+        }
+        soup
+    };
+    let pieces = [part(&|x| x < 0.0), part(&|x| x >= 0.0), upper];
+    let done = run(&pieces, &sewing());
+    assert_eq!((done.loops_left, done.non_manifold_edges, euler(faces_of(&done.mesh))), (0, 0, 2));
+}
+
 #[test]
 fn gaps_pairs_and_exclusions_are_minded() {
     let pieces = halves(24, |i| if i < 4 { 0.0 } else { 0.05 });
@@ -109,6 +157,8 @@ fn gaps_pairs_and_exclusions_are_minded() {
     assert!((0.03..0.051).contains(&gap) && (allowed - 0.01).abs() < 1e-12, "{gap} {allowed}");
     let none = Options { max_gap: MaxGap::Given(0.0), ..sewing() };
     assert_eq!(run(&pieces, &none).joints.len(), 0);
+    let whole = Options { whole_loops_only: true, ..sewing() };
+    assert_eq!(run(&pieces, &whole).joints.len(), 0);
     let excluded = [[Selector::piece(0), Selector::piece(1)]];
     let done = run(&pieces, &Options { excluded: &excluded, ..sewing() });
     assert_eq!((done.joints.len(), done.loops_left), (0, 1));
@@ -137,6 +187,10 @@ fn a_side_without_vertices() {
     for finish in [Finish::Strip, Finish::Blend] {
         let mut options = sewing();
         options.strip.finish = finish;
+        let excluded = [[Selector::piece(0), Selector::piece(1)]];
+        let fine_first = [square(2.0, true), square(-2.0, false)];
+        let left = run(&fine_first, &Options { excluded: &excluded, ..options });
+        assert_eq!((left.joints.len(), left.loops_left), (0, 1));
         let done = run(&[square(-2.0, false), square(2.0, true)], &options);
         assert_eq!(done.sewn_edges, 3);
         assert_closed(&done, "bulge");
