@@ -92,7 +92,7 @@ class AssemblyParts(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("pieces", POINTER(PieceMap)), ("piece_count", c_size_t), ("joints", POINTER(Joint)),
         ("joint_count", c_size_t), ("left", c_void_p), ("left_count", c_size_t), ("holes", c_void_p), ("hole_count", c_size_t),
-        ("hole_rims", Indices), ("turned", Indices), ("one_sided", Indices), ("flat", Indices), ("welded_vertices", c_uint32),
+        ("hole_rims", Indices), ("turned", Indices), ("one_sided", Indices), ("zero_volume", Indices), ("welded_vertices", c_uint32),
         ("sewn_edges", c_uint32), ("loops_left", c_uint32), ("non_manifold_edges", c_uint32),
         ("splits", c_uint32), ("near_loops_left", c_uint32)]
 

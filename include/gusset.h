@@ -1450,7 +1450,7 @@ typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage
  * - rows, cells or fairing were asked for with a blend, which does not read them;
  * - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
  * - loops are left although others are near: near_loops_left of an assembly is not 0;
- * - a closed component encloses no volume: flat of an assembly is not empty.
+ * - a closed component encloses no volume: zero_volume of an assembly is not empty.
  *
  * Programs read the same from the results; the sentences may change.
  */
@@ -2701,7 +2701,7 @@ typedef struct gusset_assembly_view {
      * A face of each closed component of the result that encloses no volume up to rounding, as a
      * piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or keep_inside_out.
      */
-    struct gusset_indices flat;
+    struct gusset_indices zero_volume;
     /**
      * Vertices that became one with another.
      */

@@ -1,8 +1,9 @@
 //! The normal equations of the thin-plate energy, and their solution for the free vertices.
 //!
 //! With the Laplacian L of the patch, the vertices C at which it is counted and the Laplacian h
-//! that the plate has by itself, the energy is the sum over C of |L p - h|^2; its minimum over the
-//! free vertices solves a sparse symmetric system, factored once for all three coordinates.
+//! that the plate has by itself, the energy is the sum over C of |L p - h|^2 by area, and that of the
+//! springs of its [`Shape`]; its minimum over the free vertices solves a sparse symmetric system,
+//! factored once for all three coordinates.
 
 use super::order::dissect;
 use super::rings::{Rings, Weights};

@@ -37,7 +37,7 @@ pub type gusset_progress_fn =
 /// - rows, cells or fairing were asked for with a blend, which does not read them;
 /// - a strip stays in the place of a blend, which would need too many vertices or cut more faces;
 /// - loops are left although others are near: near_loops_left of an assembly is not 0;
-/// - a closed component encloses no volume: flat of an assembly is not empty.
+/// - a closed component encloses no volume: zero_volume of an assembly is not empty.
 ///
 /// Programs read the same from the results; the sentences may change.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;

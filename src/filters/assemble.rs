@@ -120,7 +120,7 @@ fn report(done: &Assembly) -> Report {
         let why = match left.reason {
             Reason::Alone => "there is no other".to_owned(),
             Reason::TooFar => {
-                format!("the nearest is {} apart, and {} is allowed", short(left.gap), short(left.allowed_gap))
+                format!("it is {} from the nearest, and {} is allowed", short(left.gap), short(left.allowed_gap))
             }
             Reason::SameComponent => "all others are of its own component".to_owned(),
             Reason::LooksAway => "it and the nearest do not look at each other".to_owned(),
@@ -136,8 +136,8 @@ fn report(done: &Assembly) -> Report {
     if turned > 0 {
         push_line!(text, "{} of the pieces turned over", counted(turned, FACE));
     }
-    if !done.flat.is_empty() {
-        push_line!(text, "closed without any volume, as one piece given twice: {}", done.flat.len());
+    if !done.zero_volume.is_empty() {
+        push_line!(text, "closed without any volume, as one piece given twice: {}", done.zero_volume.len());
     }
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
     let values = [
@@ -148,7 +148,7 @@ fn report(done: &Assembly) -> Report {
         ("boundary_loops", f64::from(done.loops_left)),
         ("near_loops_left", f64::from(done.near_loops_left)),
         ("turned_faces", turned as f64),
-        ("flat_components", done.flat.len() as f64),
+        ("zero_volume_components", done.zero_volume.len() as f64),
         ("blends", done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count() as f64),
     ];
     Report::new(text, &values)

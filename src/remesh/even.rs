@@ -85,8 +85,9 @@ fn even_once(
 /// cut alike. True if the limit was in the way.
 fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<bool> {
     job.step(0.0, "refining")?;
-    let longest =
-        (0..mesh.triangles.len()).filter_map(|t| longest_inside(mesh, sizing, t)).fold(0.0, |x, y| y.1.max(x));
+    let longest = (0..mesh.triangles.len())
+        .filter_map(|t| longest_inside(mesh, sizing, t).filter(|found| found.1.is_finite()))
+        .fold(0.0, |x, y| y.1.max(x));
     let mut length = MAX_LENGTH;
     while MUCH_TOO_LONG * length < longest {
         length *= 2.0;
@@ -97,7 +98,12 @@ fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<boo
             match longest_inside(mesh, sizing, t).filter(|found| found.1 > length) {
                 None => t += 1,
                 Some(_) if mesh.points.len() >= sizing.limit => return Ok(true),
-                Some((k, _)) => halve_side(mesh, sizing, (t, k))?,
+                Some((k, _, beyond)) => {
+                    let [u, v] = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
+                    let middle = mesh.points[u as usize].midpoint(mesh.points[v as usize]);
+                    sizing.insert([u, v, v], [0.5, 0.5, 0.0])?;
+                    mesh.split_side((t, k), beyond, middle)?;
+                }
             }
         }
         if length <= MAX_LENGTH {
@@ -107,23 +113,13 @@ fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<boo
     }
 }
 
-/// The longest side of a triangle, and its length in sizes, if it is inside the patch: beside a
-/// longer one on the rim nothing becomes shorter than its half.
-fn longest_inside(mesh: &PatchMesh, sizing: &Sizing, t: usize) -> Option<(usize, f64)> {
+/// The longest side of a triangle, its length in sizes and the side beyond, if it is inside the
+/// patch: beside a longer one on the rim nothing becomes shorter than its half.
+fn longest_inside(mesh: &PatchMesh, sizing: &Sizing, t: usize) -> Option<(usize, f64, (usize, usize))> {
     let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
     let k = (0..3).fold(0, |k, j| if length(j) > length(k) { j } else { k });
     let [u, v] = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
-    mesh.beyond(t, k).map(|_| (k, length(k) / sizing.between(u, v)))
-}
-
-fn halve_side(mesh: &mut PatchMesh, sizing: &mut Sizing, (t, k): (usize, usize)) -> Result<()> {
-    let Some(beyond) = mesh.beyond(t, k) else {
-        return Ok(());
-    };
-    let ends = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
-    let middle = mesh.points[ends[0] as usize].midpoint(mesh.points[ends[1] as usize]);
-    sizing.insert([ends[0], ends[1], ends[1]], [0.5, 0.5, 0.0])?;
-    mesh.split_side((t, k), beyond, middle).map(|_| ())
+    Some((k, length(k) / sizing.between(u, v), mesh.beyond(t, k)?))
 }
 
 /// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are

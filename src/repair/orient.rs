@@ -152,7 +152,7 @@ pub struct Outwards {
     /// The faces that were turned over, ascending.
     pub turned: Vec<u32>,
     /// A face of each component that encloses no volume up to rounding, and stays as it is.
-    pub flat: Vec<u32>,
+    pub zero_volume: Vec<u32>,
 }
 
 /// What faces inwards, and what neither way.
@@ -172,7 +172,7 @@ fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
             match faces_inward(mesh, found, &against) {
                 Some(true) => alloc::append(&mut outwards.turned, found)?,
                 Some(false) => {}
-                None => alloc::push(&mut outwards.flat, f)?,
+                None => alloc::push(&mut outwards.zero_volume, f)?,
             }
         }
     }

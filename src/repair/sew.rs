@@ -167,7 +167,8 @@ impl Sew {
     }
 }
 
-/// Adds up how many vertices became each new one, as far as two; `of`: how many an old one counts for.
+/// Adds up how many vertices became each new one, as far as two; `of`: how many an old one counts
+/// for.
 fn count_sources(vertex_map: &[u32], of: impl Fn(usize) -> u8, sources: &mut [u8]) {
     for (old, &new) in vertex_map.iter().enumerate().filter(|&(_, &new)| new != NONE) {
         let count = &mut sources[new as usize];

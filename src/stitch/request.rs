@@ -84,9 +84,9 @@ pub enum Finish {
     /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
     /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own,
     /// and no edges of the result; rows, cells and fairing are not read. Where every blend would cut
-    /// more faces than the strip does, or would need too many vertices, the strip stays, and a note says
-    /// so. The surface bends as the strip does as a whole, so that a gap in a tube is bridged by a tube.
-    /// Time and memory grow with the number of new triangles.
+    /// more faces than the strip does, or would need too many vertices, the strip stays, and a note
+    /// says so. The surface bends as the strip does as a whole, so that a gap in a tube is bridged by
+    /// a tube. Time and memory grow with the number of new triangles.
     Blend,
 }
 
@@ -101,8 +101,8 @@ choices! { for Finish:
 pub enum Intersections {
     /// Always, and they are avoided: faired rows and blends are taken back until nothing cuts, or
     /// nothing is left to take back, and a strip of triangles without rows by
-    /// [`Meridians::Continuation`] goes another way where it cuts (`avoid`). Other strips stay as they
-    /// are.
+    /// [`Meridians::Continuation`] goes another way where it cuts (`avoid`). Other strips stay as
+    /// they are.
     #[default]
     Auto,
     /// Never: rows are faired in full, and the first blend is kept.

@@ -393,11 +393,11 @@ fn the_same_piece_twice_and_thrice() {
     assert_eq!((done.loops_left, done.non_manifold_edges, done.sewn_edges), (0, 0, 10));
     assert_closed(&done, 2);
     // It has no inside, and that is said.
-    assert_eq!(done.flat.len(), 1);
+    assert_eq!(done.zero_volume.len(), 1);
     let [lower, upper] = [-1.0, 1.0].map(|side| crate::common::cap(12, 3, 0.2, side));
     let notes = crate::answers::Notes::default();
     let done = run_with(&[lower.clone(), lower, upper], &welding(), &Job::new(1, &notes));
-    assert_eq!(done.flat.len(), 1);
+    assert_eq!(done.zero_volume.len(), 1);
     assert!(notes.0.borrow().iter().any(|note| note.contains("no volume")));
     let done =
         run(&[piece.clone(), piece.clone(), piece.clone()], &Options { max_gap: MaxGap::Given(0.0), ..welding() });

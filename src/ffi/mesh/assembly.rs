@@ -227,7 +227,7 @@ pub struct gusset_assembly_view {
     pub one_sided: gusset_indices,
     /// A face of each closed component of the result that encloses no volume up to rounding, as a
     /// piece does that is given twice. Empty with GUSSET_ORIENTATION_KEEP or keep_inside_out.
-    pub flat: gusset_indices,
+    pub zero_volume: gusset_indices,
     /// Vertices that became one with another.
     pub welded_vertices: u32,
     /// Edges that were two free edges.
@@ -463,7 +463,7 @@ pub unsafe extern "C" fn gusset_assembly_get_view(
         hole_rims: gusset_indices::lend(&all.done.hole_rims),
         turned: gusset_indices::lend(&all.turned),
         one_sided: gusset_indices::lend(&all.done.one_sided),
-        flat: gusset_indices::lend(&all.done.flat),
+        zero_volume: gusset_indices::lend(&all.done.zero_volume),
         welded_vertices: all.done.welded_vertices,
         sewn_edges: all.done.sewn_edges,
         loops_left: all.done.loops_left,

@@ -64,7 +64,7 @@ impl Base {
             sewn_edges,
             splits,
             one_sided,
-            flat: Vec::new(),
+            zero_volume: Vec::new(),
             joints: Vec::new(),
             left: Vec::new(),
             holes: Vec::new(),
@@ -88,8 +88,8 @@ impl Base {
         }
         if !(options.keep_orientation || options.keep_inside_out) {
             let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;
-            done.flat = outwards.flat;
-            if !done.flat.is_empty() {
+            done.zero_volume = outwards.zero_volume;
+            if !done.zero_volume.is_empty() {
                 job.note("a closed component encloses no volume, as one piece given twice does");
             }
             for f in outwards.turned {

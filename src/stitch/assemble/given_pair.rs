@@ -30,8 +30,8 @@ impl GivenPair<'_> {
         Ok(())
     }
 
-    /// The two rims that the pair names, each by a vertex: different ones that are not `taken` yet, or
-    /// twice one that sewing left of two. `named` gives those that a selector names.
+    /// The two rims that the pair names, each by a vertex: different ones that are not `taken` yet,
+    /// or twice one that sewing left of two. `named` gives those that a selector names.
     pub(super) fn rims(
         &self,
         named: impl Fn(Selector) -> Result<Vec<usize>>,

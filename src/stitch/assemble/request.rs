@@ -113,8 +113,8 @@ pub struct Joint {
 pub enum Reason {
     /// There is no other loop.
     Alone,
-    /// The nearest loop, or of what sewing left of two borders the other side, is farther than is
-    /// allowed.
+    /// The nearest loop is farther away than is allowed; or the loop is what sewing left of two
+    /// borders, and its two sides are.
     TooFar,
     /// All other loops are of its own component, and such are not joined.
     SameComponent,
@@ -172,7 +172,7 @@ pub struct Assembly {
     pub one_sided: Vec<u32>,
     /// Closed components of the result that enclose no volume, as a piece does that is given twice:
     /// a face of each. Empty where orientation is kept, or `keep_inside_out` is set.
-    pub flat: Vec<u32>,
+    pub zero_volume: Vec<u32>,
     /// The pairs that face each other, nearest first, pairs that were given before all others.
     pub joints: Vec<Joint>,
     /// The loops that no strip hangs on; those that were filled in the end are among them.

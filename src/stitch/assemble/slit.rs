@@ -53,13 +53,18 @@ impl Slit {
         let n = rim.vertices.len();
         let on_seam = (0..n).filter(|&i| seam.binary_search(&rim.vertices[i]).is_ok());
         let ends = alloc::gather(on_seam.take(MAX_ENDS + 1))?;
-        if ends.len() > MAX_ENDS {
+        if ends.len() < 2 || ends.len() > MAX_ENDS {
             return Ok(None);
         }
+        let conormals = conormals(rim)?;
+        let side = |i: usize| rim.points[i].distance(rim.points[(i + 1) % n]);
+        let depth = |i: usize| depth(mesh, found.faces[i], rim.points[i], rim.points[(i + 1) % n], unit).min(side(i));
+        let (length, area) = (0..n).fold((0.0, 0.0), |(length, area), i| (length + side(i), area + side(i) * depth(i)));
+        let is_near = |gap: f64| gap * length <= MAX_PART_OF_DEPTH * area;
         let mut best: Option<Slit> = None;
         for (k, &s) in ends.iter().enumerate() {
             for &t in &ends[k + 1..] {
-                let slit = Slit::between(mesh, found, rim, unit, [s, t], job)?;
+                let slit = Slit::between(rim, &conormals, [s, t], is_near, job)?;
                 let rank = |slit: &Slit| (!slit.closes, slit.gap);
                 let better = |slit: &Slit| best.is_none_or(|best| rank(slit) < rank(&best));
                 best = slit.filter(better).or(best);
@@ -68,13 +73,12 @@ impl Slit {
         Ok(best)
     }
 
-    /// The one that turns at places `s` and `t`.
+    /// The one that turns at places `s` and `t`; `is_near` tells if sides that far apart are near.
     fn between(
-        mesh: &MeshView<'_>,
-        found: &Loop<'_>,
         rim: &Rim,
-        unit: f64,
+        conormals: &[DVec3],
         [s, t]: [usize; 2],
+        is_near: impl Fn(f64) -> bool,
         job: &Job<'_>,
     ) -> Result<Option<Slit>> {
         let n = rim.vertices.len();
@@ -83,19 +87,14 @@ impl Slit {
         let edges = (to + n - from) % n;
         let arcs = [Arc { first: from, count: edges + 1 }, Arc { first: (to + 1) % n, count: n - edges - 1 }];
 
-        let conormals = conormals(rim)?;
-        let there = look(rim, &conormals, Arc { first: (from + 1) % n, count: edges - 1 }, (to, n - edges), job)?;
-        let back = look(rim, &conormals, arcs[1], (from, edges), job)?;
+        let there = look(rim, conormals, Arc { first: (from + 1) % n, count: edges - 1 }, (to, n - edges), job)?;
+        let back = look(rim, conormals, arcs[1], (from, edges), job)?;
         let (gap, looks) = match (there, back) {
             (Some(x), Some(y)) => (x.0.max(y.0), x.1 + y.1),
             (Some(x), None) | (None, Some(x)) => (x.0, 2.0 * x.1),
             (None, None) => return Ok(None),
         };
-        let side = |i: usize| rim.points[i].distance(rim.points[(i + 1) % n]);
-        let depth = |i: usize| depth(mesh, found.faces[i], rim.points[i], rim.points[(i + 1) % n], unit).min(side(i));
-        let (length, area) = (0..n).fold((0.0, 0.0), |(length, area), i| (length + side(i), area + side(i) * depth(i)));
-        let is_near = gap * length <= MAX_PART_OF_DEPTH * area;
-        Ok(Some(Slit { arcs, gap, closes: looks >= MIN_SUM_OF_LOOKS || is_near }))
+        Ok(Some(Slit { arcs, gap, closes: looks >= MIN_SUM_OF_LOOKS || is_near(gap) }))
     }
 
     /// The sides of loop `r`, whose slit it is.
