@@ -45,6 +45,7 @@
 //! file is touched, and the same input gives the same bytes for any number of threads.
 
 mod alloc;
+mod blend;
 pub mod boundary;
 pub mod check;
 mod choice;

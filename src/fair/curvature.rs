@@ -25,14 +25,14 @@ struct Sum {
 /// whole stays. (The mean of the Laplacians as vectors would be too short where the normals turn;
 /// that of the normals, round a thin tube, is no direction: it goes [`NORMAL_PASSES`] far.)
 ///
-/// Those of the vertices before `rim`, whose rings of triangles are open, come from their
-/// neighbours. `points` are in a unit of about their size, the result is in one over that unit.
+/// Those of vertices whose rings of triangles are not `closed` come from their neighbours. `points`
+/// are in a unit of about their size, the result is in one over that unit.
 /// `passes`: averages over all neighbours, weighted by area, one after the other, which reach about
 /// 2 sqrt(passes) edges far. O(passes * T) for T triangles.
 pub(crate) fn mean_curvature(
     points: &[DVec3],
     triangles: &[[u32; 3]],
-    rim: usize,
+    closed: impl Fn(usize) -> bool,
     passes: u32,
     job: &Job<'_>,
 ) -> Result<Vec<DVec3>> {
@@ -42,7 +42,7 @@ pub(crate) fn mean_curvature(
         let [a, b, c] = corners.map(|v| points[v as usize]);
         corners.iter().for_each(|&v| sums[v as usize].normal += (b - a).cross(c - a) / 6.0);
     }
-    for (v, sum) in sums.iter_mut().enumerate().skip(rim) {
+    for (v, sum) in sums.iter_mut().enumerate().filter(|&(v, _)| closed(v)) {
         let laplacian: DVec3 = rings.ring(v).iter().map(|&(w, weight)| weight * (points[w as usize] - points[v])).sum();
         sum.bend = laplacian.dot(sum.normal.normalize_or_zero());
         sum.area = 1.0 / rings.scale(v);

@@ -40,10 +40,67 @@ pub(crate) fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     if area2 == 0.0 { f64::INFINITY } else { longest * perimeter / (2.0 * 3f64.sqrt() * area2) }
 }
 
+/// The barycentric coordinates of the point of a triangle that is nearest to `p`: at least 0, with
+/// sum 1 up to round-off.
+///
+/// Source: C. Ericson, *Real-time collision detection* (2005), section 5.1.5: the corner, side or
+/// face whose Voronoi region holds the point, told by the signs of products.
+pub(crate) fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
+    let (ab, ac, ap) = (b - a, c - a, p - a);
+    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return [1.0, 0.0, 0.0];
+    }
+    let bp = p - b;
+    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return [0.0, 1.0, 0.0];
+    }
+    let cp = p - c;
+    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return [0.0, 0.0, 1.0];
+    }
+    let (of_a, of_b, of_c) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
+    if of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let t = d1 / (d1 - d3);
+        return [1.0 - t, t, 0.0];
+    }
+    if of_b <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let t = d2 / (d2 - d6);
+        return [1.0 - t, 0.0, t];
+    }
+    if of_a <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
+        let t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return [0.0, 1.0 - t, t];
+    }
+    let sum = of_a + of_b + of_c;
+    if sum > 0.0 { [of_a / sum, of_b / sum, of_c / sum] } else { [1.0, 0.0, 0.0] }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    #[test]
+    fn the_nearest_point_is_nearer_than_a_grid_of_others() {
+        let mut random = fastrand::Rng::with_seed(5);
+        let mut point = || DVec3::new(random.f64(), random.f64(), random.f64());
+        for _ in 0..200 {
+            let corners = [point(), point(), point()];
+            let p = 2.0 * point() - 0.5;
+            let place =
+                |weights: [f64; 3]| corners.into_iter().zip(weights).map(|(corner, w)| corner * w).sum::<DVec3>();
+            let found = nearest_weights(corners, p);
+            assert!(found.iter().all(|&w| w >= 0.0) && (found.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+            let steps = (0..=40).flat_map(|i| (0..=40 - i).map(move |j| [i, j, 40 - i - j]));
+            let grid =
+                steps.map(|ijk| place(ijk.map(|k| f64::from(k) / 40.0)).distance(p)).fold(f64::INFINITY, f64::min);
+            let here = place(found).distance(p);
+            assert!(here <= grid + 1e-12 && here >= grid - 0.05, "{here} {grid}");
+        }
+    }
 
     #[test]
     fn known_triangles() {

@@ -2,8 +2,10 @@
 //!
 //! * `predicates`: two triangles, decided exactly by the signs of determinants (Shewchuk's
 //!   adaptive arithmetic).
+//! * `fans`: groups of triangles that share a corner.
 //! * [`pairs`]: all intersecting pairs of new triangles with each other and with old ones.
 
+mod fans;
 mod pairs;
 mod predicates;
 

@@ -1,5 +1,6 @@
 //! All pairs of intersecting triangles of which at least one is new.
 
+use super::fans::{Fans, Sides};
 use super::predicates::triangles_intersect;
 use crate::alloc;
 use crate::error::Result;
@@ -63,6 +64,7 @@ pub(crate) fn intersecting_pairs(
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
     let tree = BoxTree::new(order.chunks(LEAF_TRIANGLES).map(leaf_box))?;
     let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at))?;
+    let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at)?;
     let n = soup.new.len();
     let pairs_of = |range: std::ops::Range<usize>| -> Result<Vec<[u32; 2]>> {
         let mut found = Vec::new();
@@ -70,12 +72,16 @@ pub(crate) fn intersecting_pairs(
             let (triangle, query) =
                 if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
             let corners = triangle.map(&soup.at);
-            let enter = |node: usize, b: &Aabb| b.overlaps(&query) && !turned[node].is_beside(&corners);
+            let sides = Sides::new(triangle, corners);
+            let enter = |node: usize, b: &Aabb| {
+                b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.is_beside(node, &sides)
+            };
             tree.descend(enter, |leaf| {
                 let of_leaf = &order[LEAF_TRIANGLES * leaf..n.min(LEAF_TRIANGLES * (leaf + 1))];
                 let met = |&&i: &&u32| {
                     (i as usize) < k
                         && boxes[i as usize].overlaps(&query)
+                        && !sides.are_beside(soup.new[i as usize], &soup.at)
                         && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
                 };
                 of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut found, [i, k as u32]))

@@ -18,8 +18,9 @@ use glam::{DVec2, DVec3};
 /// Triangles with a smaller angle get a vertex, in radians: 25 degrees.
 const MIN_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
 /// The height over its shortest side, in such sides, of the vertex that makes a good triangle with
-/// it: 1 / (2 tan(MIN_ANGLE / 2)).
-const OFF_CENTRE: f64 = 2.2553542518310286;
+/// it: 0.95 of 1 / (2 tan(MIN_ANGLE / 2)), at which its angle would be [`MIN_ANGLE`] itself, and
+/// round-off would say whether it is sharp.
+const OFF_CENTRE: f64 = 0.95 * 2.2553542518310286;
 /// A circumradius that is larger than this part of the size is too large: an equilateral triangle
 /// has 0.577.
 const MAX_RADIUS: f64 = 0.85;

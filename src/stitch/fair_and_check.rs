@@ -12,13 +12,14 @@
 //! **Blends** are tested and taken back in the same way, towards where they were before fairing.
 
 use super::avoid::avoid_cuts;
-use super::blend::{Blend, Plan, WAYS};
+use super::blend::{self, Blend, WAYS};
 use super::meridian::Meridians;
-use super::neighbourhood::{IntersectingTriangles, MAX_FAN_TRIANGLES, Neighbourhood};
+use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::request::{Cells, Fairing, Finish, Intersections, Options};
 use super::rim::Bridges;
 use super::strip::Strip;
 use crate::alloc;
+use crate::blend::MAX_FAN_TRIANGLES;
 use crate::error::Result;
 use crate::fair::{Plate, Weights, thin_plate};
 use crate::job::Job;
@@ -107,14 +108,14 @@ fn check_blend(
     let rims = strip.rim_count();
     let cuts = |checked: &CheckedStrip| checked.intersections.as_ref().map_or(0, Vec::len);
     let mut best: Option<(CheckedStrip, Blend)> = None;
-    let Some(plan) = Plan::new(whole, strip, unit, &job.part(0.0, 0.2))? else {
+    let Some(plan) = blend::plan(whole, strip, unit, &job.part(0.0, 0.2))? else {
         job.note("a blend would need too many vertices: the strip stays in its place");
         return Ok(plain);
     };
     let job = job.part(0.2, 1.0);
     for (k, way) in WAYS.into_iter().enumerate() {
         let part = job.share(k, WAYS.len());
-        let mut found = plan.blend(strip, way, &part.part(0.0, 0.5))?;
+        let mut found = blend::blend(&plan, strip, way, &part.part(0.0, 0.5))?;
         // The strip's own faces come back once this one is judged.
         let faces = std::mem::replace(&mut strip.faces, found.faces);
         let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;

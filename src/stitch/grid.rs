@@ -33,9 +33,9 @@ pub(super) struct Grid {
 }
 
 /// Faces one after another: the corners, and where each face's start.
-pub(crate) struct FaceList {
-    pub(crate) offsets: Vec<u32>,
-    pub(crate) corners: Vec<u32>,
+pub(super) struct FaceList {
+    pub(super) offsets: Vec<u32>,
+    pub(super) corners: Vec<u32>,
 }
 
 impl Grid {

@@ -52,7 +52,6 @@ mod start;
 mod strip;
 
 pub(crate) use combine::part_alone;
-pub(crate) use grid::FaceList;
 pub(crate) use rim::{FreeEdges, check_loop};
 
 pub use extent::Extent;

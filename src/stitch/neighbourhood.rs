@@ -10,9 +10,6 @@ use crate::mesh::{Mesh, Scalar};
 use crate::sort::sort_distinct;
 use glam::DVec3;
 
-/// A rim vertex in more triangles than this is the apex of a fan, and says nothing about slopes.
-pub(super) const MAX_FAN_TRIANGLES: usize = 64;
-
 /// Triangles, and the faces that they are part of.
 #[derive(Default)]
 pub(super) struct Triangles {

@@ -13,7 +13,7 @@ const LAYERS: [&[&str]; 10] = [
     &["error", "alloc", "choice", "job", "par", "simd", "testing"],
     &["sort", "geom"],
     &["mesh"],
-    &["intersect", "fair", "remesh", "boundary", "winged", "check"],
+    &["intersect", "fair", "remesh", "blend", "boundary", "winged", "check"],
     &["repair", "fill", "stitch"],
     &["outline"],
     &["net"],
