@@ -563,21 +563,61 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
- * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
- * of the angle between its faces. By area alone if the rim is planar.
+ * The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
+ * the rim's included, t being the angle between the normals on both sides, and over the triangles of
+ * the mean square of how far the surface that was there is likely to have been from them, as its
+ * tangent planes at the rim say, in units of 1 / 140 of its length. By area alone if it is planar.
  */
-#define GUSSET_WEIGHT_AREA_AND_BEND 0
+#define GUSSET_WEIGHT_CONTINUATION 0
+
+/**
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
+ * of the angle between its faces.
+ */
+#define GUSSET_WEIGHT_AREA_AND_BEND 1
 
 /**
  * The least largest angle between neighbouring faces, those beyond the rim included, and then the
  * least area, as Liepa has it.
  */
-#define GUSSET_WEIGHT_BEND_THEN_AREA 1
+#define GUSSET_WEIGHT_BEND_THEN_AREA 2
 
 /**
  * The least area, exactly.
  */
-#define GUSSET_WEIGHT_AREA 2
+#define GUSSET_WEIGHT_AREA 3
+
+/**
+ * All loops are holes.
+ */
+#define GUSSET_KEEP_NONE 0
+
+/**
+ * The longest loop is none: the outline of an open sheet.
+ */
+#define GUSSET_KEEP_LONGEST 1
+
+/**
+ * Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the
+ * sheet: whose area vector points as that of their component, and is at least half as long as its
+ * area.
+ */
+#define GUSSET_KEEP_BORDERS 2
+
+/**
+ * Triangles between the vertices of the rim.
+ */
+#define GUSSET_PATCH_PLAIN 0
+
+/**
+ * With new vertices, where the plain triangles are.
+ */
+#define GUSSET_PATCH_REFINED 1
+
+/**
+ * With new vertices, faired.
+ */
+#define GUSSET_PATCH_FAIRED 2
 
 /**
  * No new vertices.
@@ -590,17 +630,17 @@
 #define GUSSET_REFINE_RIM_DENSITY 1
 
 /**
- * Filled.
+ * Filled; with plan_only, to be filled.
  */
 #define GUSSET_HOLE_FILLED 0
 
 /**
- * Left: it is the longest loop, and keep_longest says so.
+ * Left: it is no hole, as keep has it.
  */
-#define GUSSET_HOLE_LONGEST 1
+#define GUSSET_HOLE_KEPT 1
 
 /**
- * Left: it exceeds max_edges, max_length or max_diameter.
+ * Left: it exceeds max_edges, max_length, max_diameter or max_area.
  */
 #define GUSSET_HOLE_TOO_LARGE 2
 
@@ -630,7 +670,8 @@
 #define GUSSET_HOLE_NOT_FREE 7
 
 /**
- * Left: every triangulation would repeat an edge that the mesh already has.
+ * Left: every triangulation would have an edge between two vertices of one old face, which is an
+ * edge of the mesh or becomes one once its polygons are cut into triangles.
  */
 #define GUSSET_HOLE_NO_TRIANGULATION 8
 
@@ -2377,10 +2418,19 @@ typedef struct gusset_fill_options {
      */
     uint32_t fairing;
     /**
-     * 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all
-     * loops are asked for. 0 or 1.
+     * GUSSET_KEEP_...: which loops are no holes; read if all loops are asked for.
      */
-    uint32_t keep_longest;
+    uint32_t keep;
+    /**
+     * GUSSET_INTERSECTIONS_...: whether faces of patches that cut each other or old faces are looked
+     * for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
+     * (REPORT), or neither (IGNORE).
+     */
+    uint32_t intersections;
+    /**
+     * 1: nothing is filled; the accounts say what would be, and the mesh stays as it is. 0 or 1.
+     */
+    uint32_t plan_only;
     /**
      * About how many new vertices a hole gets at the most; where more would be needed the
      * triangles are larger. 0 is 50,000.
@@ -2398,6 +2448,10 @@ typedef struct gusset_fill_options {
      * Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
      */
     double max_diameter;
+    /**
+     * Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
+     */
+    double max_area;
     /**
      * GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
      */
@@ -2631,9 +2685,31 @@ typedef struct gusset_hole {
      */
     size_t vertex_count;
     /**
+     * The sum of its edges' lengths, in the unit of the positions.
+     */
+    double length;
+    /**
+     * The diagonal of the box round it, along the axes.
+     */
+    double diameter;
+    /**
+     * The area of the cone of triangles from its edges to their common centre: that of the hole if
+     * it is planar and convex, more otherwise.
+     */
+    double area;
+    /**
      * GUSSET_HOLE_...
      */
     uint32_t status;
+    /**
+     * GUSSET_WEIGHT_...: the weight that its triangulation is best by: the one asked for, or one
+     * that cuts less.
+     */
+    uint32_t weight;
+    /**
+     * GUSSET_PATCH_...: what its patch is made of: what was asked for, or less, which cuts less.
+     */
+    uint32_t finish;
     /**
      * 0.
      */
@@ -2977,10 +3053,33 @@ typedef struct gusset_fill_view {
      */
     struct gusset_indices rims;
     /**
+     * Of each new vertex, in their order, three vertices of its rim.
+     */
+    struct gusset_indices parents;
+    /**
+     * How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
+     * new vertices. They place it on the plain triangulation of the rim; a faired vertex is
+     * elsewhere.
+     */
+    const double *weights;
+    /**
+     * Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
+     * which is a new face's; ascending. What they share by number, a vertex or an edge, is no cut.
+     */
+    struct gusset_indices intersections;
+    /**
      * Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
      * Each keeps its first corner and has the others in reverse order.
      */
     struct gusset_indices turned_outwards;
+    /**
+     * 1 if intersections were looked for, 0 if not.
+     */
+    uint32_t intersections_known;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_fill_view;
 
 /**
@@ -7727,9 +7826,15 @@ gusset_status gusset_meridians_index(uint32_t n,
  * Loops that cannot be filled are left, which is no error: the account of each says why.
  *
  * The result has the old vertices with their bits and indices, then the new ones; the old faces,
- * which are turned over only if outward says so, then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
- * overlaps, however concave it is, if its rim does not cross itself; whether a patch meets other
- * parts of the surface is not looked at.
+ * which are turned over only if outward says so, then the new triangles, hole by hole. No new edge
+ * joins two vertices of one old face, so that a result that is closed stays so when its polygons are
+ * cut into triangles. A planar hole gets no overlaps by the default weight and by area, however
+ * concave it is, if its rim does not cross itself.
+ *
+ * Faces of a patch that cut each other or old faces are looked for, exactly. Where there are any,
+ * less fairing, the other weights and no new vertices are tried, and what cuts least is taken; the
+ * view has the pairs that are left. No faired vertex leaves the box round its rim, larger on all
+ * sides by half its diagonal.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh the mesh.
@@ -7742,10 +7847,13 @@ gusset_status gusset_meridians_index(uint32_t n,
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
  *     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
  *     OUT_OF_MEMORY, CANCELLED.
- * @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
- *     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
- *     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a
- *     hole; loops that touch at one vertex look at each other's edges there.
+ * @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
+ *     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
+ *     ear, O(n log n); linear memory. Besides O(H log d) for H half-edges and at most d edges at a
+ *     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n faces
+ *     near the holes, and the pairs whose boxes overlap, which are O(n^2) where many long triangles
+ *     meet at neighbouring vertices, as in plain patches of very long rims. Loops that touch at one
+ *     vertex look at each other's edges there.
  * @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
  * @since 0.1
  */

@@ -26,21 +26,27 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &bad, NULL, 0, NULL, &fill));
 
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.struct_size = sizeof options, options.weight = 3;
+    options.struct_size = sizeof options, options.weight = 4;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.weight = GUSSET_WEIGHT_AREA, options.refine = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.refine = GUSSET_REFINE_RIM_DENSITY, options.fairing = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.fairing = GUSSET_FAIRING_THIN_PLATE, options.keep_longest = 2;
+    options.fairing = GUSSET_FAIRING_THIN_PLATE, options.keep = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.keep_longest = 1, options.outward = 2;
+    options.keep = GUSSET_KEEP_LONGEST, options.intersections = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.intersections = GUSSET_INTERSECTIONS_REPORT, options.plan_only = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.plan_only = 0, options.outward = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.outward = GUSSET_OUTWARD_CLOSED, options.reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.reserved = 0, options.max_length = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.max_length = 0.0, options.max_diameter = -1.0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.max_diameter = 0.0, options.max_area = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     CHECK(fill == NULL);
     gusset_context_cancel(context);
@@ -53,7 +59,8 @@ static void results(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
     const uint32_t rim[4] = {4, 3, 2, 1}, wrong[3] = {0, 1, 2}, twice[4] = {1, 2, 1, 3};
     gusset_indices loops[5];
-    gusset_fill_view parts = {sizeof parts, NULL, 0, {NULL, 0}, {NULL, 0}};
+    gusset_fill_view parts = {0};
+    parts.struct_size = sizeof parts;
     gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
     gusset_quality_report quality = {sizeof quality, 0, 0, 0, 0, 0, 0, 0, 0};
     gusset_fill *fill = NULL;
@@ -71,6 +78,10 @@ static void results(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_get_view(misaligned(), &parts));
     EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
     CHECK(parts.hole_count == 5 && parts.rims.count == 15);
+    CHECK(parts.intersections_known == 1 && parts.intersections.count == 0);
+    CHECK(parts.parents.count == 0 && parts.weights == NULL);
+    CHECK(parts.holes[3].finish == GUSSET_PATCH_PLAIN && parts.holes[3].weight == GUSSET_WEIGHT_CONTINUATION &&
+          fabs(parts.holes[3].area - 2.0) < 1e-12);
     CHECK(parts.holes[0].status == GUSSET_HOLE_NOT_FREE && parts.holes[0].face_count == 0);
     CHECK(parts.holes[1].status == GUSSET_HOLE_NOT_SIMPLE && parts.rims.data[parts.holes[1].rim_first] == 1);
     CHECK(parts.holes[2].status == GUSSET_HOLE_NOT_SIMPLE && parts.holes[2].rim_count == 0);

@@ -53,7 +53,7 @@ class Commands(unittest.TestCase):
     def test_fill(self):
         self.expect(DONE, "fill", "low.obj", "-o", "filled.stl", says="filled 2 of 2 boundary loops by 20 faces and 0 new vertices")
         self.assertEqual(meshes.counts(self.at("filled.stl")), (24, 44))
-        self.expect(DONE, "fill", "low.obj", "--keep-longest", "-o", "one.obj", says="filled 1 of 2 boundary loops by 10 faces")
+        self.expect(DONE, "fill", "low.obj", "--keep", "the-longest", "-o", "one.obj", says="filled 1 of 2 boundary loops by 10 faces")
 
     def test_assemble(self):
         self.expect(DONE, "assemble", "low.obj", "high.obj", "--holes", "fill", "-o", "whole.glb",

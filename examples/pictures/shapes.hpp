@@ -73,7 +73,7 @@ inline gusset::AssemblyOptions assembly_of_quarters() {
     options.max_gap = 0.3;
     options.strips.rows = gusset::StripRows::mean_edge();
     options.fill = gusset::FillOptions();
-    options.fill->keep_longest = true; // the rim of the whole is no hole
+    options.fill->keep = gusset::FillKeep::longest; // the rim of the whole is no hole
     return options;
 }
 

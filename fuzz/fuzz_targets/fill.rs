@@ -3,18 +3,18 @@
 #![no_main]
 
 use gusset::Job;
-use gusset::fill::{Fairing, Options, Refinement, Weight, fill_holes};
+use gusset::fill::{Fairing, Keep, Options, Refinement, Weight, fill_holes};
 use gusset_fuzz::Soup;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: (Soup, bool, bool, bool)| {
-    let (soup, plain, faired, keep_longest) = input;
+    let (soup, plain, faired, borders) = input;
     soup.visit(|mesh| {
         let options = Options {
             weight: Weight::default(),
             refinement: if plain { Refinement::None } else { Refinement::default() },
             fairing: if faired { Fairing::ThinPlate } else { Fairing::None },
-            keep_longest,
+            keep: if borders { Keep::Borders } else { Keep::None },
             ..Options::default()
         };
         if let Ok(filled) = fill_holes(mesh, None, &options, &Job::default()) {

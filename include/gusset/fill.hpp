@@ -3,11 +3,13 @@
 #define GUSSET_FILL_HPP
 
 #include <gusset/mesh.hpp>
+#include <gusset/stitch.hpp>
 
 namespace gusset {
 
 /// The weight that the triangulation of a rim minimises.
 enum class FillWeight : uint32_t {
+    continuation = GUSSET_WEIGHT_CONTINUATION,
     area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
     bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
     area = GUSSET_WEIGHT_AREA
@@ -15,16 +17,22 @@ enum class FillWeight : uint32_t {
 /// The new vertices of patches.
 enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
 
+/// The loops that are no holes.
+enum class FillKeep : uint32_t { none = GUSSET_KEEP_NONE, longest = GUSSET_KEEP_LONGEST, borders = GUSSET_KEEP_BORDERS };
+
 /// The options of filling; see gusset_fill_options. A limit of 0 is none.
 struct FillOptions {
-    FillWeight weight = FillWeight::area_and_bend;
+    FillWeight weight = FillWeight::continuation;
     FillRefinement refine = FillRefinement::none;
     Fairing fairing = Fairing::none;
-    bool keep_longest = false;
+    FillKeep keep = FillKeep::none;
+    Intersections intersections = Intersections::automatic;
+    bool plan_only = false;
     uint32_t max_new_vertices = 0;
     uint32_t max_edges = 0;
     double max_length = 0.0;
     double max_diameter = 0.0;
+    double max_area = 0.0;
     Outward outward = Outward::keep;
 };
 
@@ -34,11 +42,14 @@ inline gusset_fill_options as_c(const FillOptions &options) {
     given.weight = static_cast<uint32_t>(options.weight);
     given.refine = static_cast<uint32_t>(options.refine);
     given.fairing = static_cast<uint32_t>(options.fairing);
-    given.keep_longest = options.keep_longest ? 1 : 0;
+    given.keep = static_cast<uint32_t>(options.keep);
+    given.intersections = static_cast<uint32_t>(options.intersections);
+    given.plan_only = options.plan_only ? 1 : 0;
     given.max_new_vertices = options.max_new_vertices;
     given.max_edges = options.max_edges;
     given.max_length = options.max_length;
     given.max_diameter = options.max_diameter;
+    given.max_area = options.max_area;
     given.outward = static_cast<uint32_t>(options.outward);
     return given;
 }
@@ -74,6 +85,15 @@ public:
     /// The vertices of a hole's rim.
     Indices rim(const gusset_hole &hole) const & { return {view().rims.data + hole.rim_first, hole.rim_count}; }
     Indices rim(const gusset_hole &hole) const && = delete;
+    /// Three vertices of its rim for each new vertex.
+    Indices parents() const & { return detail::indices(view().parents); }
+    Indices parents() const && = delete;
+    /// How much each new vertex has of its parents, three numbers a vertex.
+    Span<const double> weights() const & { return {view().weights, view().parents.count}; }
+    Span<const double> weights() const && = delete;
+    /// Pairs of faces that cut each other; empty if they were not looked for.
+    Indices intersections() const & { return detail::indices(view().intersections); }
+    Indices intersections() const && = delete;
     /// The faces that Outward::closed turned over.
     Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
     Indices turned_outwards() const && = delete;

@@ -95,7 +95,9 @@ impl Ring {
         if self.reflex[ear[1] as usize] {
             return false;
         }
-        let holds = |p: DVec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+        // At a corner are ends of bridges, which the polygon passes more than once.
+        let at_corner = |p: DVec2| p == a || p == b || p == c;
+        let holds = |p: DVec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0 && !at_corner(p);
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
         let blocks =
             |&v: &u32| self.reflex[v as usize] && self.is_left(v) && !ear.contains(&v) && holds(self.flat[v as usize]);

@@ -3,16 +3,19 @@
 use crate::choice::choices;
 use crate::mesh::Mesh;
 use crate::repair::orient::Outward;
-use crate::stitch::Quality;
+use crate::stitch::{Intersections, Quality};
 use std::ops::Range;
 
 /// What makes one triangulation of a rim better than another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
-    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine
-    /// of the angle between its faces: the patch goes on as the surface does where that costs
-    /// little. By area alone if the rim is planar.
+    /// The best continuation of the surface round the hole: the bends along all edges, those of the
+    /// rim included, and how far the surface that was there is likely to have been from the
+    /// triangles, as its tangent planes at the rim say. By area alone if the rim is planar.
     #[default]
+    Continuation,
+    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine
+    /// of the angle between its faces.
     AreaAndBend,
     /// The largest angle between neighbouring faces, those beyond the rim included, and then the
     /// area, as Liepa has it. One bend that cannot be avoided hides all smaller ones.
@@ -22,6 +25,7 @@ pub enum Weight {
 }
 
 choices! { for Weight:
+    Continuation => "Best continuation", "The bends along edges, and the distance from the surface that the tangent planes at the rim make likely.";
     AreaAndBend => "Area and bend", "The area, and the bends along edges by their squared length.";
     BendThenArea => "Largest bend", "The largest angle between neighbouring faces, then the area.";
     Area => "Area", "The area alone.";
@@ -54,10 +58,44 @@ pub enum Fairing {
 pub struct Limits {
     /// Edges of the loop.
     pub edges: Option<u32>,
-    /// The sum of their lengths, in the unit of the positions.
+    /// [`Measures::length`].
     pub length: Option<f64>,
-    /// The diagonal of the box round the loop, along the axes.
+    /// [`Measures::diameter`].
     pub diameter: Option<f64>,
+    /// [`Measures::area`].
+    pub area: Option<f64>,
+}
+
+/// How large a loop is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Measures {
+    /// The sum of its edges' lengths, in the unit of the positions.
+    pub length: f64,
+    /// The diagonal of the box round it, along the axes.
+    pub diameter: f64,
+    /// The area of the cone of triangles from its edges to their common centre, in the square of the
+    /// unit: that of the hole if it is planar and convex, more otherwise.
+    pub area: f64,
+}
+
+/// Which loops are no holes; only asked if all loops are to be filled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Keep {
+    /// All are holes.
+    #[default]
+    None,
+    /// The longest loop is none.
+    Longest,
+    /// Those are none that go round a sheet rather than a hole in it: a patch would lie on the sheet.
+    /// The area vector of such a loop points as the sheet's own, and is at least half as long as the
+    /// sheet's area.
+    Borders,
+}
+
+choices! { for Keep:
+    None => "None", "All loops are holes.";
+    Longest => "The longest", "The longest loop is the outline of a sheet, and stays open.";
+    Borders => "Borders", "Loops that go round a sheet, rather than a hole in it, stay open.";
 }
 
 /// How holes are filled.
@@ -69,11 +107,15 @@ pub struct Options {
     pub refinement: Refinement,
     /// Where they go; if none are asked for, a note says that this is not read.
     pub fairing: Fairing,
+    /// Whether cuts are looked for, and avoided by other weights and less fairing
+    /// ([`Intersections::Auto`]), reported only, or ignored.
+    pub intersections: Intersections,
     /// Which loops are left alone.
     pub limits: Limits,
-    /// The longest loop is left alone too: the outline of an open sheet is no hole. Only if all
-    /// loops are asked for.
-    pub keep_longest: bool,
+    /// Which loops are no holes.
+    pub keep: Keep,
+    /// Nothing is filled: the accounts say what would be, and the mesh stays as it is.
+    pub plan_only: bool,
     /// What becomes of closed components of the result: they stay as they are, or those that are
     /// inside out are turned over, each as a whole, as [`turn_outwards`] does.
     ///
@@ -84,10 +126,10 @@ pub struct Options {
 /// What became of a hole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HoleStatus {
-    /// Filled.
+    /// Filled; in a plan, to be filled.
     Filled,
-    /// It is the longest loop, which was to be kept.
-    Longest,
+    /// It is no hole, as [`Options::keep`] has it.
+    Kept,
     /// It exceeds one of the [`Limits`].
     TooLarge,
     /// No closed loop: an open chain.
@@ -100,12 +142,23 @@ pub enum HoleStatus {
     NotSimple,
     /// An edge of a given loop is no edge with exactly one face, or is one of a loop before it.
     NotFree,
-    /// Every triangulation would repeat an edge that the mesh already has.
+    /// Every triangulation would have an edge between two vertices of one old face.
     NoTriangulation,
 }
 
+/// What a patch is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Finish {
+    /// Triangles between the vertices of the rim.
+    Plain,
+    /// With new vertices, where the plain triangles are.
+    Refined,
+    /// With new vertices, faired.
+    Faired,
+}
+
 /// The account of one loop.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Hole {
     /// What became of it.
     pub status: HoleStatus,
@@ -116,6 +169,12 @@ pub struct Hole {
     pub faces: Range<u32>,
     /// Its new vertices in the result.
     pub vertices: Range<u32>,
+    /// How large it is.
+    pub measures: Measures,
+    /// The weight that its triangulation is best by: the one asked for, or one that cuts less.
+    pub weight: Weight,
+    /// What its patch is made of: what was asked for, or less, which cuts less.
+    pub finish: Finish,
 }
 
 /// The result of filling.
@@ -129,6 +188,15 @@ pub struct Filled {
     pub holes: Vec<Hole>,
     /// The vertices of all rims.
     pub rims: Vec<u32>,
+    /// Of each new vertex, in their order, three vertices of its rim.
+    pub parents: Vec<[u32; 3]>,
+    /// How much it has of each of them; at least 0, with sum 1. They place it on the plain
+    /// triangulation of the rim; a faired vertex is elsewhere.
+    pub weights: Vec<[f64; 3]>,
+    /// Pairs of faces of the result that cut each other, the larger number first, which is a new
+    /// face's; ascending. What they share by number, a vertex or an edge, is no cut. `None` if they
+    /// were not looked for.
+    pub intersections: Option<Vec<[u32; 2]>>,
     /// Faces of the result, old and new ones, that [`Options::outward`] had turned over, ascending.
     /// Each keeps its first corner and has the others in reverse order.
     pub turned_outwards: Vec<u32>,

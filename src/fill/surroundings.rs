@@ -1,7 +1,7 @@
-//! The old faces round a hole: their edges, which no new edge may repeat, their normals along
-//! the rim, and the lengths of edges at its vertices. Linear in the mesh, once for all holes.
+//! The old faces that touch the rims: which of their vertices share a face, their normals along the
+//! rims, and their sides.
 
-use super::patch::Rim;
+use super::rim::Rim;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -9,12 +9,10 @@ use crate::mesh::{MeshView, NONE};
 use crate::sort::sort_distinct;
 use glam::DVec3;
 
-/// Which old faces and edges touch the rims of all holes.
+/// Which old faces touch the rims of all holes.
 pub(super) struct Surroundings {
     /// (rim vertex, face), sorted.
     corners: Vec<(u32, u32)>,
-    /// The edges between two rim vertices, the smaller one first, sorted.
-    edges: Vec<(u32, u32)>,
     /// Per vertex of the mesh, scratch.
     names: Vec<u32>,
 }
@@ -23,58 +21,46 @@ pub(super) struct Surroundings {
 const REPORT_INTERVAL: usize = 1 << 16;
 
 impl Surroundings {
-    /// One pass over the faces. `on_rim`: per vertex of the mesh. Extra memory: 4 bytes a vertex of
-    /// the mesh, and 16 a corner at a rim.
-    pub(super) fn new(mesh: &MeshView<'_>, on_rim: &[bool], job: &Job<'_>) -> Result<Self> {
-        let (mut corners, mut edges) = (Vec::new(), Vec::new());
-        for f in 0..mesh.faces().len() {
-            job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "looking round the holes")?;
-            let face = mesh.face(f);
-            if !face.clone().any(|v| on_rim[v as usize]) {
-                continue;
-            }
-            for (u, v) in face.clone().zip(face.cycle().skip(1)) {
-                if on_rim[u as usize] {
-                    alloc::push(&mut corners, (u, f as u32))?;
-                    if on_rim[v as usize] {
-                        alloc::push(&mut edges, (u.min(v), u.max(v)))?;
-                    }
-                }
+    /// `near`: faces, ascending; all that touch a rim are among them. `on_rim`: of a vertex of the
+    /// mesh. Extra memory: 4 bytes a vertex of the mesh, and 8 a corner at a rim.
+    pub(super) fn new(mesh: &MeshView<'_>, near: &[u32], on_rim: impl Fn(u32) -> bool, job: &Job<'_>) -> Result<Self> {
+        let mut corners = Vec::new();
+        for (k, &f) in near.iter().enumerate() {
+            job.step_every(REPORT_INTERVAL, k, near.len(), "looking round the holes")?;
+            for v in mesh.face(f as usize).filter(|&v| on_rim(v)) {
+                alloc::push(&mut corners, (v, f))?;
             }
         }
         sort_distinct(&mut corners);
-        sort_distinct(&mut edges);
-        Ok(Surroundings { corners, edges, names: alloc::filled(NONE, mesh.positions().len())? })
+        Ok(Surroundings { corners, names: alloc::filled(NONE, mesh.positions().len())? })
     }
 
-    /// True if the mesh has an edge between two rim vertices.
-    pub(super) fn has_edge(&self, u: u32, v: u32) -> bool {
-        self.edges.binary_search(&(u.min(v), u.max(v))).is_ok()
-    }
-
-    fn faces_at(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+    fn faces_at(&self, v: u32) -> &[(u32, u32)] {
         let start = self.corners.partition_point(|&(u, _)| u < v);
-        self.corners[start..].iter().take_while(move |&&(u, _)| u == v).map(|&(_, f)| f)
+        let count = self.corners[start..].partition_point(|&(u, _)| u == v);
+        &self.corners[start..start + count]
     }
 
-    /// A hole in numbers of its own. `vertices`: its loop with the surface on the left. `whole`:
-    /// true of a vertex of the mesh that no other loop or chain passes.
-    pub(super) fn rim(&mut self, mesh: &MeshView<'_>, vertices: &[u32], whole: impl Fn(u32) -> bool) -> Result<Rim> {
-        let n = vertices.len();
-        let mut names = alloc::collect(vertices.iter().rev().copied())?;
-        let mut faces = alloc::gather(names.iter().flat_map(|&v| self.faces_at(v)))?;
+    /// True if a face has both of two rim vertices: as an edge of it, or as a diagonal, which is an
+    /// edge once the face is cut into triangles. O(log n), times the fewer faces at either.
+    pub(super) fn share_face(&self, u: u32, v: u32) -> bool {
+        let (few, many) = (self.faces_at(u), self.faces_at(v));
+        let (few, many) = if few.len() <= many.len() { (few, many) } else { (many, few) };
+        few.iter().any(|&(_, face)| many.binary_search_by_key(&face, |&(_, face)| face).is_ok())
+    }
+
+    /// A hole in numbers of its own. `rim`: its vertices with the surface on the right. `whole`: true
+    /// of a vertex of the mesh that no other loop or chain passes.
+    pub(super) fn rim(&mut self, mesh: &MeshView<'_>, rim: &[u32], whole: impl Fn(u32) -> bool) -> Result<Rim> {
+        let n = rim.len();
+        let mut names = alloc::copied(rim)?;
+        let mut faces = alloc::gather(names.iter().flat_map(|&v| self.faces_at(v)).map(|&(_, face)| face))?;
         sort_distinct(&mut faces);
         names.iter().enumerate().for_each(|(i, &v)| self.names[v as usize] = i as u32);
 
-        let mut rim = Rim {
-            count: n,
-            points: Vec::new(),
-            around: Vec::new(),
-            across: alloc::filled(DVec3::ZERO, n)?,
-            scale: alloc::filled(0.0, n)?,
-            whole: alloc::collect(names.iter().map(|&v| whole(v)))?,
-        };
-        let mut sides = alloc::filled(0u32, n)?;
+        let mut around = Vec::new();
+        let mut sides = Vec::new();
+        let mut across = alloc::filled(DVec3::ZERO, n)?;
         let mut own = Vec::new();
         for &f in &faces {
             own.clear();
@@ -86,37 +72,29 @@ impl Surroundings {
                 }
                 alloc::push(&mut own, *name)?;
             }
-            enter_face(mesh, &names, &own, &mut rim, &mut sides)?;
+            let point = |name: u32| mesh.positions().get(names[name as usize]);
+            let area = direction(&own, point);
+            alloc::extend(&mut around, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
+            for (&u, &v) in own.iter().zip(own.iter().cycle().skip(1)) {
+                alloc::push(&mut sides, (u, v))?;
+                // The old face runs its rim edge against the new ones.
+                if (v as usize) < n && (v as usize + 1) % n == u as usize {
+                    across[v as usize] = area;
+                }
+            }
         }
-        for (scale, &sides) in rim.scale.iter_mut().zip(&sides) {
-            *scale /= f64::from(sides.max(1));
-        }
-        rim.points = alloc::collect(names.iter().map(|&v| mesh.positions().get(v)))?;
+        let points = alloc::collect(names.iter().map(|&v| mesh.positions().get(v)))?;
+        let whole = alloc::collect(names[..n].iter().map(|&v| whole(v)))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        Ok(rim)
+        Rim::new(&points, around, sides, across, whole)
     }
 }
 
-/// Adds a face, whose vertices are `own`, to what is known round the rim.
-fn enter_face(mesh: &MeshView<'_>, names: &[u32], own: &[u32], rim: &mut Rim, sides: &mut [u32]) -> Result<()> {
-    let point = |name: u32| mesh.positions().get(names[name as usize]);
-    let n = rim.count;
-    alloc::extend(&mut rim.around, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
-    // By Newell's formula, seen from a corner, at a scale of its own; only its direction counts.
-    let reach = own.iter().map(|&v| (point(v) - point(own[0])).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
-    let leg = |v: u32| (point(v) - point(own[0])) / reach;
-    let area: DVec3 = own[1..].windows(2).map(|pair| leg(pair[0]).cross(leg(pair[1]))).sum();
-    for (k, &u) in own.iter().enumerate() {
-        let v = own[(k + 1) % own.len()];
-        let length = crate::geom::scale::distance(point(u), point(v));
-        for end in [u as usize, v as usize].into_iter().filter(|&end| end < n) {
-            rim.scale[end] += length;
-            sides[end] += 1;
-        }
-        // The old face runs its rim edge against the new ones.
-        if (v as usize) < n && (v as usize + 1) % n == u as usize {
-            rim.across[v as usize] = area;
-        }
-    }
-    Ok(())
+/// The direction of a face's area vector, by Newell's formula, seen from a corner, at a scale of its
+/// own.
+fn direction(face: &[u32], point: impl Fn(u32) -> DVec3) -> DVec3 {
+    let first = point(face[0]);
+    let reach = face.iter().map(|&v| (point(v) - first).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
+    let leg = |v: u32| (point(v) - first) / reach;
+    face[1..].windows(2).map(|pair| leg(pair[0]).cross(leg(pair[1]))).sum::<DVec3>().normalize_or_zero()
 }

@@ -1,7 +1,8 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
-use crate::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
+use crate::fill::{Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Weight, fill_holes};
 use crate::repair::orient::Outward;
+use crate::stitch::Intersections;
 
 pub(super) const FILTER: Filter = Filter {
     id: "fill_holes",
@@ -19,7 +20,7 @@ pub(super) const FILTER: Filter = Filter {
             .with_help("Loops of more edges are left open; 0 sets no limit."),
         Param::length("max_length", "Greatest length", NON_NEGATIVE, &[0.0])
             .with_help("Longer loops are left open; 0 sets no limit."),
-        Param::flag("keep_longest", "Keep the longest loop").with_help("Leaves the outline of an open sheet open."),
+        Param::choice("keep", "Keep open", Keep::CHOICES.texts).with_help("The loops that are no holes."),
         Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
@@ -45,8 +46,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             edges: (edges > 0.0).then_some(edges as u32),
             length: (length > 0.0).then_some(length),
             diameter: None,
+            area: None,
         },
-        keep_longest: values.is_set("keep_longest"),
+        keep: values.choice("keep", Keep::CHOICES),
+        intersections: Intersections::Auto,
+        plan_only: false,
         outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
     };
     let done = fill_holes(inputs[0].mesh()?, None, &options, job)?;

@@ -56,9 +56,9 @@ fn a_field_of_options_within_options_is_named_by_its_path() {
     let strips = gusset_stitch_options { reserved: 1, ..sized() };
     let options = gusset_assembly_options { strip_options: &raw const strips, ..plain };
     assert_eq!(of_assembly(&options), "strip_options.reserved has the unknown value 1");
-    let fill = gusset_fill_options { keep_longest: 2, ..sized() };
+    let fill = gusset_fill_options { keep: 3, ..sized() };
     let options = gusset_assembly_options { fill_options: &raw const fill, ..plain };
-    assert_eq!(of_assembly(&options), "fill_options.keep_longest has the unknown value 2");
+    assert_eq!(of_assembly(&options), "fill_options.keep has the unknown value 3");
     // Its own fields have no path.
     assert_eq!(
         of_assembly(&gusset_assembly_options { orientation: 9, ..plain }),

@@ -16,6 +16,7 @@ mod facing;
 mod fill;
 mod orient;
 mod outwards;
+mod patches;
 mod pieces;
 mod rows;
 mod seams;

@@ -4,28 +4,49 @@ use crate::ffi::mesh::stitch::gusset_quality_report;
 use crate::ffi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
-use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
+use crate::fill::{Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Weight, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
 
+/// The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
+/// the rim's included, t being the angle between the normals on both sides, and over the triangles of
+/// the mean square of how far the surface that was there is likely to have been from them, as its
+/// tangent planes at the rim say, in units of 1 / 140 of its length. By area alone if it is planar.
+pub const GUSSET_WEIGHT_CONTINUATION: u32 = 0;
 /// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine
-/// of the angle between its faces. By area alone if the rim is planar.
-pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 0;
+/// of the angle between its faces.
+pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 1;
 /// The least largest angle between neighbouring faces, those beyond the rim included, and then the
 /// least area, as Liepa has it.
-pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 1;
+pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 2;
 /// The least area, exactly.
-pub const GUSSET_WEIGHT_AREA: u32 = 2;
+pub const GUSSET_WEIGHT_AREA: u32 = 3;
+
+/// All loops are holes.
+pub const GUSSET_KEEP_NONE: u32 = 0;
+/// The longest loop is none: the outline of an open sheet.
+pub const GUSSET_KEEP_LONGEST: u32 = 1;
+/// Loops are none that go round a sheet rather than a hole in it, so that a patch would lie on the
+/// sheet: whose area vector points as that of their component, and is at least half as long as its
+/// area.
+pub const GUSSET_KEEP_BORDERS: u32 = 2;
+
+/// Triangles between the vertices of the rim.
+pub const GUSSET_PATCH_PLAIN: u32 = 0;
+/// With new vertices, where the plain triangles are.
+pub const GUSSET_PATCH_REFINED: u32 = 1;
+/// With new vertices, faired.
+pub const GUSSET_PATCH_FAIRED: u32 = 2;
 
 /// No new vertices.
 pub const GUSSET_REFINE_NONE: u32 = 0;
 /// New vertices as dense as those round the hole.
 pub const GUSSET_REFINE_RIM_DENSITY: u32 = 1;
 
-/// Filled.
+/// Filled; with plan_only, to be filled.
 pub const GUSSET_HOLE_FILLED: u32 = 0;
-/// Left: it is the longest loop, and keep_longest says so.
-pub const GUSSET_HOLE_LONGEST: u32 = 1;
-/// Left: it exceeds max_edges, max_length or max_diameter.
+/// Left: it is no hole, as keep has it.
+pub const GUSSET_HOLE_KEPT: u32 = 1;
+/// Left: it exceeds max_edges, max_length, max_diameter or max_area.
 pub const GUSSET_HOLE_TOO_LARGE: u32 = 2;
 /// Left: an open chain.
 pub const GUSSET_HOLE_OPEN: u32 = 3;
@@ -37,7 +58,8 @@ pub const GUSSET_HOLE_NOT_ORIENTED: u32 = 5;
 pub const GUSSET_HOLE_NOT_SIMPLE: u32 = 6;
 /// Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
 pub const GUSSET_HOLE_NOT_FREE: u32 = 7;
-/// Left: every triangulation would repeat an edge that the mesh already has.
+/// Left: every triangulation would have an edge between two vertices of one old face, which is an
+/// edge of the mesh or becomes one once its polygons are cut into triangles.
 pub const GUSSET_HOLE_NO_TRIANGULATION: u32 = 8;
 
 /// A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -58,9 +80,14 @@ pub struct gusset_fill_options {
     pub refine: u32,
     /// GUSSET_FAIRING_..., read if new vertices are asked for; otherwise the log says that it is not.
     pub fairing: u32,
-    /// 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all
-    /// loops are asked for. 0 or 1.
-    pub keep_longest: u32,
+    /// GUSSET_KEEP_...: which loops are no holes; read if all loops are asked for.
+    pub keep: u32,
+    /// GUSSET_INTERSECTIONS_...: whether faces of patches that cut each other or old faces are looked
+    /// for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
+    /// (REPORT), or neither (IGNORE).
+    pub intersections: u32,
+    /// 1: nothing is filled; the accounts say what would be, and the mesh stays as it is. 0 or 1.
+    pub plan_only: u32,
     /// About how many new vertices a hole gets at the most; where more would be needed the
     /// triangles are larger. 0 is 50,000.
     pub max_new_vertices: u32,
@@ -70,6 +97,8 @@ pub struct gusset_fill_options {
     pub max_length: f64,
     /// Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
     pub max_diameter: f64,
+    /// Loops with a larger area, as gusset_hole has it, are left alone. 0 is no limit.
+    pub max_area: f64,
     /// GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
     pub outward: u32,
     /// 0.
@@ -94,8 +123,20 @@ pub struct gusset_hole {
     pub vertex_first: usize,
     /// How many new vertices it has.
     pub vertex_count: usize,
+    /// The sum of its edges' lengths, in the unit of the positions.
+    pub length: f64,
+    /// The diagonal of the box round it, along the axes.
+    pub diameter: f64,
+    /// The area of the cone of triangles from its edges to their common centre: that of the hole if
+    /// it is planar and convex, more otherwise.
+    pub area: f64,
     /// GUSSET_HOLE_...
     pub status: u32,
+    /// GUSSET_WEIGHT_...: the weight that its triangulation is best by: the one asked for, or one
+    /// that cuts less.
+    pub weight: u32,
+    /// GUSSET_PATCH_...: what its patch is made of: what was asked for, or less, which cuts less.
+    pub finish: u32,
     /// 0.
     pub reserved: u32,
 }
@@ -113,24 +154,48 @@ pub struct gusset_fill_view {
     pub hole_count: usize,
     /// The vertices of all rims.
     pub rims: gusset_indices,
+    /// Of each new vertex, in their order, three vertices of its rim.
+    pub parents: gusset_indices,
+    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
+    /// new vertices. They place it on the plain triangulation of the rim; a faired vertex is
+    /// elsewhere.
+    pub weights: *const f64,
+    /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
+    /// which is a new face's; ascending. What they share by number, a vertex or an edge, is no cut.
+    pub intersections: gusset_indices,
     /// Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
     /// Each keeps its first corner and has the others in reverse order.
     pub turned_outwards: gusset_indices,
+    /// 1 if intersections were looked for, 0 if not.
+    pub intersections_known: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_fill_options: 48 reserved, gusset_fill_view: 40 }
-fixed! { gusset_hole: 56 }
+versioned! { gusset_fill_options: 72 reserved, gusset_fill_view: 104 }
+fixed! { gusset_hole: 88 }
 
 c_enum! {
     weight: Weight {
+        GUSSET_WEIGHT_CONTINUATION => Continuation,
         GUSSET_WEIGHT_AREA_AND_BEND => AreaAndBend,
         GUSSET_WEIGHT_BEND_THEN_AREA => BendThenArea,
         GUSSET_WEIGHT_AREA => Area,
     }
     fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
+    keep: Keep {
+        GUSSET_KEEP_NONE => None,
+        GUSSET_KEEP_LONGEST => Longest,
+        GUSSET_KEEP_BORDERS => Borders,
+    }
+    finish: Finish {
+        GUSSET_PATCH_PLAIN => Plain,
+        GUSSET_PATCH_REFINED => Refined,
+        GUSSET_PATCH_FAIRED => Faired,
+    }
     status: HoleStatus {
         GUSSET_HOLE_FILLED => Filled,
-        GUSSET_HOLE_LONGEST => Longest,
+        GUSSET_HOLE_KEPT => Kept,
         GUSSET_HOLE_TOO_LARGE => TooLarge,
         GUSSET_HOLE_OPEN => Open,
         GUSSET_HOLE_NON_MANIFOLD => NonManifold,
@@ -152,13 +217,16 @@ impl gusset_fill_options {
             edges: (self.max_edges != 0).then_some(self.max_edges),
             length: (self.max_length != 0.0).then_some(self.max_length),
             diameter: (self.max_diameter != 0.0).then_some(self.max_diameter),
+            area: (self.max_area != 0.0).then_some(self.max_area),
         };
         Ok(Options {
             weight: choice(self.weight)?,
             refinement,
             fairing: choice(self.fairing)?,
+            intersections: choice(self.intersections)?,
             limits,
-            keep_longest: flag(self.keep_longest, "keep_longest")?,
+            keep: choice(self.keep)?,
+            plan_only: flag(self.plan_only, "plan_only")?,
             outward: choice(self.outward)?,
         })
     }
@@ -173,7 +241,12 @@ impl gusset_hole {
             face_count: hole.faces.len(),
             vertex_first: hole.vertices.start as usize,
             vertex_count: hole.vertices.len(),
+            length: hole.measures.length,
+            diameter: hole.measures.diameter,
+            area: hole.measures.area,
             status: hole.status.number(),
+            weight: hole.weight.number(),
+            finish: hole.finish.number(),
             reserved: 0,
         }
     }
@@ -198,9 +271,15 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// Loops that cannot be filled are left, which is no error: the account of each says why.
 ///
 /// The result has the old vertices with their bits and indices, then the new ones; the old faces,
-/// which are turned over only if outward says so, then the new triangles, hole by hole. No new edge repeats an old one. A planar hole gets no
-/// overlaps, however concave it is, if its rim does not cross itself; whether a patch meets other
-/// parts of the surface is not looked at.
+/// which are turned over only if outward says so, then the new triangles, hole by hole. No new edge
+/// joins two vertices of one old face, so that a result that is closed stays so when its polygons are
+/// cut into triangles. A planar hole gets no overlaps by the default weight and by area, however
+/// concave it is, if its rim does not cross itself.
+///
+/// Faces of a patch that cut each other or old faces are looked for, exactly. Where there are any,
+/// less fairing, the other weights and no new vertices are tried, and what cuts least is taken; the
+/// view has the pairs that are left. No faired vertex leaves the box round its rim, larger on all
+/// sides by half its diagonal.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh the mesh.
@@ -213,10 +292,13 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
 ///     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
 ///     OUT_OF_MEMORY, CANCELLED.
-/// @complexity Loops of n <= 500 vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of
-///     least area: exactly); longer ones: ear by ear, O(n log n) and linear memory. Besides O(H log
-///     d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a
-///     hole; loops that touch at one vertex look at each other's edges there.
+/// @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
+///     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
+///     ear, O(n log n); linear memory. Besides O(H log d) for H half-edges and at most d edges at a
+///     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n faces
+///     near the holes, and the pairs whose boxes overlap, which are O(n^2) where many long triangles
+///     meet at neighbouring vertices, as in plain patches of very long rims. Loops that touch at one
+///     vertex look at each other's edges there.
 /// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -276,7 +358,12 @@ pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *
         holes: lent(holes),
         hole_count: holes.len(),
         rims: gusset_indices::lend(&filled.rims),
+        parents: gusset_indices::lend(filled.parents.as_flattened()),
+        weights: lent(filled.weights.as_flattened()),
+        intersections: gusset_indices::lend(filled.intersections.as_deref().unwrap_or_default().as_flattened()),
+        intersections_known: u32::from(filled.intersections.is_some()),
         turned_outwards: gusset_indices::lend(&filled.turned_outwards),
+        reserved: 0,
     })
 }
 

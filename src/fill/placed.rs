@@ -1,0 +1,100 @@
+//! Patches in the mesh: where their vertices are, and what they come from.
+
+use super::patch::{Attempt, Patch};
+use super::rim::Rim;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::Aabb;
+use crate::geom::box_tree::{BoxTree, spatial_order};
+use crate::geom::scale::common_unit;
+use crate::geom::triangle::nearest_weights;
+use crate::mesh::{MeshView, Scalar, check_size};
+use glam::DVec3;
+use std::ops::Range;
+
+/// The vertices of the mesh, and those of all patches that were ever tried, numbered after them.
+pub(super) struct Pool<'a> {
+    pub(super) mesh: &'a MeshView<'a>,
+    /// A power of two near the size of the rims.
+    pub(super) unit: f64,
+    points: Vec<DVec3>,
+}
+
+impl<'a> Pool<'a> {
+    /// `rims`: points of all rims.
+    pub(super) fn new(mesh: &'a MeshView<'a>, rims: &[DVec3]) -> Self {
+        Pool { mesh, unit: common_unit(rims), points: Vec::new() }
+    }
+
+    pub(super) fn at(&self, v: u32) -> DVec3 {
+        match (v as usize).checked_sub(self.mesh.positions().len()) {
+            None => self.mesh.positions().get(v),
+            Some(k) => self.points[k],
+        }
+    }
+
+    /// In the unit, which keeps products in range.
+    pub(super) fn scaled(&self, v: u32) -> DVec3 {
+        self.at(v) / self.unit
+    }
+
+    /// Puts a patch among the others; `names`: the rim's vertices in the mesh.
+    pub(super) fn place(&mut self, rim: &Rim, names: &[u32], patch: &Patch, attempt: Attempt) -> Result<Placed> {
+        let first = self.mesh.positions().len() + self.points.len();
+        let end = first + patch.points.len();
+        check_size(end as u64, (self.mesh.faces().half_edge_count() + 3 * patch.triangles.len()) as u64)?;
+        let name = |v: u32| match (v as usize).checked_sub(rim.count) {
+            None => names[v as usize],
+            Some(k) => (first + k) as u32,
+        };
+        // What is tested is what will be returned, in the result's scalar type.
+        let single = self.mesh.positions().scalar() == Scalar::F32;
+        let rounded = |p: DVec3| if single { p.as_vec3().as_dvec3() } else { p };
+        alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.placed(p))))?;
+        let own = self.points[self.points.len() - patch.points.len()..].iter().copied();
+        let around = Aabb::of(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
+        let parents = parents(&rim.points[..rim.count], patch, |v| names[v as usize])?;
+        let triangles = alloc::collect(patch.triangles.iter().map(|triangle| triangle.map(name)))?;
+        Ok(Placed { vertices: first as u32..end as u32, triangles, around, attempt, parents })
+    }
+}
+
+/// Of each new vertex three vertices of the rim and how much it has of each: the corners of the
+/// first triangulation's triangle that it lay on, before fairing. O(n log n).
+fn parents(rim: &[DVec3], patch: &Patch, name: impl Fn(u32) -> u32) -> Result<Vec<([u32; 3], [f64; 3])>> {
+    if patch.points.is_empty() {
+        return Ok(Vec::new());
+    }
+    let corners = |t: u32| patch.coarse[t as usize].map(|v| rim[v as usize]);
+    let boxes = alloc::collect((0..patch.coarse.len() as u32).map(|t| Aabb::of(corners(t))))?;
+    let order = spatial_order(&boxes, 1)?;
+    let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
+    alloc::collect(patch.unfaired.iter().map(|&p| {
+        let mut best = (f64::INFINITY, 0, [1.0, 0.0, 0.0]);
+        tree.nearest(p, f64::INFINITY, &mut |leaf| {
+            if let Some(&t) = order.get(leaf) {
+                let weights = nearest_weights(corners(t), p);
+                let place: DVec3 = corners(t).into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
+                let found = (place.distance_squared(p), t, weights);
+                if found.0 < best.0 {
+                    best = found;
+                }
+            }
+            best.0
+        });
+        (patch.coarse[best.1 as usize].map(&name), best.2)
+    }))
+}
+
+/// A patch in the mesh.
+pub(super) struct Placed {
+    /// Its new vertices, in the pool's numbers.
+    pub(super) vertices: Range<u32>,
+    /// Its faces, in the pool's numbers.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The box round it, in the mesh's own coordinates.
+    pub(super) around: Aabb,
+    pub(super) attempt: Attempt,
+    /// Of each new vertex.
+    pub(super) parents: Vec<([u32; 3], [f64; 3])>,
+}

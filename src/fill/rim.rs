@@ -1,0 +1,85 @@
+//! A hole and what lies round it, in numbers of its own.
+
+use crate::alloc;
+use crate::blend::{MAX_FAN_TRIANGLES, OldRing};
+use crate::error::Result;
+use crate::geom::scale::common_unit;
+use glam::DVec3;
+
+/// A hole: the rim's vertices from 0 on, in the direction in which new faces run along it (the
+/// surface is on the right), and then the other old vertices.
+pub(super) struct Rim {
+    /// How many vertices the rim has.
+    pub(super) count: usize,
+    /// One of the rim's points is the origin of the others, in this unit.
+    pub(super) origin: DVec3,
+    pub(super) unit: f64,
+    /// The rim's points and the other old vertices', from there.
+    pub(super) points: Vec<DVec3>,
+    /// The old faces with a vertex on the rim, as triangles.
+    around: Vec<[u32; 3]>,
+    /// Their sides, face by face.
+    sides: Vec<(u32, u32)>,
+    /// The unit normal of the old face at the edge from each rim vertex to the next; 0 if it is not
+    /// known.
+    pub(super) across: Vec<DVec3>,
+    /// The unit normal of the old surface at each rim vertex, 0 if it has none.
+    pub(super) normals: Vec<DVec3>,
+    /// True of the rim vertices that have faces all round once the hole is filled.
+    whole: Vec<bool>,
+}
+
+impl Rim {
+    /// Of the points as the mesh has them; `whole` and `across` of the rim's.
+    pub(super) fn new(
+        points: &[DVec3],
+        around: Vec<[u32; 3]>,
+        sides: Vec<(u32, u32)>,
+        across: Vec<DVec3>,
+        whole: Vec<bool>,
+    ) -> Result<Rim> {
+        let unit = common_unit(points);
+        let origin = points[0] / unit;
+        let count = whole.len();
+        let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
+        let mut normals = alloc::filled(DVec3::ZERO, count)?;
+        for &triangle in &around {
+            let [a, b, c] = triangle.map(|v| points[v as usize]);
+            let area = (b - a).cross(c - a);
+            for &v in triangle.iter().filter(|&&v| (v as usize) < count) {
+                normals[v as usize] += area;
+            }
+        }
+        normals.iter_mut().for_each(|normal| *normal = normal.normalize_or_zero());
+        Ok(Rim { count, origin, unit, points, around, sides, across, normals, whole })
+    }
+
+    /// Back to the mesh's own coordinates.
+    pub(super) fn placed(&self, p: DVec3) -> DVec3 {
+        (p + self.origin) * self.unit
+    }
+
+    /// How often the curvature of a patch is averaged: so that it spreads over about a third of a
+    /// round hole, which takes the square of as many edges.
+    fn averages(&self) -> u32 {
+        let radius = self.count as f64 / std::f64::consts::TAU;
+        (0.5 * radius * radius).clamp(10.0, 400.0) as u32
+    }
+
+    /// What a blend is clamped to.
+    pub(super) fn old_ring(&self) -> Result<OldRing> {
+        let mut valence = alloc::filled(0usize, self.points.len())?;
+        self.around.as_flattened().iter().for_each(|&v| valence[v as usize] += 1);
+        let is_centre = |(&whole, &valence): (&bool, &usize)| whole && valence <= MAX_FAN_TRIANGLES;
+        Ok(OldRing {
+            points: alloc::copied(&self.points)?,
+            origin: DVec3::ZERO,
+            triangles: alloc::copied(&self.around)?,
+            sides: alloc::copied(&self.sides)?,
+            centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
+            rims: vec![(self.count, true)],
+            reach: f64::INFINITY,
+            follows: Some(self.averages()),
+        })
+    }
+}
