@@ -13,6 +13,7 @@ ROWS_MEAN_EDGE, ROWS_COUNT = 1, 2
 START_GIVEN = 2
 FAIRING_THIN_PLATE = 1
 FINISH_BLEND = 1
+REFINE_RIM_DENSITY, KEEP_LONGEST, INTERSECTIONS_IGNORE = 1, 1, 1
 SEARCH_EXACT = 1
 # Of nets: what becomes of the sides.
 SIDES = {"sheet": 0, "torus": 3, "two-poles": 13}
@@ -97,6 +98,14 @@ class AssemblyParts(Structure):
         ("splits", c_uint32), ("near_loops_left", c_uint32)]
 
 
+class FillOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("weight", c_uint32), ("refine", c_uint32), ("fairing", c_uint32), ("keep", c_uint32),
+        ("intersections", c_uint32), ("plan_only", c_uint32), ("max_new_vertices", c_uint32), ("max_edges", c_uint32),
+        ("max_length", c_double), ("max_diameter", c_double), ("max_area", c_double), ("outward", c_uint32),
+        ("reserved", c_uint32)]
+
+
 class OutlinesGiven(Structure):
     _fields_ = [
         ("struct_size", c_size_t), ("points", c_void_p), ("point_stride", c_size_t), ("point_count", c_size_t),
@@ -175,7 +184,7 @@ class Library:
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
         self.c.gusset_boundary_loop_count.restype = c_size_t
-        for name in ("assembly", "boundary", "stitch", "strip", "outline", "context", "net", "stream"):
+        for name in ("assembly", "boundary", "fill", "stitch", "strip", "outline", "context", "net", "stream"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
         self.one_thread, self.automatic = self._context(1), self._context(0)
         self.version = self.c.gusset_version().decode()
@@ -203,6 +212,13 @@ class Library:
         options = sized(StitchOptions)
         options.meridians, options.rows, options.row_count = MERIDIANS[meridians], rows, row_count
         options.fairing, options.finish = fairing, finish
+        return options
+
+    @staticmethod
+    def fill_options(**given):
+        options = sized(FillOptions)
+        for name, value in given.items():
+            setattr(options, name, value)
         return options
 
     def boundary(self, mesh, survey=BOUNDARY_ONLY):
@@ -275,6 +291,20 @@ class Library:
         joints = [parts.joints[k] for k in range(parts.joint_count)]
         joined = [[array(side.data, side.count, np.uint32) for side in joint.sides] for joint in joints if joint.outcome == 0]
         return points, faces, maps, joined
+
+    def fill(self, mesh, options=None):
+        """All holes filled, from arrays to arrays."""
+        address = c_void_p()
+        given = byref(options) if options is not None else None
+        self._check(self.c.gusset_fill_create(None, byref(self._view(mesh)), None, c_size_t(0), given, byref(address)))
+        return Handle(self.c, "gusset_fill_destroy", address)
+
+    def filled(self, fill):
+        """Points and triangles."""
+        view = sized(View)
+        self._check(self.c.gusset_fill_get_mesh(fill.address, byref(view)))
+        points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
+        return points, array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
 
     def outline(self, outlines, kind):
         """The curves through the points of closed outlines, by one thread."""

@@ -53,6 +53,22 @@ def nicely(built, ends, edge):
     return built, mm.stitchHolesNicely(built, *ends, settings)
 
 
+def fill(built, edge=None):
+    """All holes filled with the default metric; with `edge` subdivided to that length and smoothed. The new faces."""
+    new = mm.FaceBitSet()
+    for hole in list(built.topology.findHoleRepresentiveEdges()):
+        if edge is None:
+            options = mm.FillHoleParams()
+            options.outNewFaces = new
+            mm.fillHole(built, hole, options)
+        else:
+            settings = mm.FillHoleNicelySettings()
+            settings.subdivideSettings.maxEdgeLen = edge
+            settings.subdivideSettings.maxEdgeSplits = 1_000_000
+            new |= mm.fillHoleNicely(built, hole, settings)
+    return new
+
+
 def arrays(built):
     return mn.getNumpyVerts(built), mn.getNumpyFaces(built.topology)
 

@@ -48,6 +48,13 @@ are, root mean square both ways, the geometric mean over the slabs. `default` ha
 `untuned` nothing is given but the pieces. `best`: a blend; `cgal` is a bridge of two triangles, the hole
 triangulated, refined and faired. `clean`: closed, and no new face meets another; `wrong_bridges`: between loops that do not belong
 together; `under_15_share`: of the new triangles.""",
+    "fill": """## Holes
+
+`truth`: discs cut out of the same closed meshes, along their own edges, 1, 2, 5, 10 and 20 % of their size wide. `ratio`: how much
+nearer to what was cut out ours are, root mean square both ways, the geometric mean over the discs; distances below a hundredth of
+the mean edge count as that. `plain`: no new vertices, everybody's defaults; `fair`: refined and faired. `clean`: closed, and no new
+face meets another; `cuts`: pairs that do, of all discs. `rim-N`: a wavy rim of N vertices with one ring of faces, from arrays to
+arrays; `unchecked`: without the search for cuts. `holes-81-in-8M`: the bunny, every triangle cut into four, with 81 holes.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
 
@@ -181,6 +188,10 @@ def accuracies(entries):
     return table(["case", "by", *ACCURACIES.values()], [rows[key] for key in ordered]) + ACCURACY_CAPTION if rows else ""
 
 
+FILLS = {
+    "cases": "cases", "closed": "closed", "clean": "clean", "peer_clean": "peer clean", "cuts": "cuts", "peer_cuts": "peer cuts",
+    "min_angle_median": "least angle, median",
+}
 TRUTH_PICTURE = """![joints beside the surface that was there](truth.jpg)
 
 New faces are orange. Of our best joints the one in the middle by its distance, as part of the gap's size, and the farthest one.
@@ -195,6 +206,12 @@ def truths(entries):
         for who, quality in (("gusset", e["quality"]), (peer, e["quality"]["peer"])):
             rows.append([f"`{name}`", who, *("-" if quality.get(q) is None else shown(quality[q]) for q in TRUTHS)])
     return table(["case", "by", *TRUTHS.values()], rows)
+
+
+def fills(entries):
+    """Shares and counts over the discs."""
+    rows = [[f"`{split(e)[1]}`", split(e)[2], *(shown(e["quality"][q]) for q in FILLS)] for e in entries if "cases" in e["quality"]]
+    return table(["case", "peer", *FILLS.values()], rows)
 
 
 def exact(value):
@@ -241,6 +258,8 @@ def write_page(entries, folder, gusset):
             parts.append(qualities(judged))
         if mine and module == "truth":
             parts += [truths(mine), TRUTH_PICTURE]
+        if mine and module == "fill":
+            parts.append(fills(mine))
         if module == "carcass":
             parts.append(accuracies(mine))
     (folder / "benchmarks.md").write_text("\n".join(part for part in parts if part))

@@ -6,6 +6,7 @@ import sys
 import time
 from pathlib import Path
 
+import fills
 import surface
 import meshes
 import outlines
@@ -69,6 +70,8 @@ def main():
     Cases(library, report, options.tools, folder, options.only, options.slow).run()
     if truth.wanted(options.only):
         truth.run(library, report, options.tools, folder, options.only, options.docs)
+    if fills.wanted(options.only):
+        fills.run(library, report, options.tools, folder, options.only)
     report.write(options.out)
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
     if options.docs:

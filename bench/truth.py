@@ -62,9 +62,12 @@ def whole(slab):
     return mesh, [(a, b + int(shift)) for a, b in slab.pairs]
 
 
-class Truth:
-    def __init__(self, library, tools, folder, best):
-        self.library, self.folder, self.best = library, folder, best
+class Judged:
+    """Contenders who each work on every case, and the judge of what they made. Each case has a name and a `truth`; a contender gives
+    points, faces, the first new one, milliseconds, and what else is to be said."""
+
+    def __init__(self, library, tools, folder):
+        self.library, self.folder = library, folder
         self.judge = subprocess.Popen([tools / "truth"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def ask(self, **job):
@@ -72,7 +75,40 @@ class Truth:
         self.judge.stdin.flush()
         return json.loads(self.judge.stdout.readline())
 
-    # Contenders: points, faces, the first new one, milliseconds, and what else is to be said.
+    def by_cgal(self, out, **job):
+        said = self.ask(out=out, **job)
+        if "failed" in said:
+            raise RuntimeError(said["failed"])
+        made = meshes.read(out)
+        return made.points, made.faces, said["first"], said["ms"], {}
+
+    def measured(self, contender, case, truth):
+        try:
+            points, faces, first, spent, said = contender(case)
+            if len(faces) <= first:
+                return {"failed": "nothing was made", "closed": False, **said}
+            path = self.folder / "judged.mesh"
+            meshes.write(Mesh(np.ascontiguousarray(points), np.ascontiguousarray(faces)), path)
+            found = self.ask(judge=path, first=first, truth=truth)
+            return found | said | {"closed": is_closed(np.asarray(faces)), "ms": spent}
+        except Exception as error:  # Whatever a peer throws is its result.
+            return {"failed": f"{type(error).__name__}: {error}", "closed": False}
+
+    def run(self, only=None, seeds=None):
+        """Everybody's measures of every case, by name."""
+        found = {}
+        for case in self.cases(seeds):
+            truth = self.folder / "truth.mesh"
+            meshes.write(case.truth, truth)
+            found[case.name] = {
+                name: self.measured(work, case, truth) for name, work in self.contenders() if not only or name in only}
+        return found
+
+
+class Truth(Judged):
+    def __init__(self, library, tools, folder, best):
+        super().__init__(library, tools, folder)
+        self.best = best
 
     def ours(self, slab, strip=None, tuned=True):
         pairs = [((0, int(a[0])), (1, int(b[0]))) for a, b in slab.pairs] if tuned else ()
@@ -114,11 +150,7 @@ class Truth:
         mesh, pairs = whole(slab)
         path, out = self.folder / "joined.mesh", self.folder / "cgal.mesh"
         meshes.write(mesh, path)
-        said = self.ask(join=path, rims=[[a.tolist(), b.tolist()] for a, b in pairs], out=out)
-        if "failed" in said:
-            raise RuntimeError(said["failed"])
-        joined = meshes.read(out)
-        return joined.points, joined.faces, said["first"], said["ms"], {}
+        return self.by_cgal(out, join=path, rims=[[a.tolist(), b.tolist()] for a, b in pairs])
 
     def contenders(self):
         yield "gusset-untuned", lambda slab: self.ours(slab, tuned=False)
@@ -128,27 +160,8 @@ class Truth:
         yield "meshlib-nicely", lambda slab: self.meshlib(slab, nicely=True)
         yield "cgal", self.cgal
 
-    def measured(self, contender, slab, truth):
-        try:
-            points, faces, first, spent, said = contender(slab)
-            if len(faces) <= first:
-                return {"failed": "nothing was joined", "closed": False, **said}
-            path = self.folder / "judged.mesh"
-            meshes.write(Mesh(np.ascontiguousarray(points), np.ascontiguousarray(faces)), path)
-            found = self.ask(judge=path, first=first, truth=truth)
-            return found | said | {"closed": is_closed(np.asarray(faces)), "ms": spent}
-        except Exception as error:  # Whatever a peer throws is its result.
-            return {"failed": f"{type(error).__name__}: {error}", "closed": False}
-
-    def run(self, only=None, seeds=None):
-        """Everybody's measures of every slab, by name."""
-        found = {}
-        for slab in slabs(*([seeds] if seeds else [])):
-            truth = self.folder / "truth.mesh"
-            meshes.write(slab.truth, truth)
-            found[slab.name] = {
-                name: self.measured(work, slab, truth) for name, work in self.contenders() if not only or name in only}
-        return found
+    def cases(self, seeds):
+        return slabs(*([seeds] if seeds else []))
 
     def draw(self, cases, path):
         """The median and the worst of our best joints beside the others."""

@@ -3,14 +3,19 @@
 //   {"judge": MESH, "first": FACE, "truth": MESH}             measures of the faces from FACE on
 //   {"join": MESH, "rims": [[[v..], [v..]]..], "out": MESH}   by a bridge of two triangles between each two rims, the hole that is left
 //                                                             triangulated, refined and faired; the new faces last: {"first", "ms"}
+//   {"fill": MESH, "fair": BOOL, "out": MESH}                 all holes triangulated, and refined and faired if asked; the same answer;
+//                                                             with "shortest" the shortest hole only
 #include "mesh.hpp"
 #include "mesh_judge.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <stdexcept>
@@ -54,9 +59,7 @@ Halfedge bridge(Mesh &mesh, const std::vector<uint32_t> &a, const std::vector<ui
     return border_to(mesh, q);
 }
 
-nlohmann::json join(const nlohmann::json &job) {
-    const Triangles given = read_triangles(job.at("join"));
-    const auto start = std::chrono::steady_clock::now();
+Mesh built(const Triangles &given) {
     Mesh mesh;
     for (const auto &p : given.points) {
         mesh.add_vertex({p[0], p[1], p[2]});
@@ -66,17 +69,10 @@ nlohmann::json join(const nlohmann::json &job) {
             throw std::runtime_error("CGAL does not take the mesh");
         }
     }
-    const std::size_t first = given.face_count();
-    for (const auto &pair : job.at("rims")) {
-        const Halfedge hole = bridge(mesh, pair.at(0), pair.at(1));
-        std::vector<Mesh::Face_index> faces;
-        std::vector<Vertex> vertices;
-        PMP::triangulate_refine_and_fair_hole(mesh, hole, std::back_inserter(faces), std::back_inserter(vertices));
-        if (faces.empty()) {
-            throw std::runtime_error("CGAL fills no hole there");
-        }
-    }
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    return mesh;
+}
+
+void write(const Mesh &mesh, const std::string &path) {
     Triangles out;
     for (const Vertex v : mesh.vertices()) {
         const auto &p = mesh.point(v);
@@ -87,8 +83,55 @@ nlohmann::json join(const nlohmann::json &job) {
             out.corners.push_back(static_cast<uint32_t>(v));
         }
     }
-    write_triangles(out, job.at("out"));
-    return {{"first", first}, {"ms", time.count()}};
+    write_triangles(out, path);
+}
+
+/// Fills the hole at a border half-edge.
+void close(Mesh &mesh, Halfedge hole, bool fair) {
+    std::vector<Mesh::Face_index> faces;
+    if (fair) {
+        std::vector<Vertex> vertices;
+        PMP::triangulate_refine_and_fair_hole(mesh, hole, std::back_inserter(faces), std::back_inserter(vertices));
+    } else {
+        PMP::triangulate_hole(mesh, hole, std::back_inserter(faces));
+    }
+    if (faces.empty()) {
+        throw std::runtime_error("CGAL fills no hole there");
+    }
+}
+
+/// Reads a mesh, lets `work` add faces to it, and writes it.
+template <class Work> nlohmann::json timed(const std::string &in, const std::string &out, const Work &work) {
+    const Triangles given = read_triangles(in);
+    const auto start = std::chrono::steady_clock::now();
+    Mesh mesh = built(given);
+    work(mesh);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    write(mesh, out);
+    return {{"first", given.face_count()}, {"ms", time.count()}};
+}
+
+nlohmann::json join(const nlohmann::json &job) {
+    return timed(job.at("join"), job.at("out"), [&](Mesh &mesh) {
+        for (const auto &pair : job.at("rims")) {
+            close(mesh, bridge(mesh, pair.at(0), pair.at(1)), true);
+        }
+    });
+}
+
+nlohmann::json fill(const nlohmann::json &job) {
+    return timed(job.at("fill"), job.at("out"), [&](Mesh &mesh) {
+        std::vector<Halfedge> holes;
+        PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
+        if (job.value("shortest", false)) {
+            const auto length = [&](Halfedge h) { return PMP::face_border_length(h, mesh); };
+            const auto shorter = [&](Halfedge g, Halfedge h) { return length(g) < length(h); };
+            holes = {*std::min_element(holes.begin(), holes.end(), shorter)};
+        }
+        for (const Halfedge hole : holes) {
+            close(mesh, hole, job.at("fair"));
+        }
+    });
 }
 
 nlohmann::json judge(const nlohmann::json &job) {
@@ -111,7 +154,7 @@ int main() {
         nlohmann::json answer;
         try {
             const auto job = nlohmann::json::parse(line);
-            answer = job.contains("join") ? join(job) : judge(job);
+            answer = job.contains("join") ? join(job) : job.contains("fill") ? fill(job) : judge(job);
         } catch (const std::exception &error) {
             answer = {{"failed", error.what()}};
         }
