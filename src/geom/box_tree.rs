@@ -9,6 +9,7 @@ use super::Aabb;
 use crate::alloc;
 use crate::error::Result;
 use crate::sort::select;
+use glam::DVec3;
 
 /// The tree; 48 bytes a node, and at most four nodes for each leaf.
 pub(crate) struct BoxTree {
@@ -91,8 +92,10 @@ impl BoxTree {
 }
 
 /// An order of boxes in which consecutive runs of `group`, of twice as many and so on lie close
-/// together: each part is split by its boxes' centres along its widest axis, at a multiple of what
-/// makes the tree over the groups complete. O(n log n).
+/// together: each part is split by its boxes' lower or upper corners along the axis where those are
+/// spread widest, at a multiple of what makes the tree over the groups complete. So long boxes that
+/// have an end in common stay together, as the needles of a fan do, which others lie across.
+/// O(n log n).
 pub(crate) fn spatial_order(boxes: &[Aabb], group: usize) -> Result<Vec<u32>> {
     let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
     split(boxes, &mut order, group);
@@ -103,10 +106,13 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize) {
     if order.len() <= group {
         return;
     }
-    let whole = order.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
-    let axis = whole.size().max_position();
+    let spread = |end: fn(&Aabb) -> DVec3| Aabb::of(order.iter().map(|&i| end(&boxes[i as usize]))).size();
+    let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
+    let [low, high] = ends.map(spread);
+    let (end, spread) = if low.max_element() > high.max_element() { (ends[0], low) } else { (ends[1], high) };
+    let axis = spread.max_position();
     let middle = group * (order.len().div_ceil(group).next_power_of_two() / 2);
-    select(order, middle, |i| boxes[i as usize].low[axis] + boxes[i as usize].high[axis]);
+    select(order, middle, |i| end(&boxes[i as usize])[axis]);
     let (first, second) = order.split_at_mut(middle);
     split(boxes, first, group);
     split(boxes, second, group);
@@ -115,7 +121,6 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
     use proptest::prelude::*;
 
     proptest! {
