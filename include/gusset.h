@@ -605,12 +605,32 @@
 #define GUSSET_KEEP_BORDERS 2
 
 /**
- * Triangles between the vertices of the rim.
+ * Each loop gets a patch of its own.
+ */
+#define GUSSET_TOGETHER_APART 0
+
+/**
+ * All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one
+ * plane, up to some 160 loops.
+ */
+#define GUSSET_TOGETHER_ONE 1
+
+/**
+ * Loops get one patch where that costs less, by the weight asked for, than patches of their own.
+ * Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
+ * gains most first: at most 8 pairs for each loop and 256 in all, as the log says, and at most 16
+ * loops for a patch. By area alone the ends of a short tube cost less together, along the tube
+ * itself.
+ */
+#define GUSSET_TOGETHER_CHEAPEST 2
+
+/**
+ * Triangles between the vertices of the rims.
  */
 #define GUSSET_PATCH_PLAIN 0
 
 /**
- * With new vertices, where the plain triangles are.
+ * With new vertices, where the plain triangles are, but for those beside creases that go on.
  */
 #define GUSSET_PATCH_REFINED 1
 
@@ -671,7 +691,8 @@
 
 /**
  * Left: every triangulation would have an edge between two vertices of one old face, which is an
- * edge of the mesh or becomes one once its polygons are cut into triangles.
+ * edge of the mesh or becomes one once its polygons are cut into triangles; or none was found that
+ * closes all loops together which are to get one patch, as where two of them share a vertex.
  */
 #define GUSSET_HOLE_NO_TRIANGULATION 8
 
@@ -2428,12 +2449,15 @@ typedef struct gusset_fill_options {
      */
     uint32_t intersections;
     /**
-     * 1: nothing is filled; the accounts say what would be, and the mesh stays as it is. 0 or 1.
+     * 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
+     * which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
+     * which of them together says get one patch. 0 or 1.
      */
     uint32_t plan_only;
     /**
-     * About how many new vertices a hole gets at the most; where more would be needed the
-     * triangles are larger. 0 is 50,000.
+     * About how many new vertices a patch gets, at most about twice as many; where more would be
+     * needed the triangles are larger. 0: 50,000, or four for each vertex of its rims if that is
+     * more, and as many again for sharp angles there.
      */
     uint32_t max_new_vertices;
     /**
@@ -2457,9 +2481,15 @@ typedef struct gusset_fill_options {
      */
     uint32_t outward;
     /**
-     * 0.
+     * GUSSET_TOGETHER_...: which loops get one patch; read without groups.
      */
-    uint32_t reserved;
+    uint32_t together;
+    /**
+     * A number for each of the loops given, loop_count in all: those with the same number get one
+     * patch, a surface of genus 0 between them, but for loops that are left for reasons of their own.
+     * NULL: as together says. Needs loops.
+     */
+    const uint32_t *groups;
 } gusset_fill_options;
 
 /**
@@ -2532,7 +2562,8 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_stitch_options *strip_options;
     /**
-     * How to fill, NULL for the defaults. outward is not read, but must be valid too.
+     * How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
+     * two must be valid too; intersections REPORT is as IGNORE.
      */
     const struct gusset_fill_options *fill_options;
     /**
@@ -2669,19 +2700,20 @@ typedef struct gusset_hole {
      */
     size_t rim_count;
     /**
-     * Its first face in the result.
+     * Its patch's first face in the result: the faces and the new vertices of a patch of several
+     * loops are in the accounts of all of them.
      */
     size_t face_first;
     /**
-     * How many faces it has.
+     * How many faces the patch has.
      */
     size_t face_count;
     /**
-     * Its first new vertex in the result.
+     * The patch's first new vertex in the result.
      */
     size_t vertex_first;
     /**
-     * How many new vertices it has.
+     * How many new vertices the patch has.
      */
     size_t vertex_count;
     /**
@@ -2702,18 +2734,19 @@ typedef struct gusset_hole {
      */
     uint32_t status;
     /**
-     * GUSSET_WEIGHT_...: the weight that its triangulation is best by: the one asked for, or one
-     * that cuts less.
+     * GUSSET_WEIGHT_...: the weight that the patch's triangulation is best by: the one asked for, or
+     * one that cuts less.
      */
     uint32_t weight;
     /**
-     * GUSSET_PATCH_...: what its patch is made of: what was asked for, or less, which cuts less.
+     * GUSSET_PATCH_...: what the patch is made of: what was asked for, or less, which cuts less.
      */
     uint32_t finish;
     /**
-     * 0.
+     * The number of the patch, from 0 on in the order of the faces; loops with the same number have
+     * one patch. UINT32_MAX if it has none, as all have in a plan.
      */
-    uint32_t reserved;
+    uint32_t patch;
 } gusset_hole;
 
 /**
@@ -3053,13 +3086,13 @@ typedef struct gusset_fill_view {
      */
     struct gusset_indices rims;
     /**
-     * Of each new vertex, in their order, three vertices of its rim.
+     * Of each new vertex, in their order, three vertices of its patch's rims.
      */
     struct gusset_indices parents;
     /**
      * How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
-     * new vertices. They place it on the plain triangulation of the rim; a faired vertex is
-     * elsewhere.
+     * new vertices. They place it on the plain triangulation of the rims; a faired vertex is
+     * elsewhere, as is one of a patch with creases.
      */
     const double *weights;
     /**
@@ -7829,11 +7862,19 @@ gusset_status gusset_meridians_index(uint32_t n,
  * which are turned over only if outward says so, then the new triangles, hole by hole. No new edge
  * joins two vertices of one old face, so that a result that is closed stays so when its polygons are
  * cut into triangles. A planar hole gets no overlaps by the default weight and by area, however
- * concave it is, if its rim does not cross itself.
+ * concave it is, also one round islands, if its rims do not cross.
+ *
+ * Creases of the old surface that end at a rim go on across the patch, by plain triangles where they
+ * are straight: joined in pairs, or three and more in a new vertex where they meet. A crease without
+ * a counterpart ends at the rim. Patches of several loops have none.
+ *
+ * Several loops get one patch where options.groups or options.together says so: a surface of genus 0
+ * between them. If none is found, by a search that is not complete, or two of the loops share a
+ * vertex, all of them are left; GUSSET_TOGETHER_CHEAPEST leaves such loops apart.
  *
  * Faces of a patch that cut each other or old faces are looked for, exactly. Where there are any,
  * less fairing, the other weights and no new vertices are tried, and what cuts least is taken; the
- * view has the pairs that are left. No faired vertex leaves the box round its rim, larger on all
+ * view has the pairs that are left. No faired vertex leaves the box round its rims, larger on all
  * sides by half its diagonal.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -7845,15 +7886,15 @@ gusset_status gusset_meridians_index(uint32_t n,
  * @param options NULL for the defaults.
  * @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
- *     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
+ *     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
  *     OUT_OF_MEMORY, CANCELLED.
  * @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
  *     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
- *     ear, O(n log n); linear memory. Besides O(H log d) for H half-edges and at most d edges at a
+ *     ear, O(n log n); linear memory. Several loops of n vertices in all: O(n log n) if they are few,
+ *     O(n^3) if they are many. Besides O(H log d) for H half-edges and at most d edges at a
  *     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n faces
- *     near the holes, and the pairs whose boxes overlap, which are O(n^2) where many long triangles
- *     meet at neighbouring vertices, as in plain patches of very long rims. Loops that touch at one
- *     vertex look at each other's edges there.
+ *     near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops that touch
+ *     at one vertex look at each other's edges there.
  * @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
  * @since 0.1
  */

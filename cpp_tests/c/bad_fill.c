@@ -40,9 +40,12 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.plan_only = 0, options.outward = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.outward = GUSSET_OUTWARD_CLOSED, options.reserved = 1;
+    options.outward = GUSSET_OUTWARD_CLOSED, options.together = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.reserved = 0, options.max_length = NAN;
+    options.together = GUSSET_TOGETHER_CHEAPEST, options.groups = rim;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    CHECK(strcmp(gusset_context_get_message(context), "groups are given, but loops is NULL") == 0);
+    options.groups = NULL, options.max_length = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.max_length = 0.0, options.max_diameter = -1.0;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
@@ -88,6 +91,7 @@ static void results(void) {
     CHECK(parts.holes[3].status == GUSSET_HOLE_FILLED && parts.holes[3].face_first == 4 &&
           parts.holes[3].face_count == 2 && parts.holes[3].vertex_count == 0);
     CHECK(parts.holes[4].status == GUSSET_HOLE_NOT_FREE);
+    CHECK(parts.holes[3].patch == 0 && parts.holes[4].patch == UINT32_MAX);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_mesh(NULL, &out));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_mesh(fill, NULL));
     EXPECT(GUSSET_OK, gusset_fill_get_mesh(fill, &out));
@@ -123,6 +127,40 @@ static void results(void) {
             CHECK(memcmp(out.face_corners, faces, sizeof inside_out) == 0);
             gusset_fill_destroy(fill);
         }
+    }
+
+    /* Two pyramids that look at each other, closed together. */
+    {
+        double points[10][3];
+        uint32_t faces[24], groups[2] = {9, 9};
+        const uint32_t upper[4] = {1, 2, 3, 4}, lower[4] = {6, 7, 8, 9};
+        gusset_mesh_view both = mesh;
+        gusset_fill_options options = {0};
+        options.struct_size = sizeof options, options.groups = groups;
+        memcpy(points, pyramid_up, sizeof pyramid_up);
+        memcpy(points + 5, pyramid_down, sizeof pyramid_down);
+        for (int k = 0; k < 12; ++k) {
+            faces[k] = pyramid_faces[k], faces[12 + k] = pyramid_faces[k] + 5;
+        }
+        both.positions = points, both.vertex_count = 10;
+        both.face_corners = faces, both.face_count = 8;
+        loops[0].data = upper, loops[1].data = lower;
+        loops[0].count = loops[1].count = 4;
+        parts.struct_size = sizeof parts, quality.struct_size = sizeof quality;
+        EXPECT(GUSSET_OK, gusset_fill_create(context, &both, loops, 2, &options, &fill));
+        EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
+        EXPECT(GUSSET_OK, gusset_fill_get_quality(fill, &quality));
+        CHECK(parts.holes[0].patch == 0 && parts.holes[1].patch == 0);
+        for (int k = 0; k < 2; ++k) {
+            CHECK(parts.holes[k].face_first == 8 && parts.holes[k].face_count == 8);
+        }
+        CHECK(fabs(quality.area - 8 * sqrt(2.0)) < 1e-12 && quality.loops_left == 0);
+        gusset_fill_destroy(fill);
+        groups[1] = 1;
+        EXPECT(GUSSET_OK, gusset_fill_create(context, &both, loops, 2, &options, &fill));
+        EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
+        CHECK(parts.holes[0].patch == 0 && parts.holes[1].patch == 1 && parts.holes[1].face_first == 10);
+        gusset_fill_destroy(fill);
     }
 
     /* A vertex that the mesh does not have. */

@@ -92,6 +92,45 @@ TEST_CASE("loops given, and loops left") {
     CHECK(left.holes()[0].status == GUSSET_HOLE_TOO_LARGE);
 }
 
+TEST_CASE("loops closed together") {
+    // Two tubes in line.
+    Soup soup = tube(24, 3);
+    const Soup other = tube(24, 3);
+    for (const auto &point : other.points) {
+        soup.points.push_back({point[0], point[1], point[2] + 1.5});
+    }
+    for (std::size_t f = 0; f < other.face_count(); ++f) {
+        const gusset::Indices face = other.view().face(f);
+        soup.add_face({face[0] + 96, face[1] + 96, face[2] + 96, face[3] + 96});
+    }
+    const gusset::Boundary boundary(soup.view());
+    REQUIRE(boundary.size() == 4);
+    std::array<gusset::Indices, 4> loops;
+    std::vector<uint32_t> groups(4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        loops[i] = boundary[i].vertices;
+        const double z = soup.points[loops[i][0]][2];
+        groups[i] = z < 0.5 ? 0 : z < 2.0 ? 1 : 2;
+    }
+    gusset::FillOptions options = fair;
+    options.groups = groups;
+    const gusset::Fill filled(soup.view(), loops, options);
+    const Verdict verdict = check_closed(filled, soup);
+    CHECK(verdict.euler == 2);
+    CHECK(verdict.bounds_a_volume);
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            CHECK((filled.holes()[i].patch == filled.holes()[k].patch) == (groups[i] == groups[k]));
+        }
+    }
+    gusset::FillOptions cheapest = fair;
+    cheapest.together = gusset::FillTogether::cheapest;
+    CHECK(check_closed(gusset::Fill(soup.view(), cheapest), soup).euler == 2);
+    options.groups = {groups[0], groups[1], groups[2]};
+    CHECK_THROWS_AS(gusset::Fill(soup.view(), loops, options), std::invalid_argument);
+    CHECK_THROWS_AS(gusset::Fill(soup.view(), options), gusset::Error);
+}
+
 TEST_CASE("a planar hole of concave outline, beside CGAL's filling of it") {
     // A star with twelve points, as the open top of a cone.
     Soup soup;

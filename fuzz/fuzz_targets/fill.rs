@@ -3,7 +3,7 @@
 #![no_main]
 
 use gusset::Job;
-use gusset::fill::{Fairing, Keep, Options, Refinement, Weight, fill_holes};
+use gusset::fill::{Fairing, Keep, Options, Refinement, Selection, Weight, fill_holes};
 use gusset_fuzz::Soup;
 use libfuzzer_sys::fuzz_target;
 
@@ -17,7 +17,7 @@ fuzz_target!(|input: (Soup, bool, bool, bool)| {
             keep: if borders { Keep::Borders } else { Keep::None },
             ..Options::default()
         };
-        if let Ok(filled) = fill_holes(mesh, None, &options, &Job::default()) {
+        if let Ok(filled) = fill_holes(mesh, Selection::All, &options, &Job::default()) {
             assert!(filled.mesh.face_count() >= mesh.faces().len());
             filled.mesh.view(&Job::default()).expect("a valid mesh");
         }

@@ -20,6 +20,13 @@ enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = 
 /// The loops that are no holes.
 enum class FillKeep : uint32_t { none = GUSSET_KEEP_NONE, longest = GUSSET_KEEP_LONGEST, borders = GUSSET_KEEP_BORDERS };
 
+/// The loops that get one patch.
+enum class FillTogether : uint32_t {
+    apart = GUSSET_TOGETHER_APART,
+    one = GUSSET_TOGETHER_ONE,
+    cheapest = GUSSET_TOGETHER_CHEAPEST
+};
+
 /// The options of filling; see gusset_fill_options. A limit of 0 is none.
 struct FillOptions {
     FillWeight weight = FillWeight::continuation;
@@ -34,6 +41,9 @@ struct FillOptions {
     double max_diameter = 0.0;
     double max_area = 0.0;
     Outward outward = Outward::keep;
+    FillTogether together = FillTogether::apart;
+    /// One for each loop that is given: those with the same number get one patch; empty: as together says.
+    std::vector<uint32_t> groups;
 };
 
 namespace detail {
@@ -51,6 +61,8 @@ inline gusset_fill_options as_c(const FillOptions &options) {
     given.max_diameter = options.max_diameter;
     given.max_area = options.max_area;
     given.outward = static_cast<uint32_t>(options.outward);
+    given.together = static_cast<uint32_t>(options.together);
+    given.groups = options.groups.empty() ? nullptr : options.groups.data();
     return given;
 }
 } // namespace detail
@@ -58,13 +70,17 @@ inline gusset_fill_options as_c(const FillOptions &options) {
 /// A mesh with holes filled; see gusset_fill_create.
 class Fill {
 public:
-    /// All holes.
+    /// All holes. Groups need loops: with them it throws.
     explicit Fill(const MeshView &mesh, const FillOptions &options = {}, const Context &context = Context()) {
         create(mesh, nullptr, 0, options, context);
     }
-    /// The given loops: vertices in order, in either direction.
+    /// The given loops: vertices in order, in either direction. Throws std::invalid_argument if there are
+    /// groups, but not one for each loop.
     Fill(const MeshView &mesh, Span<const Indices> loops, const FillOptions &options = {},
          const Context &context = Context()) {
+        if (!options.groups.empty() && options.groups.size() != loops.size()) {
+            throw std::invalid_argument("gusset: there is not one group for each loop");
+        }
         std::vector<gusset_indices> given;
         for (const Indices &loop : loops) {
             given.push_back({loop.data(), loop.size()});
@@ -85,15 +101,21 @@ public:
     /// The vertices of a hole's rim.
     Indices rim(const gusset_hole &hole) const & { return {view().rims.data + hole.rim_first, hole.rim_count}; }
     Indices rim(const gusset_hole &hole) const && = delete;
-    /// Three vertices of its rim for each new vertex.
+    /// Three vertices of its patch's rims for each new vertex.
     Indices parents() const & { return detail::indices(view().parents); }
     Indices parents() const && = delete;
     /// How much each new vertex has of its parents, three numbers a vertex.
     Span<const double> weights() const & { return {view().weights, view().parents.count}; }
     Span<const double> weights() const && = delete;
     /// Pairs of faces that cut each other; empty if they were not looked for.
-    Indices intersections() const & { return detail::indices(view().intersections); }
-    Indices intersections() const && = delete;
+    std::optional<Indices> intersections() const & {
+        const gusset_fill_view found = view();
+        if (found.intersections_known == 0) {
+            return std::nullopt;
+        }
+        return detail::indices(found.intersections);
+    }
+    std::optional<Indices> intersections() const && = delete;
     /// The faces that Outward::closed turned over.
     Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
     Indices turned_outwards() const && = delete;

@@ -1,6 +1,6 @@
 //! Selection of the loops to fill, and the reason for each that is not.
 
-use super::request::{HoleStatus, Keep, Limits, Measures, Options};
+use super::request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
 use crate::alloc;
 use crate::boundary::{Boundary, Loop, LoopFlags};
 use crate::error::Result;
@@ -18,7 +18,23 @@ pub(super) struct Candidate {
     pub(super) measures: Measures,
 }
 
-pub(super) fn all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<Candidate>> {
+/// The loops of a selection.
+pub(super) fn choose(
+    mesh: &MeshView<'_>,
+    boundary: &Boundary,
+    selection: Selection<'_>,
+    options: &Options,
+) -> Result<Vec<Candidate>> {
+    match selection {
+        Selection::All => all_loops(mesh, boundary, options),
+        Selection::Loops(loops) => given_loops(mesh, boundary, loops.iter().copied(), &options.limits),
+        Selection::Groups(loops) => {
+            given_loops(mesh, boundary, loops.iter().map(|&(vertices, _)| vertices), &options.limits)
+        }
+    }
+}
+
+fn all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<Candidate>> {
     let kept = kept(mesh, boundary, options.keep)?;
     let mut candidates = alloc::with_capacity(boundary.len())?;
     for (found, kept) in boundary.iter().zip(kept) {
@@ -107,10 +123,10 @@ fn status_of(flags: LoopFlags) -> HoleStatus {
 }
 
 /// The loops given, in either direction.
-pub(super) fn given_loops(
+fn given_loops<'a>(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
-    loops: &[&[u32]],
+    loops: impl ExactSizeIterator<Item = &'a [u32]>,
     limits: &Limits,
 ) -> Result<Vec<Candidate>> {
     let edges = FreeEdges::of(boundary)?;
@@ -173,6 +189,9 @@ fn size_status(vertices: &[u32], measures: &Measures, limits: &Limits) -> HoleSt
 
 fn measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
     let n = vertices.len();
+    if n == 0 {
+        return Measures::default();
+    }
     let point = |i: usize| mesh.positions().get(vertices[i % n]);
     let whole = Aabb::of((0..n).map(point));
     let centre = (0..n).map(|i| point(i) / n as f64).sum::<DVec3>();

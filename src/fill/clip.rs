@@ -19,6 +19,8 @@ use std::ops::Range;
 
 /// Cells of the grid along each axis, at the most.
 const MAX_GRID_CELLS: f64 = 1024.0;
+/// Points are planar if they deviate from a plane by no more than this part of their size.
+const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
 /// Ears between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
@@ -126,6 +128,13 @@ pub(super) fn mean_normal(points: &[DVec3]) -> DVec3 {
     let next = points.iter().cycle().skip(1);
     let normal: DVec3 = points.iter().zip(next).map(|(&p, &q)| (p - points[0]).cross(q - points[0])).sum();
     normal.try_normalize().unwrap_or(DVec3::Z)
+}
+
+/// True if all points are as near to the plane through the first one, of this normal, as round-off
+/// of single precision may have left them.
+pub(super) fn is_planar(points: &[DVec3], normal: DVec3) -> bool {
+    let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
+    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size)
 }
 
 /// The loop seen along its mean normal, counter-clockwise.

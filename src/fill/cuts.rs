@@ -79,18 +79,37 @@ pub(super) fn cutting(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<Vec<usiz
 /// Answers how often single patches cut.
 pub(super) struct Trials<'a> {
     old: &'a Old,
-    /// Over boxes of single old triangles, in this order.
+    /// Over boxes of single old triangles.
+    triangles: Boxes,
+    /// Over those that patches stay in.
+    rooms: Boxes,
+}
+
+/// A tree over single boxes, in this order.
+struct Boxes {
     tree: BoxTree,
     order: Vec<u32>,
 }
 
-impl<'a> Trials<'a> {
-    /// O(n log n) for n old triangles.
-    pub(super) fn new(pool: &Pool<'_>, old: &'a Old) -> Result<Self> {
-        let boxes = alloc::collect(old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v)))))?;
-        let order = spatial_order(&boxes, 1)?;
+impl Boxes {
+    fn new(boxes: &[Aabb]) -> Result<Self> {
+        let order = spatial_order(boxes, 1)?;
         let tree = BoxTree::new(order.iter().map(|&k| boxes[k as usize]))?;
-        Ok(Trials { old, tree, order })
+        Ok(Boxes { tree, order })
+    }
+
+    /// The boxes that overlap one.
+    fn at(&self, around: &Aabb, mut found: impl FnMut(usize) -> Result<()>) -> Result<()> {
+        self.tree.overlapping(around, 0.0, |leaf| self.order.get(leaf).map_or(Ok(()), |&k| found(k as usize)))
+    }
+}
+
+impl<'a> Trials<'a> {
+    /// `rooms`: of each patch, what it stays in, whichever way it is made. O(n log n) for n old
+    /// triangles and patches.
+    pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb]) -> Result<Self> {
+        let boxes = alloc::collect(old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v)))))?;
+        Ok(Trials { old, triangles: Boxes::new(&boxes)?, rooms: Boxes::new(rooms)? })
     }
 
     /// How many pairs of triangles cut each other if `patch` takes the place of patch `k`: its own,
@@ -106,13 +125,11 @@ impl<'a> Trials<'a> {
         // The unit is a power of two, and what is far below it became 0.
         let around = patch.around.inflated(f64::MIN_POSITIVE * pool.unit);
         let mut others = Vec::new();
-        self.tree.overlapping(&around, 0.0, |leaf| match self.order.get(leaf) {
-            Some(&t) => alloc::push(&mut others, self.old.corners[t as usize]),
-            None => Ok(()),
+        self.triangles.at(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
+        self.rooms.at(&around, |j| {
+            let other = &patches[j];
+            if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }
         })?;
-        for (_, other) in patches.iter().enumerate().filter(|&(j, other)| j != k && other.around.overlaps(&around)) {
-            alloc::append(&mut others, &other.triangles)?;
-        }
         let soup = Soup { at: |v| pool.scaled(v), new: &patch.triangles, old: &others };
         Ok(intersecting_pairs(&soup, job)?.len())
     }

@@ -1,11 +1,12 @@
-//! The patch of one hole: its triangulation, and a blend in its place if new vertices are asked for,
+//! The patch of one rim: its triangulation, and a blend in its place if new vertices are asked for,
 //! in as many ways as may be tried.
 
-use super::clip::{clip_ears, mean_normal};
+use super::clip::{clip_ears, is_planar, mean_normal};
+use super::creases::{Division, divide};
+use super::loops::triangulate_together;
 use super::request::{Fairing, Finish, Options, Refinement, Weight};
 use super::rim::Rim;
 use super::search::{MAX_EXACT, minimum_weight};
-use super::weigh::Polygon;
 use crate::alloc;
 use crate::blend::{self, Limits, Way};
 use crate::error::Result;
@@ -14,8 +15,6 @@ use crate::job::Job;
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 
-/// A rim is planar if it deviates from a plane by no more than this part of its size.
-const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
 /// New vertices of a hole at the most, by an estimate, if the caller says nothing.
 const MAX_NEW_VERTICES: u32 = 50_000;
 /// New vertices for each of the rim's that sharp angles there may ask for, if the caller says
@@ -37,9 +36,16 @@ pub(super) struct Attempt {
     pub(super) weight: Weight,
     /// How the blend is faired; `None`: no new vertices.
     way: Option<Way>,
+    /// Creases of the old surface go on; if there are none, this is no way.
+    creased: bool,
 }
 
 impl Attempt {
+    /// True of patches with new vertices.
+    pub(super) fn is_blend(self) -> bool {
+        self.way.is_some()
+    }
+
     /// What comes of it.
     pub(super) fn finish(self) -> Finish {
         match self.way {
@@ -54,20 +60,27 @@ impl Attempt {
 pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     let mut weights = vec![options.weight];
     weights.extend(Weight::CHOICES.values.iter().copied().filter(|&weight| weight != options.weight));
-    let ways: Vec<_> = match (options.refinement, options.fairing) {
-        (Refinement::None, _) => vec![None],
-        (Refinement::RimDensity(_), Fairing::None) => vec![Some(Way::UNFAIRED), None],
-        (Refinement::RimDensity(_), Fairing::ThinPlate) => WAYS.into_iter().map(Some).chain([None]).collect(),
+    let blends: &[Way] = match (options.refinement, options.fairing) {
+        (Refinement::None, _) => &[],
+        (Refinement::RimDensity(_), Fairing::None) => &[Way::UNFAIRED],
+        (Refinement::RimDensity(_), Fairing::ThinPlate) => &WAYS,
     };
-    let of = |weight| ways.iter().map(move |&way| Attempt { weight, way });
-    weights.into_iter().flat_map(of).collect()
+    let mut ways = Vec::new();
+    for weight in weights {
+        for creased in [true, false] {
+            ways.extend(blends.iter().map(|&way| Attempt { weight, way: Some(way), creased }));
+        }
+        ways.extend([true, false].map(|creased| Attempt { weight, way: None, creased }));
+    }
+    ways
 }
 
 /// The rim's vertices keep their numbers in the [`Rim`], and `points` come after them.
 pub(super) struct Patch {
     /// The new vertices, in the rim's unit from its origin.
     pub(super) points: Vec<DVec3>,
-    /// Where they would be without fairing: on the triangles of the first triangulation.
+    /// Where they would be without fairing: on the triangles of the first triangulation, or, between
+    /// creases, near them.
     pub(super) unfaired: Vec<DVec3>,
     /// The first triangulation.
     pub(super) coarse: Vec<[u32; 3]>,
@@ -75,7 +88,7 @@ pub(super) struct Patch {
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
-/// Plans how one hole is filled.
+/// Plans how one rim is filled.
 pub(super) struct Planner<'a, T: Fn(u32, u32) -> bool> {
     rim: &'a Rim,
     options: &'a Options,
@@ -91,13 +104,13 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         Planner { rim, options, taken, coarse: None, plan: None }
     }
 
-    /// True if the last patch had no triangulation without an edge that is taken.
+    /// True if the last patch had no triangulation.
     pub(super) fn is_stuck(&self) -> bool {
         self.coarse.is_none()
     }
 
-    /// The patch; `None` if every triangulation would have an edge that is taken, or if the patch
-    /// would leave the neighbourhood of its rim.
+    /// The patch; `None` if every triangulation would have an edge that is taken, if none was found
+    /// that closes several loops, or if the patch would leave the neighbourhood of its rim.
     ///
     /// O(n^3) for a rim of n <= 128 vertices, O(n log n) for longer ones. Refinement and fairing of m
     /// new vertices: O(m log m), and O(m^1.5) for the sparse factor.
@@ -111,28 +124,86 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         let Some((_, coarse)) = &self.coarse else {
             return Ok(None);
         };
+        if attempt.creased {
+            return self.creased(attempt, coarse, &job.part(0.4, 1.0));
+        }
         if let (Refinement::RimDensity(limit), None, true) =
             (self.options.refinement, &self.plan, attempt.way.is_some())
         {
-            let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
-            let limits = Limits { new, at_rim, growth: f64::INFINITY };
             let copy = alloc::copied(coarse)?;
-            self.plan = blend::Plan::new(rim.old_ring()?, copy, limits, self.taken, &job.part(0.4, 0.6))?;
+            self.plan = blend::Plan::new(rim.old_ring()?, copy, limits(limit), self.taken, &job.part(0.4, 0.6))?;
         }
         let coarse = alloc::copied(coarse)?;
+        if attempt.is_blend() && self.plan.is_none() {
+            return Ok(None);
+        }
         let (Some(plan), Some(way)) = (&self.plan, attempt.way) else {
             let triangles = alloc::copied(&coarse)?;
             return Ok(Some(Patch { points: Vec::new(), unfaired: Vec::new(), coarse, triangles }));
         };
         let made = plan.blend(way, &job.part(0.6, 1.0))?;
-        let room = neighbourhood(&rim.points[..rim.count]);
-        if !made.points.iter().all(|&p| room.outside(p) == DVec3::ZERO) {
+        if !is_near(rim, &made.points) {
             return Ok(None);
         }
         // Without fairing they have moved along the plain triangles only.
         let unfaired = if way == Way::UNFAIRED { alloc::copied(&made.points)? } else { made.unfaired };
         Ok(Some(Patch { points: made.points, unfaired, coarse, triangles: made.triangles }))
     }
+
+    /// The patch of parts between creases; `None` if none go on, too. `whole`: the first triangulation
+    /// of the hole, which says what new vertices come from.
+    fn creased(&self, attempt: Attempt, whole: &[[u32; 3]], job: &Job<'_>) -> Result<Option<Patch>> {
+        let rim = self.rim;
+        let limits = match self.options.refinement {
+            Refinement::RimDensity(limit) if attempt.way.is_some() => Some(limits(limit)),
+            _ => None,
+        };
+        // Half of them for the parts.
+        let Some(Division { points, parts }) = divide(rim, self.taken, limits.map(|limits| limits.new / 2))? else {
+            return Ok(None);
+        };
+        let unfaired = alloc::copied(&points)?;
+        let mut patch = Patch { points, unfaired, coarse: alloc::copied(whole)?, triangles: Vec::new() };
+        let all: usize = parts.iter().map(|part| part.names.len()).sum();
+        for (k, part) in parts.iter().enumerate() {
+            let job = job.share(k, parts.len());
+            let taken = |u: u32, v: u32| part.is_taken(u, v, self.taken);
+            let Some(mut triangles) = triangulate(&part.rim, attempt.weight, &taken, &job.part(0.0, 0.4))? else {
+                return Ok(None);
+            };
+            let first = rim.count + patch.points.len();
+            if let Some((way, limits)) = attempt.way.zip(limits) {
+                let new = (u64::from(limits.new / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
+                let limits = Limits { new, ..limits };
+                let plan = blend::Plan::new(part.rim.old_ring()?, triangles, limits, taken, &job.part(0.4, 0.6))?;
+                let Some(plan) = plan else {
+                    return Ok(None);
+                };
+                let made = plan.blend(way, &job.part(0.6, 1.0))?;
+                let unfaired = if way == Way::UNFAIRED { &made.points } else { &made.unfaired };
+                alloc::append(&mut patch.points, &made.points)?;
+                alloc::append(&mut patch.unfaired, unfaired)?;
+                triangles = made.triangles;
+            }
+            let name = |v: u32| match (v as usize).checked_sub(part.names.len()) {
+                None => part.names[v as usize],
+                Some(k) => (first + k) as u32,
+            };
+            alloc::extend(&mut patch.triangles, triangles.iter().map(|triangle| triangle.map(name)))?;
+        }
+        Ok(is_near(rim, &patch.points).then_some(patch))
+    }
+}
+
+/// How many new vertices a hole gets; `limit`: the caller's, or 0.
+fn limits(limit: u32) -> Limits {
+    let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
+    Limits { new, at_rim, growth: f64::INFINITY }
+}
+
+fn is_near(rim: &Rim, points: &[DVec3]) -> bool {
+    let room = neighbourhood(&rim.points[..rim.count]);
+    points.iter().all(|&p| room.outside(p) == DVec3::ZERO)
 }
 
 /// What no patch leaves.
@@ -141,30 +212,33 @@ pub(super) fn neighbourhood(rim: &[DVec3]) -> Aabb {
     around.inflated(MAX_BULGE * around.diagonal())
 }
 
-fn triangulate(
+/// The triangulation of least weight; `None` if none was found without an edge that is taken.
+pub(super) fn triangulate(
     rim: &Rim,
     weight: Weight,
     taken: &impl Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
-    let points = &rim.points[..rim.count];
+    let polygons = rim.polygons()?;
+    let [polygon] = polygons.as_slice() else {
+        return triangulate_together(&polygons, weight, taken, job);
+    };
+    let points = polygon.points.as_slice();
     let n = points.len();
     // Without overlaps a planar triangulation has the least area, too.
-    let planar = matches!(weight, Weight::Continuation | Weight::Area) && is_planar(points);
+    let planar = matches!(weight, Weight::Continuation | Weight::Area) && is_planar(points, mean_normal(points));
     if planar
         && n > MAX_EXACT
-        && let Some(triangles) = clip_ears(points, taken, &job.part(0.0, 0.5))?
+        && let Some(triangles) = clip_ears(points, taken, &job.part(0.0, 0.1))?
     {
-        return relaxed(points, triangles, taken, &job.part(0.5, 1.0)).map(Some);
+        return relaxed(points, triangles, taken, &job.part(0.1, 1.0)).map(Some);
     }
-    let own = |of: &[DVec3]| alloc::copied(&of[..n]);
-    let polygon = Polygon::new(own(points)?, own(&rim.across)?, own(&rim.normals)?);
     // On a plane the surface beyond the rim has no say.
     let weight = if planar { Weight::Area } else { weight };
-    let found = minimum_weight(&polygon, weight, &|i, k| taken(i as u32, k as u32), job)?;
+    let found = minimum_weight(polygon, weight, &|i, k| taken(i as u32, k as u32), &job.part(0.1, 1.0))?;
     let Some(triangles) = found else {
         // Of a long rim only chords in bands were tried.
-        return if n > MAX_EXACT { clip_ears(points, taken, job) } else { Ok(None) };
+        return if n > MAX_EXACT { clip_ears(points, taken, &job.part(1.0, 1.0)) } else { Ok(None) };
     };
     if planar {
         return relaxed(points, triangles, taken, &job.part(1.0, 1.0)).map(Some);
@@ -182,12 +256,4 @@ fn relaxed(
     let mut mesh = PatchMesh::new(alloc::copied(points)?, triangles)?;
     mesh.relax(points.len(), taken, job)?;
     Ok(mesh.triangles)
-}
-
-/// True if all points are as near to their mean plane as round-off of single precision may have
-/// left them.
-fn is_planar(points: &[DVec3]) -> bool {
-    let normal = mean_normal(points);
-    let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
-    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size)
 }

@@ -8,11 +8,15 @@ use crate::geom::Aabb;
 use crate::geom::box_tree::{BoxTree, spatial_order};
 use crate::geom::scale::common_unit;
 use crate::geom::triangle::nearest_weights;
+use crate::job::Job;
 use crate::mesh::{MeshView, Scalar, check_size};
 use glam::DVec3;
 use std::ops::Range;
 
-/// The vertices of the mesh, and those of all patches that were ever tried, numbered after them.
+/// New vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 12;
+
+/// The vertices of the mesh, and those of patches, numbered after them.
 pub(super) struct Pool<'a> {
     pub(super) mesh: &'a MeshView<'a>,
     /// A power of two near the size of the rims.
@@ -38,8 +42,34 @@ impl<'a> Pool<'a> {
         self.at(v) / self.unit
     }
 
+    /// The number after the last.
+    pub(super) fn end(&self) -> u32 {
+        (self.mesh.positions().len() + self.points.len()) as u32
+    }
+
+    /// Forgets the vertices of the patch that was placed last.
+    pub(super) fn forget(&mut self, patch: &Placed) {
+        self.points.truncate(patch.vertices.start as usize - self.mesh.positions().len());
+    }
+
+    /// Moves the patch that was placed last to where vertices from `first` on are, which are forgotten.
+    pub(super) fn move_down(&mut self, patch: &mut Placed, first: u32) {
+        let Range { start, end } = patch.vertices;
+        let old = self.mesh.positions().len();
+        self.points.drain(first as usize - old..start as usize - old);
+        patch.triangles.as_flattened_mut().iter_mut().filter(|v| **v >= start).for_each(|v| *v -= start - first);
+        patch.vertices = first..end - (start - first);
+    }
+
     /// Puts a patch among the others; `names`: the rim's vertices in the mesh.
-    pub(super) fn place(&mut self, rim: &Rim, names: &[u32], patch: &Patch, attempt: Attempt) -> Result<Placed> {
+    pub(super) fn place(
+        &mut self,
+        rim: &Rim,
+        names: &[u32],
+        patch: &Patch,
+        attempt: Attempt,
+        job: &Job<'_>,
+    ) -> Result<Placed> {
         let first = self.mesh.positions().len() + self.points.len();
         let end = first + patch.points.len();
         check_size(end as u64, (self.mesh.faces().half_edge_count() + 3 * patch.triangles.len()) as u64)?;
@@ -53,7 +83,7 @@ impl<'a> Pool<'a> {
         alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.placed(p))))?;
         let own = self.points[self.points.len() - patch.points.len()..].iter().copied();
         let around = Aabb::of(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
-        let parents = parents(&rim.points[..rim.count], patch, |v| names[v as usize])?;
+        let parents = parents(&rim.points[..rim.count], patch, |v| names[v as usize], job)?;
         let triangles = alloc::collect(patch.triangles.iter().map(|triangle| triangle.map(name)))?;
         Ok(Placed { vertices: first as u32..end as u32, triangles, around, attempt, parents })
     }
@@ -61,7 +91,12 @@ impl<'a> Pool<'a> {
 
 /// Of each new vertex three vertices of the rim and how much it has of each: the corners of the
 /// first triangulation's triangle that it lay on, before fairing. O(n log n).
-fn parents(rim: &[DVec3], patch: &Patch, name: impl Fn(u32) -> u32) -> Result<Vec<([u32; 3], [f64; 3])>> {
+fn parents(
+    rim: &[DVec3],
+    patch: &Patch,
+    name: impl Fn(u32) -> u32,
+    job: &Job<'_>,
+) -> Result<Vec<([u32; 3], [f64; 3])>> {
     if patch.points.is_empty() {
         return Ok(Vec::new());
     }
@@ -69,7 +104,8 @@ fn parents(rim: &[DVec3], patch: &Patch, name: impl Fn(u32) -> u32) -> Result<Ve
     let boxes = alloc::collect((0..patch.coarse.len() as u32).map(|t| Aabb::of(corners(t))))?;
     let order = spatial_order(&boxes, 1)?;
     let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
-    alloc::collect(patch.unfaired.iter().map(|&p| {
+    alloc::try_collect(patch.unfaired.iter().enumerate().map(|(k, &p)| {
+        job.step_every(REPORT_INTERVAL, k, patch.unfaired.len(), "refining")?;
         let mut best = (f64::INFINITY, 0, [1.0, 0.0, 0.0]);
         tree.nearest(p, f64::INFINITY, &mut |leaf| {
             if let Some(&t) = order.get(leaf) {
@@ -82,7 +118,7 @@ fn parents(rim: &[DVec3], patch: &Patch, name: impl Fn(u32) -> u32) -> Result<Ve
             }
             best.0
         });
-        (patch.coarse[best.1 as usize].map(&name), best.2)
+        Ok((patch.coarse[best.1 as usize].map(&name), best.2))
     }))
 }
 

@@ -98,6 +98,37 @@ choices! { for Keep:
     Borders => "Borders", "Loops that go round a sheet, rather than a hole in it, stay open.";
 }
 
+/// Which loops get one patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Together {
+    /// Each has a patch of its own.
+    #[default]
+    Apart,
+    /// All that are filled have one patch.
+    One,
+    /// Those have one patch that cost less together than apart, by the weight asked for.
+    Cheapest,
+}
+
+choices! { for Together:
+    Apart => "Each by itself", "Each loop gets a patch of its own.";
+    One => "All by one patch", "All loops get one patch: a surface without handles between them.";
+    Cheapest => "Where it costs less", "Loops get one patch where that costs less, by the weight, than patches of their own.";
+}
+
+/// The loops to fill.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Selection<'a> {
+    /// All that the mesh has.
+    #[default]
+    All,
+    /// These: the vertices of each in order, in either direction.
+    Loops(&'a [&'a [u32]]),
+    /// These, each with a number: those with the same number get one patch, whatever
+    /// [`Options::together`] says.
+    Groups(&'a [(&'a [u32], u32)]),
+}
+
 /// How holes are filled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
@@ -114,7 +145,10 @@ pub struct Options {
     pub limits: Limits,
     /// Which loops are no holes.
     pub keep: Keep,
-    /// Nothing is filled: the accounts say what would be, and the mesh stays as it is.
+    /// Which loops get one patch.
+    pub together: Together,
+    /// Nothing is filled or turned over: the accounts say which loops would be tried, and with which
+    /// weight and finish; not which of them turn out to have no triangulation, nor which get one patch.
     pub plan_only: bool,
     /// What becomes of closed components of the result: they stay as they are, or those that are
     /// inside out are turned over, each as a whole, as [`turn_outwards`] does.
@@ -123,7 +157,7 @@ pub struct Options {
     pub outward: Outward,
 }
 
-/// What became of a hole.
+/// What became of a loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HoleStatus {
     /// Filled; in a plan, to be filled.
@@ -142,7 +176,8 @@ pub enum HoleStatus {
     NotSimple,
     /// An edge of a given loop is no edge with exactly one face, or is one of a loop before it.
     NotFree,
-    /// Every triangulation would have an edge between two vertices of one old face.
+    /// Every triangulation would have an edge between two vertices of one old face; or none was found
+    /// that closes all loops together which are to get one patch, as where two of them share a vertex.
     NoTriangulation,
 }
 
@@ -165,15 +200,18 @@ pub struct Hole {
     /// Its vertices, in [`Filled::rims`]: with the surface of the mesh that was given on the left,
     /// or, of a given loop that is not simple, free or oriented, as given.
     pub rim: Range<usize>,
-    /// Its faces in the result.
+    /// The number of its patch, which several loops may have, in the order of the faces; `u32::MAX` if
+    /// it has none.
+    pub patch: u32,
+    /// The patch's faces in the result: the same for all loops of the patch.
     pub faces: Range<u32>,
-    /// Its new vertices in the result.
+    /// The patch's new vertices in the result.
     pub vertices: Range<u32>,
     /// How large it is.
     pub measures: Measures,
-    /// The weight that its triangulation is best by: the one asked for, or one that cuts less.
+    /// The weight that the patch's triangulation is best by: the one asked for, or one that cuts less.
     pub weight: Weight,
-    /// What its patch is made of: what was asked for, or less, which cuts less.
+    /// What the patch is made of: what was asked for, or less, which cuts less.
     pub finish: Finish,
 }
 
@@ -188,10 +226,10 @@ pub struct Filled {
     pub holes: Vec<Hole>,
     /// The vertices of all rims.
     pub rims: Vec<u32>,
-    /// Of each new vertex, in their order, three vertices of its rim.
+    /// Of each new vertex, in their order, three vertices of its patch's rims.
     pub parents: Vec<[u32; 3]>,
     /// How much it has of each of them; at least 0, with sum 1. They place it on the plain
-    /// triangulation of the rim; a faired vertex is elsewhere.
+    /// triangulation of the rims; a faired vertex is elsewhere, as is one of a patch with creases.
     pub weights: Vec<[f64; 3]>,
     /// Pairs of faces of the result that cut each other, the larger number first, which is a new
     /// face's; ascending. What they share by number, a vertex or an edge, is no cut. `None` if they

@@ -1,38 +1,42 @@
-//! A hole and what lies round it, in numbers of its own.
+//! The loops that one patch closes and what lies round them, in numbers of its own.
 
+use super::weigh::Polygon;
 use crate::alloc;
 use crate::blend::{MAX_FAN_TRIANGLES, OldRing};
 use crate::error::Result;
 use crate::geom::scale::common_unit;
 use glam::DVec3;
 
-/// A hole: the rim's vertices from 0 on, in the direction in which new faces run along it (the
-/// surface is on the right), and then the other old vertices.
+/// The rim of a patch: the vertices of its loops from 0 on, loop by loop, each in the direction in
+/// which new faces run along it (the surface is on the right), and then the other old vertices.
 pub(super) struct Rim {
     /// How many vertices the rim has.
     pub(super) count: usize,
+    /// How many of them each loop has.
+    pub(super) lengths: Vec<usize>,
     /// One of the rim's points is the origin of the others, in this unit.
     pub(super) origin: DVec3,
     pub(super) unit: f64,
     /// The rim's points and the other old vertices', from there.
     pub(super) points: Vec<DVec3>,
     /// The old faces with a vertex on the rim, as triangles.
-    around: Vec<[u32; 3]>,
+    pub(super) around: Vec<[u32; 3]>,
     /// Their sides, face by face.
-    sides: Vec<(u32, u32)>,
-    /// The unit normal of the old face at the edge from each rim vertex to the next; 0 if it is not
-    /// known.
+    pub(super) sides: Vec<(u32, u32)>,
+    /// The unit normal of the old face at the edge from each rim vertex to the next of its loop; 0 if
+    /// it is not known.
     pub(super) across: Vec<DVec3>,
     /// The unit normal of the old surface at each rim vertex, 0 if it has none.
     pub(super) normals: Vec<DVec3>,
-    /// True of the rim vertices that have faces all round once the hole is filled.
-    whole: Vec<bool>,
+    /// True of the rim vertices that have faces all round once the loops are closed.
+    pub(super) whole: Vec<bool>,
 }
 
 impl Rim {
     /// Of the points as the mesh has them; `whole` and `across` of the rim's.
     pub(super) fn new(
         points: &[DVec3],
+        lengths: Vec<usize>,
         around: Vec<[u32; 3]>,
         sides: Vec<(u32, u32)>,
         across: Vec<DVec3>,
@@ -40,8 +44,31 @@ impl Rim {
     ) -> Result<Rim> {
         let unit = common_unit(points);
         let origin = points[0] / unit;
-        let count = whole.len();
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
+        Rim::placed_at((origin, unit), points, lengths, (around, sides), (across, whole))
+    }
+
+    /// A part of it with one loop, of points in its unit from its origin.
+    pub(super) fn part(
+        &self,
+        points: Vec<DVec3>,
+        around: Vec<[u32; 3]>,
+        sides: Vec<(u32, u32)>,
+        across: Vec<DVec3>,
+        whole: Vec<bool>,
+    ) -> Result<Rim> {
+        let lengths = vec![whole.len()];
+        Rim::placed_at((self.origin, self.unit), points, lengths, (around, sides), (across, whole))
+    }
+
+    fn placed_at(
+        (origin, unit): (DVec3, f64),
+        points: Vec<DVec3>,
+        lengths: Vec<usize>,
+        (around, sides): (Vec<[u32; 3]>, Vec<(u32, u32)>),
+        (across, whole): (Vec<DVec3>, Vec<bool>),
+    ) -> Result<Rim> {
+        let count = whole.len();
         let mut normals = alloc::filled(DVec3::ZERO, count)?;
         for &triangle in &around {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
@@ -51,7 +78,7 @@ impl Rim {
             }
         }
         normals.iter_mut().for_each(|normal| *normal = normal.normalize_or_zero());
-        Ok(Rim { count, origin, unit, points, around, sides, across, normals, whole })
+        Ok(Rim { count, lengths, origin, unit, points, around, sides, across, normals, whole })
     }
 
     /// Back to the mesh's own coordinates.
@@ -59,10 +86,21 @@ impl Rim {
         (p + self.origin) * self.unit
     }
 
+    /// Each loop by itself.
+    pub(super) fn polygons(&self) -> Result<Vec<Polygon>> {
+        let mut first = 0;
+        alloc::try_collect(self.lengths.iter().map(|&n| {
+            let own = first..first + n;
+            first += n;
+            let part = |of: &[DVec3]| alloc::copied(&of[own.clone()]);
+            Ok(Polygon::new(part(&self.points)?, part(&self.across)?, part(&self.normals)?))
+        }))
+    }
+
     /// How often the curvature of a patch is averaged: so that it spreads over about a third of a
-    /// round hole, which takes the square of as many edges.
+    /// round hole, the longest loop, which takes the square of as many edges.
     fn averages(&self) -> u32 {
-        let radius = self.count as f64 / std::f64::consts::TAU;
+        let radius = self.lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
         (0.5 * radius * radius).clamp(10.0, 400.0) as u32
     }
 
@@ -77,7 +115,7 @@ impl Rim {
             triangles: alloc::copied(&self.around)?,
             sides: alloc::copied(&self.sides)?,
             centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
-            rims: vec![(self.count, true)],
+            rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
             reach: f64::INFINITY,
             follows: Some(self.averages()),
         })

@@ -4,13 +4,17 @@
 use super::rim::Rim;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::scale::distance;
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
 use crate::sort::sort_distinct;
 use glam::DVec3;
 
 /// Which old faces touch the rims of all holes.
-pub(super) struct Surroundings {
+pub(super) struct Surroundings<'a> {
+    mesh: &'a MeshView<'a>,
+    /// Per vertex of the mesh, how many loops and chains pass it.
+    passes: &'a [u8],
     /// (rim vertex, face), sorted.
     corners: Vec<(u32, u32)>,
     /// Per vertex of the mesh, scratch.
@@ -20,19 +24,19 @@ pub(super) struct Surroundings {
 /// Faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-impl Surroundings {
-    /// `near`: faces, ascending; all that touch a rim are among them. `on_rim`: of a vertex of the
-    /// mesh. Extra memory: 4 bytes a vertex of the mesh, and 8 a corner at a rim.
-    pub(super) fn new(mesh: &MeshView<'_>, near: &[u32], on_rim: impl Fn(u32) -> bool, job: &Job<'_>) -> Result<Self> {
+impl<'a> Surroundings<'a> {
+    /// `near`: faces, ascending; all that touch a rim are among them. Extra memory: 4 bytes a vertex
+    /// of the mesh, and 8 a corner at a rim.
+    pub(super) fn new(mesh: &'a MeshView<'a>, passes: &'a [u8], near: &[u32], job: &Job<'_>) -> Result<Self> {
         let mut corners = Vec::new();
         for (k, &f) in near.iter().enumerate() {
             job.step_every(REPORT_INTERVAL, k, near.len(), "looking round the holes")?;
-            for v in mesh.face(f as usize).filter(|&v| on_rim(v)) {
+            for v in mesh.face(f as usize).filter(|&v| passes[v as usize] > 0) {
                 alloc::push(&mut corners, (v, f))?;
             }
         }
         sort_distinct(&mut corners);
-        Ok(Surroundings { corners, names: alloc::filled(NONE, mesh.positions().len())? })
+        Ok(Surroundings { mesh, passes, corners, names: alloc::filled(NONE, mesh.positions().len())? })
     }
 
     fn faces_at(&self, v: u32) -> &[(u32, u32)] {
@@ -49,14 +53,30 @@ impl Surroundings {
         few.iter().any(|&(_, face)| many.binary_search_by_key(&face, |&(_, face)| face).is_ok())
     }
 
-    /// A hole in numbers of its own. `rim`: its vertices with the surface on the right. `whole`: true
-    /// of a vertex of the mesh that no other loop or chain passes.
-    pub(super) fn rim(&mut self, mesh: &MeshView<'_>, rim: &[u32], whole: impl Fn(u32) -> bool) -> Result<Rim> {
+    /// The rim of a patch of loops, each with the surface on the left, and the rim's vertices in the
+    /// mesh; `None` if two of the loops have a vertex in common.
+    pub(super) fn rim<'b>(&mut self, loops: impl Iterator<Item = &'b [u32]>) -> Result<Option<(Rim, Vec<u32>)>> {
+        let mesh = self.mesh;
+        let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
+        for vertices in loops {
+            let (first, n) = (names.len(), vertices.len());
+            alloc::append(&mut names, &turned(mesh, vertices)?)?;
+            alloc::extend(&mut next, (1..=n).map(|i| (first + i % n) as u32))?;
+            alloc::push(&mut lengths, n)?;
+        }
+        let rim = alloc::copied(&names)?;
         let n = rim.len();
-        let mut names = alloc::copied(rim)?;
-        let mut faces = alloc::gather(names.iter().flat_map(|&v| self.faces_at(v)).map(|&(_, face)| face))?;
+        let mut is_simple = true;
+        for (&v, i) in rim.iter().zip(0..) {
+            is_simple &= self.names[v as usize] == NONE;
+            self.names[v as usize] = i;
+        }
+        if !is_simple {
+            rim.iter().for_each(|&v| self.names[v as usize] = NONE);
+            return Ok(None);
+        }
+        let mut faces = alloc::gather(rim.iter().flat_map(|&v| self.faces_at(v)).map(|&(_, face)| face))?;
         sort_distinct(&mut faces);
-        names.iter().enumerate().for_each(|(i, &v)| self.names[v as usize] = i as u32);
 
         let mut around = Vec::new();
         let mut sides = Vec::new();
@@ -78,16 +98,31 @@ impl Surroundings {
             for (&u, &v) in own.iter().zip(own.iter().cycle().skip(1)) {
                 alloc::push(&mut sides, (u, v))?;
                 // The old face runs its rim edge against the new ones.
-                if (v as usize) < n && (v as usize + 1) % n == u as usize {
+                if next.get(v as usize) == Some(&u) {
                     across[v as usize] = area;
                 }
             }
         }
         let points = alloc::collect(names.iter().map(|&v| mesh.positions().get(v)))?;
-        let whole = alloc::collect(names[..n].iter().map(|&v| whole(v)))?;
+        let whole = alloc::collect(rim.iter().map(|&v| self.passes[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        Rim::new(&points, around, sides, across, whole)
+        Ok(Some((Rim::new(&points, lengths, around, sides, across, whole)?, rim)))
     }
+}
+
+/// A loop against its direction. It ends with its longest side, of equals that at the first vertex,
+/// wherever the caller's loop begins.
+fn turned(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
+    let mut rim = alloc::collect(vertices.iter().rev().copied())?;
+    let length = |i: usize| {
+        let [p, q] = [i, (i + 1) % rim.len()].map(|i| mesh.positions().get(rim[i]));
+        distance(p, q)
+    };
+    let by_length = |&i: &usize, &j: &usize| length(i).total_cmp(&length(j)).then(rim[j].cmp(&rim[i]));
+    let last = (0..rim.len()).max_by(by_length).unwrap_or(0);
+    let first = (last + 1) % rim.len();
+    rim.rotate_left(first);
+    Ok(rim)
 }
 
 /// The direction of a face's area vector, by Newell's formula, seen from a corner, at a scale of its

@@ -33,9 +33,25 @@ pub(super) struct Polygon {
 
 impl Polygon {
     pub(super) fn new(points: Vec<DVec3>, across: Vec<DVec3>, normals: Vec<DVec3>) -> Self {
-        let length: f64 = points.iter().zip(points.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).sum();
-        let per_unit = if length > 0.0 { BULGES / length } else { 0.0 };
-        Polygon { points, across, normals, per_unit }
+        let mut polygon = Polygon { points, across, normals, per_unit: 0.0 };
+        let length = polygon.length();
+        polygon.per_unit = if length > 0.0 { BULGES / length } else { 0.0 };
+        polygon
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        self.points.iter().zip(self.points.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).sum()
+    }
+
+    /// Thinned until it has at most so many points.
+    pub(super) fn of_few(&self, most: usize) -> Result<Polygon> {
+        let of = |points: &[DVec3]| alloc::copied(points);
+        let (points, across, normals) = (of(&self.points)?, of(&self.across)?, of(&self.normals)?);
+        let mut few = Polygon { points, across, normals, per_unit: self.per_unit };
+        while few.points.len() > most {
+            few = few.coarser()?.0;
+        }
+        Ok(few)
     }
 
     /// Every other point, and the last one; of each which it was here.
@@ -80,6 +96,12 @@ impl Cost {
             value: self.value + other.value,
             sides: self.sides + other.sides,
         }
+    }
+
+    /// So many times as dear.
+    pub(super) fn loosened(self, times: f64) -> Cost {
+        let bend = (f64::from(self.bend) * times).ceil() as u32;
+        Cost { bend, value: self.value * times, sides: self.sides * times, ..self }
     }
 
     #[cfg(test)]

@@ -1,6 +1,9 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
-use crate::fill::{Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Weight, fill_holes};
+use crate::fill::{
+    Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+};
+use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
 use crate::stitch::Intersections;
 
@@ -21,6 +24,13 @@ pub(super) const FILTER: Filter = Filter {
         Param::length("max_length", "Greatest length", NON_NEGATIVE, &[0.0])
             .with_help("Longer loops are left open; 0 sets no limit."),
         Param::choice("keep", "Keep open", Keep::CHOICES.texts).with_help("The loops that are no holes."),
+        Param::choice("together", "Patches", Together::CHOICES.texts).with_help("The loops that get one patch."),
+        Param::length("max_diameter", "Greatest diameter", NON_NEGATIVE, &[0.0])
+            .with_help("Loops in a box along the axes with a longer diagonal are left open; 0 sets no limit."),
+        Param::real("max_area", "Greatest area", NON_NEGATIVE, &[0.0])
+            .with_help("Loops with a larger area between them and their centre, in the square of the unit, are left open; 0 sets no limit."),
+        Param::choice("intersections", "Intersections", CUTS.texts).with_help("The search for faces of patches that cut."),
+        Param::flag("plan_only", "Plan only").with_help("Nothing is filled: the report says what would be."),
         Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
@@ -35,26 +45,35 @@ const INTERIORS: &[Choice] = &[
     Choice::new("Refined and fair", "New vertices, placed so that the patch continues the surface smoothly."),
 ];
 
+choices! {
+    CUTS: Intersections =
+        Intersections::Auto => "Automatic", "They are looked for, and avoided by less fairing, other weights and no new vertices.";
+        Intersections::Ignore => "Ignore", "No search.";
+        Intersections::Report => "Report", "They are looked for, and nothing is done about them.";
+}
+
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let (edges, length) = (values.number("max_edges"), values.number("max_length"));
+    let limit = |id| Some(values.number(id)).filter(|&limit| limit > 0.0);
     let inside = values.place("inside");
     let options = Options {
         weight: values.choice("weight", Weight::CHOICES),
         refinement: if inside > 0 { Refinement::RimDensity(0) } else { Refinement::None },
         fairing: if inside > 1 { Fairing::ThinPlate } else { Fairing::None },
         limits: Limits {
-            edges: (edges > 0.0).then_some(edges as u32),
-            length: (length > 0.0).then_some(length),
-            diameter: None,
-            area: None,
+            edges: limit("max_edges").map(|limit| limit as u32),
+            length: limit("max_length"),
+            diameter: limit("max_diameter"),
+            area: limit("max_area"),
         },
         keep: values.choice("keep", Keep::CHOICES),
-        intersections: Intersections::Auto,
-        plan_only: false,
+        together: values.choice("together", Together::CHOICES),
+        intersections: values.choice("intersections", CUTS),
+        plan_only: values.is_set("plan_only"),
         outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
     };
-    let done = fill_holes(inputs[0].mesh()?, None, &options, job)?;
-    let report = report(&done);
+    let old = inputs[0].mesh()?;
+    let done = fill_holes(old, Selection::All, &options, job)?;
+    let report = report(old, &done, options.plan_only);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }
 
@@ -66,26 +85,32 @@ pub(super) fn turned_outwards(faces: &[u32]) -> String {
     }
 }
 
-fn report(done: &Filled) -> Report {
+fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
     let filled = done.holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
     let count = filled.clone().count();
-    let faces: usize = filled.clone().map(|hole| hole.faces.len()).sum();
-    let vertices: usize = filled.map(|hole| hole.vertices.len()).sum();
+    let patches = if plan_only { count } else { filled.map(|hole| hole.patch as usize + 1).max().unwrap_or(0) };
+    let joined =
+        if patches < count { format!(" with {}", counted(patches, ["patch", "patches"])) } else { String::new() };
+    let faces = done.mesh.face_count() - old.faces().len();
+    let vertices = done.parents.len();
     let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
-    let measures = match count {
+    let measures = match faces {
         0 => String::new(),
         _ => format!("area {}, smallest angle {angle:.2} degrees\n", short(area)),
     };
     let turned = turned_outwards(&done.turned_outwards);
+    let verb = if plan_only { "would fill" } else { "filled" };
+    let cuts = cuts(done.intersections.as_deref());
     let text = format!(
-        "filled {count} of {} by {} and {}\n{measures}{turned}{} left\n",
+        "{verb} {count} of {}{joined} by {} and {}\n{measures}{cuts}{turned}{} left\n",
         counted(done.holes.len(), BOUNDARY_LOOP),
         counted(faces, FACE),
         counted(vertices, ["new vertex", "new vertices"]),
         counted(done.quality.loops_left, BOUNDARY_LOOP)
     );
-    let values = [
+    let mut values = vec![
         ("filled_loops", count as f64),
+        ("patches", patches as f64),
         ("boundary_loops_before", done.holes.len() as f64),
         ("new_faces", faces as f64),
         ("new_vertices", vertices as f64),
@@ -94,5 +119,17 @@ fn report(done: &Filled) -> Report {
         ("turned_outwards", done.turned_outwards.len() as f64),
         ("boundary_loops", f64::from(done.quality.loops_left)),
     ];
+    if let Some(pairs) = &done.intersections {
+        values.push(("intersections", pairs.len() as f64));
+    }
     Report::new(text, &values)
+}
+
+/// The line of a report on faces that cut each other, if they were looked for.
+pub(super) fn cuts(pairs: Option<&[[u32; 2]]>) -> String {
+    match pairs {
+        None => String::new(),
+        Some([]) => "no faces cut each other\n".to_owned(),
+        Some(pairs) => format!("{} cut each other\n", counted(pairs.len(), ["pair of faces", "pairs of faces"])),
+    }
 }

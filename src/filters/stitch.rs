@@ -1,5 +1,5 @@
 use super::facing_arcs::RUN_HELP;
-use super::fill_holes::{OUTWARD_HELP, turned_outwards};
+use super::fill_holes::{OUTWARD_HELP, cuts, turned_outwards};
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
 use crate::boundary::{self, boundary_loops};
@@ -127,11 +127,7 @@ fn report(done: &Stitch) -> Report {
         0 => "the result is closed".to_owned(),
         n => format!("{} left", counted(n, BOUNDARY_LOOP)),
     };
-    let cuts = match &done.intersections {
-        None => String::new(),
-        Some(pairs) if pairs.is_empty() => "no faces cut each other\n".to_owned(),
-        Some(pairs) => format!("{} cut each other\n", counted(pairs.len(), ["pair of faces", "pairs of faces"])),
-    };
+    let cuts = cuts(done.intersections.as_deref());
     let [a, b] = done.rims.each_ref().map(Vec::len);
     let text = format!(
         "joined {parts} of {a} and {b} vertices by {}, {}\n{turned}\

@@ -62,20 +62,23 @@ pub(crate) fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
         return [0.0, 0.0, 1.0];
     }
     let (of_a, of_b, of_c) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
+    // From 0 to 1, also where round-off is all that there is.
+    let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
     if of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        let t = d1 / (d1 - d3);
+        let t = share(d1, d1 - d3);
         return [1.0 - t, t, 0.0];
     }
     if of_b <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        let t = d2 / (d2 - d6);
+        let t = share(d2, d2 - d6);
         return [1.0 - t, 0.0, t];
     }
     if of_a <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
-        let t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        let t = share(d4 - d3, (d4 - d3) + (d5 - d6));
         return [0.0, 1.0 - t, t];
     }
-    let sum = of_a + of_b + of_c;
-    if sum > 0.0 { [of_a / sum, of_b / sum, of_c / sum] } else { [1.0, 0.0, 0.0] }
+    let parts = [of_a, of_b, of_c].map(|part| part.max(0.0));
+    let sum = parts.iter().sum::<f64>();
+    if sum > 0.0 { parts.map(|part| part / sum) } else { [1.0, 0.0, 0.0] }
 }
 
 #[cfg(test)]

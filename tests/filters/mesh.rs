@@ -60,6 +60,15 @@ fn fill_holes_closes_what_it_may() {
         let open = common::edge_counts(faces).values().filter(|&&n| n != (1, 1)).count();
         assert_eq!(open == 0, filled == 2, "{values:?}");
     }
+    let inputs = [Input::Mesh(both.view())];
+    let planned = values("fill_holes", &inputs, &[("plan_only", &[1.0])]);
+    let outputs = filter.run(&inputs, &planned, &Job::default()).unwrap();
+    let said = text(&outputs[1]);
+    assert!(
+        said.starts_with("would fill 2 of 2 boundary loops by 0 faces and 0 new vertices\n2 boundary loops left"),
+        "{said}"
+    );
+    assert_eq!(mesh(&outputs[0]).1.len(), both.faces().count());
 }
 
 #[test]

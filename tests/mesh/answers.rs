@@ -3,7 +3,7 @@
 use crate::common::{Soup, cap, sheet};
 use crate::pieces::cube;
 use gusset::error::{PairFault, Side};
-use gusset::fill::{self, fill_holes};
+use gusset::fill::{self, Selection, fill_holes};
 use gusset::mesh::{MeshView, NONE};
 use gusset::stitch::assemble::{self, MaxGap, Selector, assemble};
 use gusset::stitch::{self, Fairing, Orientation, Request, Rows, Stitch, stitch};
@@ -152,7 +152,7 @@ fn fairing_that_is_not_read_is_noted() {
             within(&both, &strip, &Job::new(1, &notes)).unwrap();
             assert_eq!(count(&notes), expected);
             let notes = Notes::default();
-            fill_holes(&both.view(), None, &filling, &Job::new(1, &notes)).unwrap();
+            fill_holes(&both.view(), Selection::All, &filling, &Job::new(1, &notes)).unwrap();
             assert_eq!(count(&notes), expected);
             let notes = Notes::default();
             let options = assemble::Options { strip, fill: Some(filling), ..assemble::Options::default() };

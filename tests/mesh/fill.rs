@@ -2,7 +2,9 @@
 //! Euler's formula.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
-use gusset::fill::{Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Weight, fill_holes};
+use gusset::fill::{
+    Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+};
 use gusset::mesh::Mesh;
 use gusset::repair::orient::Outward;
 use gusset::stitch::Intersections;
@@ -17,6 +19,7 @@ const AREA: Options = Options {
     limits: Limits { edges: None, length: None, diameter: None, area: None },
     keep: Keep::None,
     intersections: Intersections::Report,
+    together: Together::Apart,
     plan_only: false,
     outward: Outward::Keep,
 };
@@ -25,7 +28,7 @@ const LIEPA: Options = Options { weight: Weight::BendThenArea, ..AREA };
 const FAIR: Options = Options { fairing: Fairing::ThinPlate, ..REFINED };
 
 fn fill(soup: &Soup, options: &Options) -> Filled {
-    fill_holes(&soup.view(), None, options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
 }
 
 fn faces(mesh: &Mesh) -> impl Iterator<Item = &[u32]> + Clone {
@@ -247,7 +250,7 @@ proptest! {
         if backwards {
             given.reverse();
         }
-        let filled = fill_holes(&soup.view(), Some(&[&given, &given]), &FAIR, &Job::default()).unwrap();
+        let filled = fill_holes(&soup.view(), Selection::Loops(&[&given, &given]), &FAIR, &Job::default()).unwrap();
         assert_closed(&soup, &filled);
         prop_assert_eq!(statuses(&filled), [HoleStatus::Filled, HoleStatus::NotFree]);
         let all = fill(&soup, &FAIR);
@@ -318,7 +321,7 @@ fn no_edge_is_repeated() {
     // Both diagonals of the hole are edges of a second sheet through the same vertices.
     let mut soup = Soup::new(corners, &[&[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4], &[0, 2, 5], &[1, 3, 6]]);
     soup.points.extend([[0.3, 0.3, -3.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
-    let filled = fill_holes(&soup.view(), Some(&[&[0, 1, 2, 3]]), &FAIR, &Job::default()).unwrap();
+    let filled = fill_holes(&soup.view(), Selection::Loops(&[&[0, 1, 2, 3]]), &FAIR, &Job::default()).unwrap();
     assert_eq!(statuses(&filled), [HoleStatus::NoTriangulation]);
     assert_eq!(filled.mesh.face_count(), 6);
     assert_eq!(filled.quality.non_manifold_edges, 0);
@@ -355,7 +358,7 @@ fn loops_that_are_left_say_why() {
     assert_eq!(limited(Limits { diameter: Some(2.5), ..Limits::default() }), [Filled, Filled]);
 
     let bad: [&[u32]; 4] = [&[0, 1], &[1, 2, 3, 2], &[0, 1, 2], &[99, 0, 1]];
-    let filled = fill_holes(&soup.view(), Some(&bad), &Options::default(), &Job::default()).unwrap();
+    let filled = fill_holes(&soup.view(), Selection::Loops(&bad), &Options::default(), &Job::default()).unwrap();
     use HoleStatus::{NotFree, NotSimple};
     assert_eq!(statuses(&filled), [NotSimple, NotSimple, NotFree, NotFree]);
     assert_eq!(filled.mesh.face_count(), soup.faces().count());
@@ -363,7 +366,8 @@ fn loops_that_are_left_say_why() {
 
     // A vertex that does not exist is no reason to leave a loop, but a mistake.
     let missing: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 1000]];
-    let refused = fill_holes(&soup.view(), Some(&missing), &Options::default(), &Job::default()).unwrap_err();
+    let refused =
+        fill_holes(&soup.view(), Selection::Loops(&missing), &Options::default(), &Job::default()).unwrap_err();
     assert_eq!(refused, Error::LoopIndexOutOfRange { number: 1, place: 2, vertex: 1000 });
 
     // Two faces that disagree; three faces at an edge.
@@ -373,7 +377,7 @@ fn loops_that_are_left_say_why() {
     assert!(statuses(&fill(&book, &Options::default())).iter().all(|&s| s == HoleStatus::NonManifold));
 
     let wrong = Options { limits: Limits { length: Some(f64::NAN), ..Limits::default() }, ..Options::default() };
-    let refused = fill_holes(&soup.view(), None, &wrong, &Job::default());
+    let refused = fill_holes(&soup.view(), Selection::All, &wrong, &Job::default());
     assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "max_length", .. })));
 }
 

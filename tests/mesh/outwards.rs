@@ -3,7 +3,7 @@
 
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus, volume};
 use crate::pieces::{cube, cut};
-use gusset::fill::{self, fill_holes};
+use gusset::fill::{self, Selection, fill_holes};
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{Outward, turn_outwards};
 use gusset::stitch::assemble::{self, Assembly, assemble};
@@ -254,8 +254,9 @@ fn an_open_stitch_is_the_same_bit_for_bit() {
 #[test]
 fn a_filled_mesh_faces_outwards_if_asked_to() {
     let asked = fill::Options { outward: Outward::Closed, ..fill::Options::default() };
-    let filled =
-        |soup: &Soup, options: &fill::Options| fill_holes(&soup.view(), None, options, &Job::default()).unwrap();
+    let filled = |soup: &Soup, options: &fill::Options| {
+        fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
+    };
     for (soup, turned) in [(cap(12, 4, 0.2, 1.0), false), (cap(12, 4, 0.2, 1.0).turned(), true)] {
         let kept = filled(&soup, &fill::Options::default());
         assert_eq!((volume_of(&kept.mesh) > 0.0, kept.turned_outwards.is_empty()), (!turned, true));

@@ -1,9 +1,12 @@
 //! What a patch must not do: cut, fold back onto polygons, leave the neighbourhood of its rim; and
 //! what its account says.
 
-use crate::common::{Soup, cap, edge_counts, sheet};
+use crate::common::{Soup, cap, edge_counts, sheet, torus};
 use gusset::Job;
-use gusset::fill::{Fairing, Filled, Finish, HoleStatus, Keep, Limits, Options, Refinement, Weight, fill_holes};
+use gusset::fill::{
+    Fairing, Filled, Finish, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+};
+use gusset::repair::orient::Outward;
 use gusset::stitch::Intersections;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -15,12 +18,13 @@ const FAIR: Options = Options {
     intersections: Intersections::Auto,
     limits: Limits { edges: None, length: None, diameter: None, area: None },
     keep: Keep::None,
+    together: Together::Apart,
     plan_only: false,
-    outward: gusset::repair::orient::Outward::Keep,
+    outward: Outward::Keep,
 };
 
 fn fill(soup: &Soup, options: &Options) -> Filled {
-    fill_holes(&soup.view(), None, options, &Job::default()).unwrap()
+    fill_holes(&soup.view(), Selection::All, options, &Job::default()).unwrap()
 }
 
 /// The result as triangles: polygons cut into fans from the corner that `first` says.
@@ -97,7 +101,7 @@ fn cuts_that_cannot_be_avoided_are_reported() {
     let top: Vec<u32> = (0..n).collect();
     let of = |intersections: Intersections| {
         let options = Options { intersections, ..Options::default() };
-        fill_holes(&soup.view(), Some(&[&top]), &options, &Job::default()).unwrap()
+        fill_holes(&soup.view(), Selection::Loops(&[&top]), &options, &Job::default()).unwrap()
     };
     let (avoided, reported) = (of(Intersections::Auto), of(Intersections::Report));
     let first = soup.offsets.len() as u32 - 1;
@@ -185,6 +189,16 @@ fn plans_and_limits() {
         assert!((hole.measures.area - 15.0 * (TAU / 30.0).sin()).abs() < 1e-12);
         assert!((hole.measures.diameter - 8f64.sqrt()).abs() < 0.02);
     }
+    let faired = fill(&soup, &Options { plan_only: true, ..FAIR });
+    assert!(faired.holes.iter().all(|hole| hole.finish == Finish::Faired && hole.vertices.is_empty()));
+    // A closed component that is inside out: turned with the holes, but not by a plan.
+    let turned = |soup: &Soup, plan_only: bool| {
+        let options = Options { plan_only, outward: Outward::Closed, ..Options::default() };
+        fill(soup, &options).turned_outwards.len()
+    };
+    let both = [torus(6, 5), torus(6, 5).turned()].map(|torus| soup.and(&torus));
+    assert_eq!(both.each_ref().map(|soup| turned(soup, true)), [0, 0]);
+    assert_ne!(turned(&both[0], false), turned(&both[1], false));
     let area = plan.holes[0].measures.area;
     for (limit, status) in [(area * 0.99, HoleStatus::TooLarge), (area * 1.01, HoleStatus::Filled)] {
         let limits = Limits { area: Some(limit), ..Limits::default() };

@@ -111,7 +111,8 @@ pub struct gusset_assembly_options {
     /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells,
     /// fairing, intersections and finish are read; the other fields must be valid too.
     pub strip_options: *const gusset_stitch_options,
-    /// How to fill, NULL for the defaults. outward is not read, but must be valid too.
+    /// How to fill, NULL for the defaults. groups, outward and plan_only are not read, but the last
+    /// two must be valid too; intersections REPORT is as IGNORE.
     pub fill_options: *const gusset_fill_options,
     /// 0: components of the result that are closed (every edge has two faces), consistently
     /// oriented and inside out are turned over in the end, each as a whole and by its own volume:

@@ -4,7 +4,11 @@ use crate::ffi::mesh::stitch::gusset_quality_report;
 use crate::ffi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
-use crate::fill::{Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Weight, fill_holes};
+use crate::ffi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
+use crate::fill::{
+    Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight,
+    fill_holes,
+};
 use crate::mesh::MAX_ELEMENTS;
 
 /// The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
@@ -30,9 +34,21 @@ pub const GUSSET_KEEP_LONGEST: u32 = 1;
 /// area.
 pub const GUSSET_KEEP_BORDERS: u32 = 2;
 
-/// Triangles between the vertices of the rim.
+/// Each loop gets a patch of its own.
+pub const GUSSET_TOGETHER_APART: u32 = 0;
+/// All loops that are filled get one patch: a surface of genus 0 between them. If they are not in one
+/// plane, up to some 160 loops.
+pub const GUSSET_TOGETHER_ONE: u32 = 1;
+/// Loops get one patch where that costs less, by the weight asked for, than patches of their own.
+/// Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
+/// gains most first: about 8 pairs for each loop and 256 in all, as the log says, and at most 16
+/// loops for a patch. By area alone the ends of a short tube cost less together, along the tube
+/// itself.
+pub const GUSSET_TOGETHER_CHEAPEST: u32 = 2;
+
+/// Triangles between the vertices of the rims.
 pub const GUSSET_PATCH_PLAIN: u32 = 0;
-/// With new vertices, where the plain triangles are.
+/// With new vertices, where the plain triangles are, but for those beside creases that go on.
 pub const GUSSET_PATCH_REFINED: u32 = 1;
 /// With new vertices, faired.
 pub const GUSSET_PATCH_FAIRED: u32 = 2;
@@ -59,7 +75,8 @@ pub const GUSSET_HOLE_NOT_SIMPLE: u32 = 6;
 /// Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
 pub const GUSSET_HOLE_NOT_FREE: u32 = 7;
 /// Left: every triangulation would have an edge between two vertices of one old face, which is an
-/// edge of the mesh or becomes one once its polygons are cut into triangles.
+/// edge of the mesh or becomes one once its polygons are cut into triangles; or none was found that
+/// closes all loops together which are to get one patch, as where two of them share a vertex.
 pub const GUSSET_HOLE_NO_TRIANGULATION: u32 = 8;
 
 /// A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -86,10 +103,13 @@ pub struct gusset_fill_options {
     /// for, and avoided by less fairing, other weights and no new vertices (AUTO), only reported
     /// (REPORT), or neither (IGNORE).
     pub intersections: u32,
-    /// 1: nothing is filled; the accounts say what would be, and the mesh stays as it is. 0 or 1.
+    /// 1: nothing is filled or turned over; the accounts say which loops would be tried, and with
+    /// which weight and finish. Loops that turn out to have no triangulation are not foreseen, nor
+    /// which of them together says get one patch. 0 or 1.
     pub plan_only: u32,
-    /// About how many new vertices a hole gets at the most; where more would be needed the
-    /// triangles are larger. 0 is 50,000.
+    /// About how many new vertices a patch gets, at most about twice as many; where more would be
+    /// needed the triangles are larger. 0: 50,000, or four for each vertex of its rims if that is
+    /// more, and as many again for sharp angles there.
     pub max_new_vertices: u32,
     /// Loops of more edges are left alone. 0 is no limit.
     pub max_edges: u32,
@@ -101,8 +121,12 @@ pub struct gusset_fill_options {
     pub max_area: f64,
     /// GUSSET_OUTWARD_...: what becomes of closed components of the result, patches and all.
     pub outward: u32,
-    /// 0.
-    pub reserved: u32,
+    /// GUSSET_TOGETHER_...: which loops get one patch; read without groups.
+    pub together: u32,
+    /// A number for each of the loops given, loop_count in all: those with the same number get one
+    /// patch, a surface of genus 0 between them, but for loops that are left for reasons of their own.
+    /// NULL: as together says. Needs loops.
+    pub groups: *const u32,
 }
 
 /// The account of one loop.
@@ -115,13 +139,14 @@ pub struct gusset_hole {
     pub rim_first: usize,
     /// How many they are.
     pub rim_count: usize,
-    /// Its first face in the result.
+    /// Its patch's first face in the result: the faces and the new vertices of a patch of several
+    /// loops are in the accounts of all of them.
     pub face_first: usize,
-    /// How many faces it has.
+    /// How many faces the patch has.
     pub face_count: usize,
-    /// Its first new vertex in the result.
+    /// The patch's first new vertex in the result.
     pub vertex_first: usize,
-    /// How many new vertices it has.
+    /// How many new vertices the patch has.
     pub vertex_count: usize,
     /// The sum of its edges' lengths, in the unit of the positions.
     pub length: f64,
@@ -132,13 +157,14 @@ pub struct gusset_hole {
     pub area: f64,
     /// GUSSET_HOLE_...
     pub status: u32,
-    /// GUSSET_WEIGHT_...: the weight that its triangulation is best by: the one asked for, or one
-    /// that cuts less.
+    /// GUSSET_WEIGHT_...: the weight that the patch's triangulation is best by: the one asked for, or
+    /// one that cuts less.
     pub weight: u32,
-    /// GUSSET_PATCH_...: what its patch is made of: what was asked for, or less, which cuts less.
+    /// GUSSET_PATCH_...: what the patch is made of: what was asked for, or less, which cuts less.
     pub finish: u32,
-    /// 0.
-    pub reserved: u32,
+    /// The number of the patch, from 0 on in the order of the faces; loops with the same number have
+    /// one patch. UINT32_MAX if it has none, as all have in a plan.
+    pub patch: u32,
 }
 
 /// The accounts of all loops. Pointers are valid until the fill is destroyed.
@@ -154,11 +180,11 @@ pub struct gusset_fill_view {
     pub hole_count: usize,
     /// The vertices of all rims.
     pub rims: gusset_indices,
-    /// Of each new vertex, in their order, three vertices of its rim.
+    /// Of each new vertex, in their order, three vertices of its patch's rims.
     pub parents: gusset_indices,
     /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
-    /// new vertices. They place it on the plain triangulation of the rim; a faired vertex is
-    /// elsewhere.
+    /// new vertices. They place it on the plain triangulation of the rims; a faired vertex is
+    /// elsewhere, as is one of a patch with creases.
     pub weights: *const f64,
     /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
     /// which is a new face's; ascending. What they share by number, a vertex or an edge, is no cut.
@@ -172,7 +198,7 @@ pub struct gusset_fill_view {
     pub reserved: u32,
 }
 
-versioned! { gusset_fill_options: 72 reserved, gusset_fill_view: 104 }
+versioned! { gusset_fill_options: 72, gusset_fill_view: 104 }
 fixed! { gusset_hole: 88 }
 
 c_enum! {
@@ -187,6 +213,11 @@ c_enum! {
         GUSSET_KEEP_NONE => None,
         GUSSET_KEEP_LONGEST => Longest,
         GUSSET_KEEP_BORDERS => Borders,
+    }
+    together: Together {
+        GUSSET_TOGETHER_APART => Apart,
+        GUSSET_TOGETHER_ONE => One,
+        GUSSET_TOGETHER_CHEAPEST => Cheapest,
     }
     finish: Finish {
         GUSSET_PATCH_PLAIN => Plain,
@@ -226,9 +257,21 @@ impl gusset_fill_options {
             intersections: choice(self.intersections)?,
             limits,
             keep: choice(self.keep)?,
+            together: choice(self.together)?,
             plan_only: flag(self.plan_only, "plan_only")?,
             outward: choice(self.outward)?,
         })
+    }
+
+    /// The numbers of the loops' groups, copied.
+    fn groups(self, loops: *const gusset_indices, count: usize) -> Result<Option<Vec<u32>>, Failure> {
+        if self.groups.is_null() {
+            return Ok(None);
+        }
+        if loops.is_null() {
+            return Err(Failure::new(GUSSET_ERROR_NULL_ARGUMENT, "groups are given, but loops is NULL"));
+        }
+        input::list(self.groups, count, "groups").map(Some)
     }
 }
 
@@ -247,7 +290,7 @@ impl gusset_hole {
             status: hole.status.number(),
             weight: hole.weight.number(),
             finish: hole.finish.number(),
-            reserved: 0,
+            patch: hole.patch,
         }
     }
 }
@@ -274,11 +317,19 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// which are turned over only if outward says so, then the new triangles, hole by hole. No new edge
 /// joins two vertices of one old face, so that a result that is closed stays so when its polygons are
 /// cut into triangles. A planar hole gets no overlaps by the default weight and by area, however
-/// concave it is, if its rim does not cross itself.
+/// concave it is, also one round islands, if its rims do not cross.
+///
+/// Creases of the old surface that end at a rim go on across the patch, by plain triangles where they
+/// are straight: joined in pairs, or three and more in a new vertex where they meet. A crease without
+/// a counterpart ends at the rim. Patches of several loops have none.
+///
+/// Several loops get one patch where options.groups or options.together says so: a surface of genus 0
+/// between them. If none is found, by a search that is not complete, or two of the loops share a
+/// vertex, all of them are left; GUSSET_TOGETHER_CHEAPEST leaves such loops apart.
 ///
 /// Faces of a patch that cut each other or old faces are looked for, exactly. Where there are any,
 /// less fairing, the other weights and no new vertices are tried, and what cuts least is taken; the
-/// view has the pairs that are left. No faired vertex leaves the box round its rim, larger on all
+/// view has the pairs that are left. No faired vertex leaves the box round its rims, larger on all
 /// sides by half its diagonal.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -290,15 +341,15 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// @param options NULL for the defaults.
 /// @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
-///     the loop, whose number is the report's input), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
+///     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
 ///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
 ///     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
-///     ear, O(n log n); linear memory. Besides O(H log d) for H half-edges and at most d edges at a
+///     ear, O(n log n); linear memory. Several loops of n vertices in all: O(n log n) if they are few,
+///     O(n^3) if they are many. Besides O(H log d) for H half-edges and at most d edges at a
 ///     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n faces
-///     near the holes, and the pairs whose boxes overlap, which are O(n^2) where many long triangles
-///     meet at neighbouring vertices, as in plain patches of very long rims. Loops that touch at one
-///     vertex look at each other's edges there.
+///     near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops that touch
+///     at one vertex look at each other's edges there.
 /// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -312,11 +363,22 @@ pub unsafe extern "C" fn gusset_fill_create(
     fill: *mut *mut gusset_fill,
 ) -> gusset_status {
     create(context, fill, "fill", |job| {
-        let options = input::read(options, true, "options")?.checked()?;
+        let given_options = input::read(options, true, "options")?;
+        let options = given_options.checked()?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let given = given(loops, loop_count)?;
         let slices = given.as_ref().map(|loops| alloc::collect(loops.iter().map(Vec::as_slice))).transpose()?;
-        let filled = fill_holes(&mesh, slices.as_deref(), &options, &job.part(0.1, 1.0))?;
+        let numbers = given_options.groups(loops, loop_count)?;
+        let groups = match (&slices, &numbers) {
+            (Some(loops), Some(numbers)) => alloc::collect(loops.iter().copied().zip(numbers.iter().copied()))?,
+            _ => Vec::new(),
+        };
+        let selection = match (&slices, &numbers) {
+            (None, _) => Selection::All,
+            (Some(loops), None) => Selection::Loops(loops),
+            (Some(_), Some(_)) => Selection::Groups(&groups),
+        };
+        let filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 1.0))?;
         let holes = alloc::collect(filled.holes.iter().map(gusset_hole::of))?;
         Ok(gusset_fill { filled, holes })
     })

@@ -7,6 +7,7 @@
 //! there are to try.
 
 use super::super::chords::All;
+use super::super::weigh::Cost;
 use super::opened::Opened;
 use super::rims::Rims;
 use super::task::{Closed, Repeats, Task};
@@ -92,19 +93,24 @@ struct Search<'a> {
     task: &'a Task<'a>,
     bridges: Bridges,
     best: Option<Closed>,
+    /// What costs no less is passed over.
+    limit: Option<Cost>,
     repeats: usize,
 }
 
-/// The best triangulation: all are tried. By area it is the least there is, unless edges come twice
-/// in more searches than there is time for; bends and bulges as the search of a single loop treats
-/// them.
+/// So many searches of one polygon more where edges come twice that they are as much work again.
+pub(super) fn repeats(rims: &Rims) -> usize {
+    (MAX_WORK / triangles(rims.count() + 2 * rims.loops() - 2)) as usize
+}
+
+/// The best triangulation that costs less than `limit`: all are tried. By area it is the least there
+/// is, unless edges come twice in more searches than `repeats`; bends and bulges as the search of a
+/// single loop treats them.
 ///
 /// O(trees n^3).
-pub(super) fn exact(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
+pub(super) fn exact(task: &Task<'_>, limit: Option<Cost>, repeats: usize, job: &Job<'_>) -> Result<Option<Closed>> {
     let (rims, k) = (task.rims, task.rims.loops());
-    // As much again where edges come twice.
-    let repeats = (MAX_WORK / triangles(rims.count() + 2 * k - 2)) as usize;
-    let mut search = Search { task, bridges: Bridges::new(task)?, best: None, repeats };
+    let mut search = Search { task, bridges: Bridges::new(task)?, best: None, limit, repeats };
     let count = search.bridges.sorted.len();
     for rank in 0..count {
         job.step(rank as f64 / count as f64, "triangulating holes")?;
@@ -132,7 +138,7 @@ impl Search<'_> {
             let bridges = &self.bridges;
             let excluded = |u: u32, v: u32| rims.joins(u, v) && bridges.rank(rims, u, v) < least(u, v);
             let chords = All(branch.opened.len());
-            let limit = self.best.as_ref().map(|best| &best.cost);
+            let limit = self.best.as_ref().map(|best| &best.cost).or(self.limit.as_ref());
             // Too short for anyone to wait.
             let job = Job::default();
             let found =

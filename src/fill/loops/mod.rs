@@ -42,6 +42,14 @@ use task::{Closed, Repeats, Task};
 /// Many short loops that cannot be thinned are searched as a whole up to so many vertices.
 const MAX_DENSE: usize = 1_000;
 
+/// So many vertices say whether two loops may belong together.
+const FEW: usize = 5;
+/// And their surface may cost so many times what it costs apart.
+const MARGIN: f64 = 1.5;
+/// Loops nearer to each other than this part of a side of such a thinned one belong together as far
+/// as these can say.
+const NEAR: f64 = 0.5;
+
 /// Triangles of a surface of genus 0 that closes all `loops` together, over their vertices numbered
 /// through all of them; triangles run each loop's edges forwards. No chord is `taken`. `None` if no
 /// triangulation was found.
@@ -93,12 +101,36 @@ pub(super) fn cost(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) ->
     Task { rims: &rims, weight, measure, taken: FREE, is_finest: true }.cost(triangles)
 }
 
+/// False if two loops will hardly cost less together than apart: so say loops of a few of their
+/// vertices, with a margin. O(n).
+pub(super) fn may_gain(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> Result<bool> {
+    let few = alloc::try_collect(loops.map(|polygon| polygon.of_few(FEW)))?;
+    let side = |polygon: &Polygon| polygon.length() / polygon.points.len() as f64;
+    let reach = NEAR * side(&few[0]).min(side(&few[1]));
+    // From the few of the loop that has them closer together.
+    let (one, other) = if side(&few[0]) <= side(&few[1]) { (&few[0], loops[1]) } else { (&few[1], loops[0]) };
+    if one.points.iter().any(|p| other.points.iter().any(|q| p.distance(*q) < reach)) {
+        return Ok(true);
+    }
+    let mut apart = Vec::new();
+    let mut first = 0;
+    for polygon in &few {
+        let own = minimum_weight(polygon, weight, &|_, _| false, job)?.unwrap_or_default();
+        alloc::extend(&mut apart, own.iter().map(|triangle| triangle.map(|v| first + v)))?;
+        first += polygon.points.len() as u32;
+    }
+    let limit = cost(&few, &apart, weight)?.loosened(MARGIN);
+    let rims = Rims::new(&few)?;
+    let task = Task { rims: &rims, weight, measure: rims.measure(), taken: FREE, is_finest: true };
+    Ok(exact::exact(&task, Some(limit), REPEATS, job)?.is_some())
+}
+
 /// From coarse to fine.
 fn closed(loops: &[Polygon], task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
     let lengths = loops.iter().map(|polygon| polygon.points.len());
     let n = task.rims.count() + 2 * loops.len() - 2;
     if exact::work(lengths.clone()) <= exact::MAX_WORK {
-        let best = exact::exact(task, &job.part(0.0, 0.9))?;
+        let best = exact::exact(task, None, exact::repeats(task.rims), &job.part(0.0, 0.9))?;
         return best.map(|best| improve::improved(task, best, &job.part(0.9, 1.0))).transpose();
     }
     let is_small = loops.len() > 3 && exchange::work(lengths) <= exact::MAX_WORK;
@@ -129,8 +161,11 @@ fn finer(task: &Task<'_>, coarse: &Closed, kept: &[u32], job: &Job<'_>) -> Resul
     let n = task.rims.count() + 2 * task.rims.loops() - 2;
     if n <= MAX_EXACT {
         let (opened, _) = coarse.opened.finer(task.rims, kept)?;
-        return task.search(opened, &All(n), FREE, None, Repeats::One(REPEATS), job);
+        if let Some(found) = task.search(opened, &All(n), FREE, None, Repeats::One(REPEATS), job)? {
+            return Ok(Some(found));
+        }
     }
+    // Few chords have few edges that come twice.
     for band in bands(n) {
         let (opened, places) = coarse.opened.finer(task.rims, kept)?;
         let chords = Near::new(n, &coarse.triangles, &places, band)?;

@@ -5,7 +5,7 @@
 //! edges to the left of it the nearest one has an end that is seen, or another vertex is, in the
 //! triangle between (D. Eberly, *Triangulation by ear clipping*, 2002).
 
-use super::super::clip::clip_ears;
+use super::super::clip::{clip_ears, is_planar};
 use super::opened::Opened;
 use super::rims::Rims;
 use super::task::Task;
@@ -15,8 +15,6 @@ use crate::job::Job;
 use crate::remesh::PatchMesh;
 use glam::{DVec2, DVec3};
 
-/// Loops are planar if they deviate from a plane by no more than this part of their size.
-const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
 /// By how much of it the area may differ from the loops': what is more is an overlap.
 const MAX_EXCESS: f64 = 1e-9;
 
@@ -25,10 +23,7 @@ const MAX_EXCESS: f64 = 1e-9;
 pub(super) fn common_plane(rims: &Rims) -> Option<DVec3> {
     let first = *rims.all.points.first()?;
     let normal = rims.points().map(|points| area_vector(points, first)).sum::<DVec3>().try_normalize()?;
-    let points = || rims.all.points.iter();
-    let size = points().map(|p| p.distance(first)).fold(0.0, f64::max);
-    let is_near = |p: &DVec3| (*p - first).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size;
-    points().all(is_near).then_some(normal)
+    is_planar(&rims.all.points, normal).then_some(normal)
 }
 
 /// Newell's formula: twice the area, along the normal.
@@ -59,7 +54,7 @@ pub(super) fn nested(task: &Task<'_>, normal: DVec3, job: &Job<'_>) -> Result<Op
     let tree = opened.tree()?;
     let taken = |i: u32, k: u32| {
         let [u, v] = [i, k].map(|place| opened.order[place as usize]);
-        task.forbids(u, v) || tree.iter().any(|&(ends, _)| ends == [u.min(v), u.max(v)])
+        task.forbids(u, v) || tree.binary_search_by_key(&[u.min(v), u.max(v)], |&(ends, _)| ends).is_ok()
     };
     let Some(triangles) = clip_ears(&points, &taken, &job.part(0.3, 0.7))? else {
         return Ok(None);

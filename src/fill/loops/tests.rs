@@ -369,3 +369,25 @@ fn polygons_cost_what_their_surfaces_do() {
         }
     }
 }
+
+#[test]
+fn a_long_thin_tunnel_is_found() {
+    // The rims of two caps cut off a ball, opposite each other, and a tunnel through it.
+    for n in [8, 20, 40] {
+        let rim = |sign: f64| {
+            let mut polygon = circle(n, 0.34, DVec3::Z * 0.94 * sign, DVec3::Z * sign);
+            polygon.normals = polygon.points.iter().map(|p| p.normalize()).collect();
+            polygon.across = polygon.normals.clone();
+            polygon
+        };
+        let loops = [rim(1.0), rim(-1.0)];
+        // Each third vertex is cut off by an old face.
+        let taken = |u: u32, v: u32| u.abs_diff(v) == 2 && u.min(v).is_multiple_of(3);
+        for weight in [Weight::Continuation, Weight::Area] {
+            for taken in [FREE, &taken] {
+                let triangles = together(&loops, weight, taken).unwrap_or_else(|| panic!("{weight:?} {n}"));
+                assert_closes(&loops, &triangles);
+            }
+        }
+    }
+}

@@ -4,13 +4,13 @@ use super::request::{Assembly, Options};
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
 use crate::error::Result;
-use crate::fill::{self, fill_holes};
+use crate::fill::{self, Selection, fill_holes};
 use crate::job::Job;
 use crate::mesh::{Defect, MeshView, NONE, concat};
 use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
-use crate::stitch::IndexMap;
+use crate::stitch::{IndexMap, Intersections};
 
 /// The pieces put together, welded and oriented.
 pub(super) struct Base {
@@ -82,8 +82,13 @@ impl Base {
             return Ok(done);
         }
         if let Some(how) = &options.fill {
-            let how = fill::Options { outward: Outward::Keep, ..*how };
-            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, None, &how, &job.part(0.1, 0.4))?;
+            // What cuts is not in the account of an assembly.
+            let intersections = match how.intersections {
+                Intersections::Report => Intersections::Ignore,
+                other => other,
+            };
+            let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
+            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
             (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
         }
         if !(options.keep_orientation || options.keep_inside_out) {
