@@ -618,7 +618,7 @@
 /**
  * Loops get one patch where that costs less, by the weight asked for, than patches of their own.
  * Loops whose boxes, each larger on all sides by half its diagonal, meet are tried, the pair that
- * gains most first: at most 8 pairs for each loop and 256 in all, as the log says, and at most 16
+ * gains most first: about 8 pairs for each loop and 256 in all, as the log says, and at most 16
  * loops for a patch. By area alone the ends of a short tube cost less together, along the tube
  * itself.
  */

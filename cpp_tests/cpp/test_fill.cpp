@@ -65,7 +65,7 @@ TEST_CASE("the ends of a tube") {
         const Verdict verdict = check_closed(fill, soup);
         CHECK(verdict.euler == 2);
         CHECK(verdict.bounds_a_volume);
-        CHECK(fill.intersections().empty());
+        CHECK(fill.intersections().value().empty());
         REQUIRE(fill.holes().size() == 2);
         for (const gusset_hole &hole : fill.holes()) {
             CHECK(hole.status == GUSSET_HOLE_FILLED);
