@@ -2486,8 +2486,8 @@ typedef struct gusset_fill_options {
     uint32_t together;
     /**
      * A number for each of the loops given, loop_count in all: those with the same number get one
-     * patch, a surface of genus 0 between them, but for loops that are left for reasons of their own.
-     * NULL: as together says. Needs loops.
+     * patch, a surface of genus 0 between them, but for loops that are left for reasons of their
+     * own. NULL: as together says. Needs loops.
      */
     const uint32_t *groups;
 } gusset_fill_options;
@@ -7886,12 +7886,12 @@ gusset_status gusset_meridians_index(uint32_t n,
  * @param options NULL for the defaults.
  * @param[out] fill receives the result, for gusset_fill_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view, INDEX_OUT_OF_RANGE (with the place in
- *     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops), UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE,
- *     OUT_OF_MEMORY, CANCELLED.
+ *     the loop, whose number is the report's input), NULL_ARGUMENT (groups without loops),
+ *     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity Loops of n <= 128 vertices: O(n^3) time and 30 n^2 bytes, the best triangulation (of
  *     least area: exactly); longer ones: from coarse to fine, O(n), or, if they are planar, ear by
- *     ear, O(n log n); linear memory. Several loops of n vertices in all: O(n log n) if they are few,
- *     O(n^3) if they are many. Besides O(H log d) for H half-edges and at most d edges at a
+ *     ear, O(n log n); linear memory. Several loops of n vertices in all: O(n log n) if they are
+ *     few, O(n^3) if they are many. Besides O(H log d) for H half-edges and at most d edges at a
  *     vertex, and O(m^1.5) for m new vertices of a hole. The search for cuts: O(n log n) for n faces
  *     near the holes, and the pairs whose boxes overlap, in the worst case O(n^2). Loops that touch
  *     at one vertex look at each other's edges there.

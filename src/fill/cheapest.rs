@@ -199,8 +199,8 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Two groups together; `None` if that gains nothing. If one of them cannot be closed by itself, it
-    /// gains all.
+    /// Two groups together; `None` if that gains nothing. If one of them cannot be closed by itself,
+    /// it gains all.
     fn trial(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<Pair>> {
         let mut loops = Vec::new();
         for group in groups {
@@ -245,8 +245,9 @@ fn by_distance(a: &Distance, b: &Distance) -> std::cmp::Ordering {
     a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
 }
 
-/// Pairs of boxes that are near each other, the nearest first: of each its nearest ones, but no box is
-/// one of those of more than [`MAX_LOOPS`] others, as that of a sheet's border would be of all holes.
+/// Pairs of boxes that are near each other, the nearest first: of each its nearest ones, but no box
+/// is one of those of more than [`MAX_LOOPS`] others, as that of a sheet's border would be of all
+/// holes.
 fn near(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
     let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(ROOM * around.diagonal())))?;
     let order = spatial_order(&rooms, 1)?;

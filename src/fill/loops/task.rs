@@ -77,7 +77,6 @@ impl Task<'_> {
 
     /// The best triangulation without an edge that comes twice, of those that cost less than `limit`
     /// and have no chord between vertices that are `excluded`.
-    ///
     pub(super) fn search(
         &self,
         opened: Opened,
