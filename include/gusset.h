@@ -3097,7 +3097,8 @@ typedef struct gusset_fill_view {
     const double *weights;
     /**
      * Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
-     * which is a new face's; ascending. What they share by number, a vertex or an edge, is no cut.
+     * which is a new face's; ascending. What they share, a vertex or an edge, is no cut, nor are
+     * vertices and edges at the same place; any other touch is. Exact.
      */
     struct gusset_indices intersections;
     /**
@@ -3356,8 +3357,8 @@ typedef struct gusset_stitch_view {
     uint32_t intersections_known;
     /**
      * Pairs of faces of the result that cut each other, by turns: first one of the strip, the
-     * larger one if both are. What they share by number, a vertex or an edge, is no cut; touching
-     * is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
+     * larger one if both are. What they share, a vertex or an edge, is no cut, nor are vertices and
+     * edges at the same place; any other touch is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
      * as fans from their first corners; a polygon that cuts itself is paired with itself.
      */
     struct gusset_indices intersections;

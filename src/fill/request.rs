@@ -232,8 +232,8 @@ pub struct Filled {
     /// triangulation of the rims; a faired vertex is elsewhere, as is one of a patch with creases.
     pub weights: Vec<[f64; 3]>,
     /// Pairs of faces of the result that cut each other, the larger number first, which is a new
-    /// face's; ascending. What they share by number, a vertex or an edge, is no cut. `None` if they
-    /// were not looked for.
+    /// face's; ascending. What they share, a vertex or an edge, is no cut, nor are vertices and edges
+    /// at the same place. `None` if they were not looked for.
     pub intersections: Option<Vec<[u32; 2]>>,
     /// Faces of the result, old and new ones, that [`Options::outward`] had turned over, ascending.
     /// Each keeps its first corner and has the others in reverse order.

@@ -179,12 +179,16 @@ fn cell(
         if !is_less(&parts) {
             return;
         }
-        let (normal, own) = scale.triangle([i, m, k], [left.bulge, right.bulge, bulge]);
+        let seam = scale.seam([i, m, k], [left.normal, right.normal]);
+        let is_seam = seam.is_some();
+        let (normal, own) = seam.unwrap_or_else(|| scale.triangle([i, m, k], [left.bulge, right.bulge, bulge]));
         let mut cost = parts.and(own);
         if !is_less(&cost) {
             return;
         }
-        cost = cost.and(scale.bend([i, m], normal, left.normal)).and(scale.bend([m, k], normal, right.normal));
+        if !is_seam {
+            cost = cost.and(scale.bend([i, m], normal, left.normal)).and(scale.bend([m, k], normal, right.normal));
+        }
         if at_root {
             cost = cost.and(scale.bend([i, k], normal, polygon.across[k]));
         }

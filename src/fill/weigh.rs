@@ -128,6 +128,8 @@ const AREA_ROUNDING: f64 = 1e-14;
 const ANGLE_ROUNDING: f64 = 1e-6;
 /// A triangle whose doubled area is this part of its sides' squares has none.
 const FLAT: f64 = 1e-10;
+/// A side that is this part of another one has no length.
+const CLOSED: f64 = 1e-10;
 const STEPS: f64 = (1 << 20) as f64;
 
 /// What costs of the same loops have in common.
@@ -216,6 +218,30 @@ impl<'a> Scale<'a> {
         let chord = (points[k] - points[i]) * self.measure.per_unit;
         let [h, g] = [i, k].map(|end| chord.dot(normals[end]));
         ((h * h + g * g) / 32.0).sqrt()
+    }
+
+    /// Where two vertices of a triangle (i, m, k) lie at one place, so that it is no more than a seam
+    /// between two sides that coincide: what closing the seam costs, and the normal beyond the seam,
+    /// which the side (i, k) has if it is one of the two. `None` of other triangles, and where there
+    /// are several loops.
+    ///
+    /// `normals`: beyond (i, m) and (m, k). Without this a slit whose sides coincide would be closed by
+    /// pairs of triangles that lie back to back, since triangles without area are the last choice.
+    pub(super) fn seam(&self, [i, m, k]: [usize; 3], [left, right]: [DVec3; 2]) -> Option<(DVec3, Cost)> {
+        let squared = |a: usize, b: usize| self.polygon.points[a].distance_squared(self.polygon.points[b]);
+        let [first, second, third] = [squared(i, m), squared(m, k), squared(k, i)];
+        let none = CLOSED * CLOSED * first.max(second).max(third);
+        if !self.bridges.is_empty() {
+            None
+        } else if third <= none {
+            Some((DVec3::ZERO, self.bend([i, m], left, right)))
+        } else if first <= none {
+            Some((right, Cost::ZERO))
+        } else if second <= none {
+            Some((left, Cost::ZERO))
+        } else {
+            None
+        }
     }
 
     /// The unit normal of a triangle, 0 if it has no area, and what it costs by itself. `bulges`: of

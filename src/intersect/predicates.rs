@@ -1,9 +1,9 @@
 //! Exact intersection test of two triangles, for coordinates whose products of four neither
 //! overflow nor vanish.
 //!
-//! Vertices are identified by number: a vertex or an edge that two triangles share by number is
-//! no intersection. Any other common point is, so touching counts. The signs of all
-//! determinants are exact, hence so is the answer.
+//! A vertex or an edge that two triangles share is no intersection, whether it has one number or
+//! lies twice at the same place, as along seams of meshes that were not welded. Any other common
+//! point is, so touching counts. The signs of all determinants are exact, hence so is the answer.
 
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
@@ -83,44 +83,78 @@ fn segments_meet(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
     volume(p, q, r, s) == 0.0 && (0..3).all(|k| AxisProjection(k).segments_meet(p, q, r, s))
 }
 
+/// Is p on the closed segment rs?
+fn is_on(p: DVec3, r: DVec3, s: DVec3) -> bool {
+    segments_meet(p, p, r, s)
+}
+
 /// Do the triangles with vertices `v` and `w` cut each other?
 pub(super) fn triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
-    let shared = v.iter().filter(|x| w.contains(x)).count();
+    // What they share by number they share by place, and few triangles get further.
+    intersect(v, w, &at) && {
+        let (same_v, same_w) = by_place(v, w, &at);
+        (same_v, same_w) == (v, w) || intersect(same_v, same_w, &at)
+    }
+}
+
+/// The vertices of both, each by the number that came first at its place.
+fn by_place(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> ([u32; 3], [u32; 3]) {
+    let first = |x: u32| v.into_iter().chain(w).find(|&y| at(x) == at(y)).unwrap_or(x);
+    (v.map(first), w.map(first))
+}
+
+/// As [`triangles_intersect`], by number. A triangle with a vertex twice is a segment, or a point.
+fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     let (p, q) = (v.map(&at), w.map(&at));
     // Most pairs that are near each other lie apart by the plane of one of them.
     let apart = |t: [DVec3; 3], from: [u32; 3], others: [u32; 3]| {
         let side =
             |k: usize| if from.contains(&others[k]) { None } else { Some(volume(t[0], t[1], t[2], at(others[k]))) };
         let mut sides = (0..3).filter_map(side);
-        let first = sides.next().unwrap_or(0.0);
-        sides.all(|s| same_side(s, first))
+        sides.next().is_none_or(|first| first != 0.0 && sides.all(|s| same_side(s, first)))
     };
-    if shared < 2 && (apart(p, v, w) || apart(q, w, v)) {
+    let shared = || v.into_iter().enumerate().filter(|&(k, x)| w.contains(&x) && !v[..k].contains(&x));
+    let count = shared().count();
+    if count < 2 && (apart(p, v, w) || apart(q, w, v)) {
         return false;
     }
-    match shared {
+    // The corners of one that the other does not have.
+    let rest = |t: [u32; 3], other: [u32; 3]| {
+        let mut own = t.into_iter().filter(move |x| !other.contains(x)).map(&at);
+        own.next().map(|first| (first, own.next().unwrap_or(first)))
+    };
+    match count {
         0 => {
             let edge = |t: [DVec3; 3], k: usize| (t[k], t[(k + 1) % 3]);
             (0..3).any(|k| segment_meets(edge(p, k).0, edge(p, k).1, q))
                 || (0..3).any(|k| segment_meets(edge(q, k).0, edge(q, k).1, p))
         }
-        1 => {
-            // Whatever else they have in common reaches the side opposite the shared vertex of one
-            // of them.
-            let opposite = |t: [u32; 3], other: [u32; 3]| {
-                let k = (0..3).find(|&k| other.contains(&t[k])).unwrap_or(0);
-                (at(t[(k + 1) % 3]), at(t[(k + 2) % 3]))
+        // Whatever else they have in common reaches the side opposite the shared vertex of one of
+        // them; of a triangle without area, on whose opposite side that vertex lies, an end of it.
+        1 => shared().any(|(_, x)| {
+            let reaches = |rest: Option<(DVec3, DVec3)>, other: [DVec3; 3]| match rest {
+                Some((a, b)) if is_on(at(x), a, b) => segment_meets(a, a, other) || segment_meets(b, b, other),
+                Some((a, b)) => segment_meets(a, b, other),
+                None => false,
             };
-            let ((a, b), (c, d)) = (opposite(v, w), opposite(w, v));
-            segment_meets(a, b, q) || segment_meets(c, d, p)
-        }
+            reaches(rest(v, w), q) || reaches(rest(w, v), p)
+        }),
         2 => {
+            let mut ends = shared().map(|(_, x)| at(x));
+            let (Some(e), Some(f), Some((a, _)), Some((b, _))) = (ends.next(), ends.next(), rest(v, w), rest(w, v))
+            else {
+                // One of them is no more than what they share.
+                return false;
+            };
             // Folded onto each other: in one plane, and on the same side of the edge.
-            let apex = |t: [u32; 3], other: [u32; 3]| (0..3).find(|&k| !other.contains(&t[k])).unwrap_or(0);
-            let (k, l) = (apex(v, w), apex(w, v));
-            let (e, f) = (p[(k + 1) % 3], p[(k + 2) % 3]);
-            volume(e, f, p[k], q[l]) == 0.0
-                && projection(p).is_some_and(|along| same_side(along.area(e, f, p[k]), along.area(e, f, q[l])))
+            let same_side_of_edge = |along: AxisProjection| same_side(along.area(e, f, a), along.area(e, f, b));
+            // On one line: beyond the same end of the edge.
+            let beyond_same_end = || {
+                projection(q).is_none()
+                    && ![a, b].iter().any(|&x| is_on(x, e, f))
+                    && ![e, f].iter().any(|&x| is_on(x, a, b))
+            };
+            volume(e, f, a, b) == 0.0 && projection(p).map_or_else(beyond_same_end, same_side_of_edge)
         }
         _ => true,
     }
@@ -132,9 +166,10 @@ mod tests {
     use proptest::prelude::*;
 
     /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) =
-    /// q(u, v), 0 <= s, t, s + t <= 1 and the same for u, v: a polytope, which is not empty if and
-    /// only if it has a corner, where four independent rows are 0.
-    fn have_common_points(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
+    /// q(u, v), 0 <= s, t, s + t <= 1 and the same for u, v: a polytope. Its corners are where four
+    /// independent rows are 0; of each its place as (x, y, z, w), w > 0, the coordinates being x / w,
+    /// y / w and z / w.
+    fn corners_of_what_is_common(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
         // Rows: coefficients of s, t, u, v and a constant; three that must be 0, and six that must
         // not be negative.
@@ -143,19 +178,46 @@ mod tests {
             .collect();
         rows.extend([[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [-1, -1, 0, 0, 1]]);
         rows.extend([[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, -1, -1, 1]]);
-        (0..1u32 << 9).filter(|set| set.count_ones() == 4).any(|set| {
+        let corner = |set: u32| {
             let active: Vec<_> = (0..9).filter(|k| set >> k & 1 == 1).map(|k| rows[k]).collect();
             // Cramer's rule, without division.
             let minor = |column: usize| {
                 let at = |r: usize, c: usize| if c == column { -active[r][4] } else { active[r][c] };
                 determinant(std::array::from_fn(|r| std::array::from_fn(|c| at(r, c))))
             };
-            let whole = minor(4);
-            let value = |row: &[i128; 5]| (0..4).map(|c| row[c] * minor(c)).sum::<i128>() + row[4] * whole;
-            whole != 0
+            let sign = minor(4).signum();
+            let [s, t, u, v, whole] = [0, 1, 2, 3, 4].map(|column| sign * minor(column));
+            let value = |row: &[i128; 5]| row[0] * s + row[1] * t + row[2] * u + row[3] * v + row[4] * whole;
+            let place = |k: usize| i128::from(p[0][k]) * whole + edge(p, 1, k) * s + edge(p, 2, k) * t;
+            let is_corner = whole != 0
                 && rows[..3].iter().all(|row| value(row) == 0)
-                && rows[3..].iter().all(|row| value(row) * whole.signum() >= 0)
-        })
+                && rows[3..].iter().all(|row| value(row) >= 0);
+            is_corner.then(|| [place(0), place(1), place(2), whole])
+        };
+        (0..1u32 << 9).filter(|set| set.count_ones() == 4).filter_map(corner).collect()
+    }
+
+    /// Have they more in common than the vertices that lie at the same places, and what is between
+    /// these?
+    fn have_more_in_common(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
+        let mut shared = p.to_vec();
+        shared.retain(|corner| q.contains(corner));
+        shared.sort_unstable();
+        shared.dedup();
+        let is_shared = |c: &[i128; 4]| {
+            let leg = |from: &[i64; 3]| [0, 1, 2].map(|k| c[k] - c[3] * i128::from(from[k]));
+            match shared.as_slice() {
+                [] => false,
+                [only] => leg(only) == [0; 3],
+                [e, f] => {
+                    let (a, b) = (leg(e), leg(f));
+                    let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i]);
+                    cross == [0; 3] && a.iter().zip(b).map(|(a, b)| a * b).sum::<i128>() <= 0
+                }
+                _ => false,
+            }
+        };
+        !corners_of_what_is_common(p, q).iter().all(is_shared)
     }
 
     fn determinant(m: [[i128; 4]; 4]) -> i128 {
@@ -170,15 +232,29 @@ mod tests {
     }
 
     proptest! {
-        /// On a small lattice, where touching and lying in one plane are common.
+        /// On a small lattice, where touching, lying in one plane, vertices at the same place and
+        /// triangles without area are common.
         #[test]
         fn equals_the_search_for_a_corner(
             p in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
             q in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
+            same in prop::array::uniform2(0usize..6),
+            times in 0usize..3,
         ) {
-            let (p, q) = (p.map(|(x, y, z)| [x, y, z]), q.map(|(x, y, z)| [x, y, z]));
-            let points: Vec<DVec3> = p.iter().chain(&q).map(|&[x, y, z]| DVec3::new(x as f64, y as f64, z as f64)).collect();
-            prop_assert_eq!(triangles_intersect([0, 1, 2], [3, 4, 5], |v| points[v as usize]), have_common_points(p, q));
+            let mut all = [p, q].concat();
+            // Often some of them are at the same place.
+            for k in 0..times {
+                all[3 + k] = all[same[k]];
+            }
+            let all: Vec<[i64; 3]> = all.into_iter().map(|(x, y, z)| [x, y, z]).collect();
+            let points: Vec<DVec3> = all.iter().map(|&[x, y, z]| DVec3::new(x as f64, y as f64, z as f64)).collect();
+            let (p, q) = ([all[0], all[1], all[2]], [all[3], all[4], all[5]]);
+            let expected = have_more_in_common(p, q);
+            prop_assert_eq!(triangles_intersect([0, 1, 2], [3, 4, 5], |v| points[v as usize]), expected);
+            // By number, where they have numbers in common.
+            let number = |k: usize| (0..6).find(|&j| all[j] == all[k]).unwrap_or(k) as u32;
+            let by_number = triangles_intersect([0, 1, 2].map(number), [3, 4, 5].map(number), |v| points[v as usize]);
+            prop_assert_eq!(by_number, expected);
         }
     }
 

@@ -95,8 +95,8 @@ choices! { for Finish:
     Blend => "Blend", "Triangles as fine as those round it, on a smooth surface: the best-looking joint.";
 }
 
-/// Whether faces of the strip that cut others are looked for. What they share by number, a vertex
-/// or an edge, is no cut.
+/// Whether faces of the strip that cut others are looked for. What they share, a vertex or an
+/// edge, is no cut, nor are vertices and edges at the same place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Intersections {
     /// Always, and they are avoided: faired rows and blends are taken back until nothing cuts, or

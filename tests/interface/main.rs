@@ -4,3 +4,4 @@ mod c_abi;
 mod layers;
 mod lenders;
 mod messages;
+mod modules;

@@ -68,13 +68,15 @@ fn cut_in_plane(p: [Point; 3], q: [Point; 3], shared: usize, axis: usize) -> boo
     }
 }
 
-/// Do two triangles with an area have points in common, what they share by number apart?
+/// Do two triangles with an area have points in common, what lies at vertices of both, and between
+/// these, apart?
 pub(crate) fn cut(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> Point) -> bool {
-    let shared: Vec<u32> = v.iter().copied().filter(|x| w.contains(x)).collect();
-    let first = |t: [u32; 3]| {
+    let (v, w) = (v.map(&at), w.map(&at));
+    let shared: Vec<Point> = v.iter().copied().filter(|x| w.contains(x)).collect();
+    let first = |t: [Point; 3]| {
         let mut order = shared.clone();
         order.extend(t.iter().filter(|x| !shared.contains(x)));
-        [order[0], order[1], order[2]].map(&at)
+        [order[0], order[1], order[2]]
     };
     let (p, q) = (first(v), first(w));
     let (n, m) = (normal(p), normal(q));

@@ -19,6 +19,7 @@ mod orient;
 mod outwards;
 mod patches;
 mod pieces;
+mod regions;
 mod rows;
 mod seams;
 mod stitch;

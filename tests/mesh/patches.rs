@@ -1,7 +1,7 @@
 //! What a patch must not do: cut, fold back onto polygons, leave the neighbourhood of its rim; and
 //! what its account says.
 
-use crate::common::{Soup, cap, edge_counts, sheet, torus};
+use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus};
 use gusset::Job;
 use gusset::fill::{
     Fairing, Filled, Finish, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
@@ -81,6 +81,51 @@ fn no_weight_cuts_less_than_the_default() {
                 assert!(own <= cuts(&other), "shape {number}, {weight:?}");
             }
             assert_eq!(own, 0, "shape {number}");
+        }
+    }
+}
+
+/// A sheet that was cut along a line inside it and not moved, as texture seams do, or opened a little
+/// here and there: what closes it has no area but where it is open, and lies back to back nowhere.
+#[test]
+fn slits_whose_sides_coincide_are_closed_without_area() {
+    let mut random = fastrand::Rng::with_seed(5);
+    for (case, opened) in [0, 1, 2, 4].into_iter().enumerate() {
+        for bent in [0.0, 0.3] {
+            let mut soup = sheet(9, 9);
+            let at = |i: u32, j: u32| j * 10 + i;
+            // Quads to the right of x = 4 get vertices of their own there.
+            let slit: Vec<u32> = (2..8).map(|j| at(4, j)).collect();
+            let own = |v: u32| slit.iter().position(|&w| w == v).map(|k| 100 + k as u32);
+            for corners in soup.corners.chunks_exact_mut(4) {
+                if corners.iter().any(|&v| v % 10 > 4) {
+                    corners.iter_mut().for_each(|v| *v = own(*v).unwrap_or(*v));
+                }
+            }
+            for &v in &slit {
+                let p = soup.points[v as usize];
+                soup.points.push(p);
+            }
+            soup.points.iter_mut().for_each(|p| p[2] += bent * (0.7 * p[0]).sin() * (0.9 * p[1]).cos());
+            let width = 0.2;
+            for _ in 0..opened {
+                soup.points[100 + random.usize(0..slit.len())][0] += width;
+            }
+            for options in [Options::default(), FAIR] {
+                let filled = fill(&soup, &Options { keep: Keep::Longest, ..options });
+                assert_eq!(filled.intersections.as_deref(), Some(&[][..]), "case {case}, {bent}");
+                let counts = edge_counts(faces_of(&filled.mesh));
+                assert_eq!(counts.values().filter(|&&counts| counts != (1, 1)).count(), 36, "case {case}, {bent}");
+                let point = |v: u32| glam::DVec3::from_array(filled.mesh.positions.get(v).to_array());
+                let areas = faces_of(&filled.mesh).skip(81).map(|face| {
+                    let [a, b, c] = [0, 1, 2].map(|k| point(face[k]));
+                    (b - a).cross(c - a).length() / 2.0
+                });
+                let area: f64 = areas.sum();
+                // Each vertex that was moved opens two triangles at the most.
+                let open = f64::from(opened as u32) * width * 1.3;
+                assert!(area <= 1e-12 + open, "case {case}, {bent}: {area}");
+            }
         }
     }
 }

@@ -9,7 +9,14 @@ use gusset::mesh::Mesh;
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 
-const NAMES: [&str; 5] = ["nefertiti.off", "head.off", "lion.off", "mech-holes-shark.off", "double-torus-3-holes.off"];
+const NAMES: [&str; 6] = [
+    "elephant-with-holes.off",
+    "nefertiti.off",
+    "head.off",
+    "lion.off",
+    "mech-holes-shark.off",
+    "double-torus-3-holes.off",
+];
 /// More of one mesh take long and say nothing more.
 const MAX_REGIONS: usize = 16;
 

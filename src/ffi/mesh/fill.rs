@@ -187,7 +187,8 @@ pub struct gusset_fill_view {
     /// elsewhere, as is one of a patch with creases.
     pub weights: *const f64,
     /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
-    /// which is a new face's; ascending. What they share by number, a vertex or an edge, is no cut.
+    /// which is a new face's; ascending. What they share, a vertex or an edge, is no cut, nor are
+    /// vertices and edges at the same place; any other touch is. Exact.
     pub intersections: gusset_indices,
     /// Faces of the result, old and new ones, that GUSSET_OUTWARD_CLOSED turned over, ascending.
     /// Each keeps its first corner and has the others in reverse order.

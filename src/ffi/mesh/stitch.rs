@@ -57,8 +57,8 @@ pub struct gusset_stitch_view {
     /// 1 if faces that cut each other were looked for, else 0.
     pub intersections_known: u32,
     /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the
-    /// larger one if both are. What they share by number, a vertex or an edge, is no cut; touching
-    /// is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
+    /// larger one if both are. What they share, a vertex or an edge, is no cut, nor are vertices and
+    /// edges at the same place; any other touch is. Exact. Polygons are taken as triangles: quads split by their shorter diagonals, others
     /// as fans from their first corners; a polygon that cuts itself is paired with itself.
     pub intersections: gusset_indices,
     /// How often the fairing, of rows or of the blend that was kept, had to be taken back in
