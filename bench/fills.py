@@ -66,12 +66,15 @@ def wavy(count):
 
 
 def holed():
-    """The bunny in 8.5 million triangles, with 81 holes."""
-    mesh = meshes.bunny()
-    while len(mesh.faces) < 4e6:
-        mesh = meshes.subdivided(mesh)
+    """Two bunnies side by side, 8.9 million triangles, with 81 holes."""
+    bunny = meshes.bunny()
+    while len(bunny.faces) < 4e6:
+        bunny = meshes.subdivided(bunny)
+    beside = bunny.points + 1.5 * np.ptp(bunny.points, axis=0) * [1, 0, 0]
+    faces = np.concatenate([bunny.faces, bunny.faces + np.uint32(len(bunny.points))])
+    mesh = Mesh(np.concatenate([bunny.points, beside]), faces)
     random = np.random.default_rng(3)
-    reach = 0.003 * np.ptp(mesh.points, axis=0).max()
+    reach = 0.003 * np.ptp(bunny.points, axis=0).max()
     middles = mesh.points[mesh.faces].mean(axis=1)
     kept = np.ones(len(mesh.faces), dtype=bool)
     for centre in mesh.points[random.integers(len(mesh.points), size=81)]:

@@ -54,7 +54,7 @@ together; `under_15_share`: of the new triangles.""",
 nearer to what was cut out ours are, root mean square both ways, the geometric mean over the discs; distances below a hundredth of
 the mean edge count as that. `plain`: no new vertices, everybody's defaults; `fair`: refined and faired. `clean`: closed, and no new
 face meets another; `cuts`: pairs that do, of all discs. `rim-N`: a wavy rim of N vertices with one ring of faces, from arrays to
-arrays; `unchecked`: without the search for cuts. `holes-81-in-8M`: the bunny, every triangle cut into four, with 81 holes.""",
+arrays; `unchecked`: without the search for cuts. `holes-81-in-8M`: two bunnies, every triangle cut into 64, with 81 holes.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
 
