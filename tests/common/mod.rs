@@ -8,9 +8,14 @@ use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
+/// Under `make exhaustive`.
+pub fn is_exhaustive() -> bool {
+    std::env::var_os("GUSSET_EXHAUSTIVE").is_some()
+}
+
 /// Every `step`-th of many cases, or all of them under `make exhaustive`.
 pub fn some_of<I: Iterator>(step: usize, cases: I) -> impl Iterator<Item = I::Item> {
-    cases.step_by(if std::env::var_os("GUSSET_EXHAUSTIVE").is_some() { 1 } else { step })
+    cases.step_by(if is_exhaustive() { 1 } else { step })
 }
 
 /// A mesh as a test writes it down.

@@ -1,7 +1,7 @@
 //! Regions of genus 0 with two to six loops cut out of real closed meshes, and closed again by one
 //! patch. Skipped where the data are not.
 
-use crate::common::{Soup, edge_counts, euler, faces_of, some_of};
+use crate::common::{Soup, edge_counts, euler, faces_of, is_exhaustive};
 use glam::DVec3;
 use gusset::Job;
 use gusset::fill::{Fairing, Filled, Options, Refinement, Selection, Together, fill_holes};
@@ -17,8 +17,6 @@ const NAMES: [&str; 6] = [
     "mech-holes-shark.off",
     "double-torus-3-holes.off",
 ];
-/// More of one mesh take long and say nothing more: in `make exhaustive`, and else.
-const MAX_REGIONS: [usize; 2] = [16, 5];
 
 fn numbers<'a>(words: &mut impl Iterator<Item = &'a str>, count: usize) -> Vec<f64> {
     words.take(count).map(|word| word.parse().unwrap()).collect()
@@ -181,7 +179,8 @@ fn cut_out(soup: &Soup) -> Vec<Region> {
     }
     found.sort_by_key(|region| std::cmp::Reverse(region.loops));
     assert!(!found.is_empty());
-    let most = MAX_REGIONS[some_of(2, 0..2).count() % 2];
+    // More of one mesh take long and say nothing more.
+    let most = if is_exhaustive() { 16 } else { 5 };
     let step = found.len().div_ceil(most);
     found.into_iter().step_by(step).collect()
 }
