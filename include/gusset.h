@@ -45,8 +45,10 @@
 #define GUSSET_CORRESPONDENCE_GIVEN 0
 
 /**
- * Equal parts of the arc length of each section from its first point on; a closed section that
- * runs the other way round than the first one is taken backwards.
+ * Equal parts of the arc length of each section, or of the lengths between corners that all sections
+ * have. Closed sections start where they are turned least against each other, wherever their first
+ * points are; one that runs the other way round than the first one is taken backwards. Open sections
+ * go from their first points to their last.
  */
 #define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
 
@@ -1073,7 +1075,8 @@
 #define GUSSET_NEAREST_AMBIGUOUS 4
 
 /**
- * The surface through the nodes of a frame.
+ * The surface through the nodes of a frame; that of its curves if some of them have corners, which
+ * would be rounded.
  */
 #define GUSSET_FRAME_NODES 0
 
@@ -1890,6 +1893,17 @@ typedef struct gusset_frame_options {
      */
     uint32_t ring;
     /**
+     * 1: closed sections start at their first points, or at the corner after the first section's; read
+     * with ARC_LENGTH. 0 or 1.
+     */
+    uint32_t given_starts;
+    /**
+     * 1: corners that only the points' polygon has are drawn smooth. 0: a point is a corner where that
+     * turns by 40 degrees and far more than usual, or by the `corner_angle` of the curves across if
+     * that is less than pi; there they turn sharply. 0 or 1.
+     */
+    uint32_t smooth_corners;
+    /**
      * 0.
      */
     uint32_t reserved;
@@ -1957,6 +1971,15 @@ typedef struct gusset_frame_view {
      * Nodes that could have been elsewhere, as a half-plane meets their section more than once.
      */
     struct gusset_indices ambiguous;
+    /**
+     * Nodes at which the curve across turns sharply, ascending.
+     */
+    struct gusset_indices corners;
+    /**
+     * The largest angle, in radians, by which the nodes of a closed section are turned against those
+     * of the section before it: a body that is not meant to be wrung has a small one. 0 of open ones.
+     */
+    double max_twist;
     /**
      * The largest distance between the two curves at a node, relative to the size of the nodes'
      * box.

@@ -280,7 +280,11 @@ static void frames(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
     options.ring = 0, options.reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
-    options.reserved = 0, options.across = &curves;
+    options.reserved = 0, options.given_starts = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.given_starts = 0, options.smooth_corners = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.smooth_corners = 0, options.across = &curves;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_create(context, &sections, &options, &frame));
     curves.struct_size = sizeof curves, curves.curve = GUSSET_CURVE_CUBIC_C2;
     options.correspondence = GUSSET_CORRESPONDENCE_ARC_LENGTH, options.columns = UINT32_MAX;

@@ -11,11 +11,13 @@ class Correspondence {
 public:
     /// By index: all sections have equally many points.
     static Correspondence given() { return {}; }
-    /// Equal parts of the arc length of each section.
-    static Correspondence arc_length(uint32_t columns) {
+    /// Equal parts of the arc length of each section; closed ones start where they are turned least
+    /// against each other, or, with `given_starts`, at their first points.
+    static Correspondence arc_length(uint32_t columns, bool given_starts = false) {
         Correspondence made;
         made.options_.correspondence = GUSSET_CORRESPONDENCE_ARC_LENGTH;
         made.options_.columns = columns;
+        made.options_.given_starts = given_starts ? 1 : 0;
         return made;
     }
     /// Equal angles round an axis.
@@ -38,6 +40,12 @@ public:
         made.options_.correspondence = GUSSET_CORRESPONDENCE_LANDMARKS;
         made.options_.columns = parts;
         made.options_.landmarks = {landmarks.data(), landmarks.size()};
+        return made;
+    }
+    /// The same, with corners that only the points' polygon has drawn smooth.
+    Correspondence smooth() const {
+        Correspondence made = *this;
+        made.options_.smooth_corners = 1;
         return made;
     }
     /// As the C interface takes it, without the options of the curves.

@@ -34,7 +34,10 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 const CORRESPONDENCES: &[Choice] = &[
-    Choice::new("By arc length", "Points at equal fractions of the length from each section's first point."),
+    Choice::new(
+        "By arc length",
+        "Points at equal fractions of the length; closed sections start where they are turned least.",
+    ),
     Choice::new("By number", "The given points, of which all sections have equally many."),
     Choice::new("By angle", "Points at equal angles round an axis."),
 ];
@@ -82,7 +85,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     if sections.is_empty() {
         return Err(too_few);
     }
-    let options = FrameOptions { correspondence, across, along, ring };
+    let options = FrameOptions { correspondence, across, along, ring, given_starts: false, smooth_corners: false };
     let made = frame(&outlines, &options, &job.part(0.0, 0.4)).map_err(|error| match error {
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
@@ -100,9 +103,10 @@ const NODE: [&str; 2] = ["node", "nodes"];
 fn report(made: &Frame) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
     format!(
-        "{} of {}, {turned} of them taken backwards, {} ambiguous\n",
+        "{} of {}, {turned} of them taken backwards, {} ambiguous; twist at most {:.1} degrees\n",
         counted(made.grid.rows, ["section", "sections"]),
         counted(made.grid.columns, NODE),
-        counted(made.grid.ambiguous.len(), NODE)
+        counted(made.grid.ambiguous.len(), NODE),
+        made.grid.max_twist.to_degrees()
     )
 }

@@ -48,7 +48,14 @@ impl Sections {
 }
 
 fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
-    FrameOptions { correspondence, across: CUBIC, along: CUBIC, ring: false }
+    FrameOptions {
+        correspondence,
+        across: CUBIC,
+        along: CUBIC,
+        ring: false,
+        given_starts: false,
+        smooth_corners: false,
+    }
 }
 
 /// The circle of a ball of radius 2 at height z, of n points from angle `from` on, forwards or
@@ -103,7 +110,8 @@ fn a_ball_by_angles_and_by_arc_lengths() {
     assert!(made.grid.min_sine > 0.99);
 
     let sections = Sections::of(heights().enumerate().map(|(k, z)| circle(z, 24 + k, 0.5, k % 3 == 1)));
-    let made = sections.make(true, &options(Correspondence::ArcLength { columns: 10 })).unwrap();
+    let from_first = FrameOptions { given_starts: true, ..options(Correspondence::ArcLength { columns: 10 }) };
+    let made = sections.make(true, &from_first).unwrap();
     assert_meets(&made);
     for k in 0..9 {
         assert_eq!(made.grid.turned[k], u8::from(k % 3 == 1));
@@ -166,8 +174,19 @@ fn landmarks_belong_together() {
     }));
     let polygon = Options { corner_angle: 0.5, ..Options::default() };
     let correspondence = Correspondence::Landmarks { points: &landmarks, parts: 2 };
-    let made =
-        sections.make(true, &FrameOptions { correspondence, across: polygon, along: CUBIC, ring: false }).unwrap();
+    let made = sections
+        .make(
+            true,
+            &FrameOptions {
+                correspondence,
+                across: polygon,
+                along: CUBIC,
+                ring: false,
+                given_starts: false,
+                smooth_corners: false,
+            },
+        )
+        .unwrap();
     assert_meets(&made);
     assert_eq!((made.grid.rows, made.grid.columns), (5, 8));
     for k in 0..5 {
@@ -288,4 +307,132 @@ fn sections_are_turned_at_any_scale() {
             measure.centre
         );
     }
+}
+
+/// Sections of a bent body, points at uneven steps, some backwards; each list begins somewhere.
+fn rolled(random: &mut fastrand::Rng) -> Sections {
+    Sections::of((0..9).map(|k| {
+        let z = f64::from(k);
+        let n = 24 + 5 * (k as usize % 3);
+        let mut points: Vec<[f64; 3]> = (0..n)
+            .map(|i| {
+                let t = TAU * (i as f64 + 0.3 * (7.0 * i as f64).sin()) / n as f64;
+                let r = 1.0 + 0.25 * (2.0 * t + 0.1 * z).cos() + 0.1 * (t - 0.2).sin() + 0.05 * (3.0 * t).cos();
+                [r * t.cos() + 0.2 * (0.5 * z).sin(), 0.8 * r * t.sin(), z + 0.2 * r * t.cos()]
+            })
+            .collect();
+        points.rotate_left(random.usize(..n));
+        if random.bool() {
+            points.reverse();
+        }
+        points
+    }))
+}
+
+#[test]
+fn where_lists_begin_and_which_way_they_run_does_not_matter() {
+    let mut random = fastrand::Rng::with_seed(4);
+    let way = options(Correspondence::ArcLength { columns: 24 });
+    for ring in [false, true] {
+        let way = FrameOptions { ring, ..way };
+        let make = |random: &mut fastrand::Rng| {
+            let sections = rolled(random);
+            // The direction of the first is that of all.
+            let turn = |p: &[[f64; 3]]| {
+                p.iter().zip(p.iter().cycle().skip(1)).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
+            };
+            let first = &sections.points[..sections.offsets[1] as usize];
+            (turn(first) > 0.0, sections.make(true, &way).unwrap().grid)
+        };
+        let mut before: [Option<Vec<DVec3>>; 2] = [None, None];
+        for _ in 0..200 {
+            let (forwards, grid) = make(&mut random);
+            assert!(grid.max_twist < if ring { 0.2 } else { 0.06 }, "{}", grid.max_twist);
+            let known = before[usize::from(forwards)].get_or_insert_with(|| grid.nodes.clone());
+            let off = known.iter().zip(&grid.nodes).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+            assert!(off < 1e-9 * 8.0, "{off:e}");
+        }
+    }
+    // From the first points the same body is wrung, and that is said.
+    let wrung = rolled(&mut random).make(true, &FrameOptions { given_starts: true, ..way }).unwrap();
+    assert!(wrung.grid.max_twist > 1.0, "{}", wrung.grid.max_twist);
+}
+
+/// The frames of a ship of 10 by 2 by 1: below the deck a parabola, pointed at the keel; `n` points
+/// from edge to edge and `m` more across the deck.
+fn ship(n: usize, m: usize, random: &mut fastrand::Rng) -> Sections {
+    Sections::of((0..11).map(|k| {
+        let x = f64::from(k) - 5.0;
+        let half = 1.0 - 0.03 * x * x;
+        let below = (0..n).map(|i| 2.0 * i as f64 / (n - 1) as f64 - 1.0).map(|s| [x, half * s, s * s]);
+        let across = (1..=m).map(|i| 1.0 - 2.0 * i as f64 / (m + 1) as f64).map(|s| [x, half * s, 1.0]);
+        let mut points: Vec<[f64; 3]> = below.chain(across).collect();
+        let n = points.len();
+        points.rotate_left(random.usize(..n));
+        points
+    }))
+}
+
+#[test]
+fn decks_keep_their_edges() {
+    let mut random = fastrand::Rng::with_seed(9);
+    for (n, m) in [(9, 0), (9, 3), (15, 5), (30, 1)] {
+        let sections = ship(n, m, &mut random);
+        for (correspondence, columns) in
+            [(Correspondence::ArcLength { columns: 20 }, 20), (Correspondence::ArcLength { columns: 31 }, 31)]
+        {
+            let made = sections.make(true, &options(correspondence)).unwrap();
+            assert_meets(&made);
+            assert_eq!((made.grid.columns, made.grid.corners.len()), (columns, 22), "{n} {m}");
+            for (k, pair) in made.grid.corners.chunks(2).enumerate() {
+                let x = k as f64 - 5.0;
+                let half = 1.0 - 0.03 * x * x;
+                for &node in pair {
+                    let p = made.grid.nodes[node as usize];
+                    assert!((p.x - x).abs() < 1e-12 && (p.y.abs() - half).abs() < 1e-12 && p.z == 1.0, "{p}");
+                }
+                // Its area, which the paper has for a parabola and a line, at every section.
+                let area = Measure::of(made.across.curve(k)).unwrap().area;
+                assert!((area / (4.0 / 3.0 * half) - 1.0).abs() < 0.01, "{n} {m} {k}: {area}");
+            }
+            // Smooth, they are fuller.
+            let smooth =
+                sections.make(true, &FrameOptions { smooth_corners: true, ..options(correspondence) }).unwrap();
+            assert!(smooth.grid.corners.is_empty());
+        }
+    }
+    // Some corners that others do not have, and a section that is smooth: nothing is shared.
+    let mut sections = ship(9, 3, &mut random);
+    let from = sections.offsets[4] as usize;
+    (from..sections.offsets[5] as usize).for_each(|i| sections.points[i][2] *= sections.points[i][2]);
+    let round = circle(0.0, 40, 0.0, false).into_iter().map(|[y, z, _]| [6.0, 0.1 * y, 0.5 + 0.1 * z]);
+    sections.points.extend(round);
+    sections.offsets.push(sections.points.len() as u32);
+    let made = sections.make(true, &options(Correspondence::ArcLength { columns: 20 })).unwrap();
+    assert!(made.grid.corners.is_empty() && made.grid.max_twist < 0.3);
+}
+
+#[test]
+fn open_sections_keep_their_chines() {
+    let sections = Sections::of((0..5).map(|k| {
+        let x = f64::from(k);
+        // Differently many points, and a chine at y = 1.
+        let below = (0..6 + k).map(move |i| f64::from(i) / f64::from(6 + k)).map(move |s| [x, s, 0.1 * s * s]);
+        let above = (0..=4).map(|i| f64::from(i) / 4.0).map(move |s| [x, 1.0 + 0.1 * s * s, 0.1 + s]);
+        below.chain(above).collect()
+    }));
+    let made = sections.make(false, &options(Correspondence::ArcLength { columns: 12 })).unwrap();
+    assert_meets(&made);
+    assert_eq!(made.grid.corners.len(), 5);
+    for (k, &node) in made.grid.corners.iter().enumerate() {
+        assert_eq!(made.grid.nodes[node as usize], DVec3::new(k as f64, 1.0, 0.1));
+    }
+    assert_eq!(made.grid.max_twist, 0.0);
+    for columns in [0, 1] {
+        let refused = sections.make(false, &options(Correspondence::ArcLength { columns })).unwrap_err();
+        assert_eq!(refused, Error::OptionOutOfRange { option: "columns", value: columns as f64 });
+    }
+    // No room for the chine.
+    let made = sections.make(false, &options(Correspondence::ArcLength { columns: 2 })).unwrap();
+    assert!(made.grid.corners.is_empty());
 }

@@ -464,8 +464,14 @@ fn frames_and_their_curves() {
         Outlines { points: Points::from(&sections[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
     for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2] {
         let curves = Options { mode, ..Options::default() };
-        let options =
-            FrameOptions { correspondence: Correspondence::Given, across: curves, along: curves, ring: false };
+        let options = FrameOptions {
+            correspondence: Correspondence::Given,
+            across: curves,
+            along: curves,
+            ring: false,
+            given_starts: false,
+            smooth_corners: false,
+        };
         let made = frame(&outlines, &options, &job).unwrap();
         let grid = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
         assert_eq!((grid.cells(), grid.is_closed(), grid.poles()[0]), ([7, 12], [false, true], [false, true]));
@@ -478,6 +484,65 @@ fn frames_and_their_curves() {
         for l in 0..12 {
             let apart = distance_from(&sheet, made.along.curve(l));
             assert!(apart < 1e-12, "{mode:?} {l}: {apart}");
+        }
+    }
+}
+
+/// By z over its shadow on the plane z = 0, at Gauss's points; ends across x count for nothing.
+fn volume_below(sheet: &Sheet<'_>) -> f64 {
+    let [h, w] = sheet.cells();
+    let gauss = [(0.5 - 0.15f64.sqrt(), 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + 0.15f64.sqrt(), 5.0 / 18.0)];
+    let mut sum = 0.0;
+    for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+        for ((u, a), (v, b)) in gauss.iter().flat_map(|&u| gauss.map(|v| (u, v))) {
+            let jet = sheet.jet(i, j, u, v);
+            sum += a * b * jet.point.z * jet.u.cross(jet.v).z;
+        }
+    }
+    sum.abs()
+}
+
+#[test]
+fn hulls_with_decks_have_their_volumes() {
+    let job = Job::default();
+    for (below, above) in [(7, 0), (9, 3), (13, 1), (21, 5)] {
+        // From edge to edge below a flat deck.
+        let section = |x: f64| {
+            let half = 1.0 - 0.03 * x * x;
+            let hull = (0..below).map(|i| 2.0 * f64::from(i) / f64::from(below - 1) - 1.0);
+            let hull = hull.map(move |s| [x, half * s, (1.0 + 0.02 * x * x) * s * s]);
+            let deck = (1..=above).map(|i| 1.0 - 2.0 * f64::from(i) / f64::from(above + 1));
+            hull.chain(deck.map(move |s| [x, half * s, 1.0 + 0.02 * x * x])).collect::<Vec<_>>()
+        };
+        let stations: Vec<f64> = (-4..=4).map(f64::from).collect();
+        let points: Vec<[f64; 3]> = stations.iter().flat_map(|&x| section(x)).collect();
+        let offsets: Vec<u32> = (0..=stations.len()).map(|k| (k * section(0.0).len()) as u32).collect();
+        let outlines =
+            Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
+        // Of the curves that the points are on: 4/3 of half the width by the depth, by Simpson's rule.
+        let area = |x: f64| 4.0 / 3.0 * (1.0 - 0.03 * x * x) * (1.0 + 0.02 * x * x);
+        let exact: f64 = (0..800)
+            .map(|k| f64::from(k) / 100.0 - 4.0)
+            .map(|x| (area(x) + 4.0 * area(x + 0.005) + area(x + 0.01)) * 0.01 / 6.0)
+            .sum();
+        for correspondence in [Correspondence::Given, Correspondence::ArcLength { columns: 24 }] {
+            let curves = Options::default();
+            let options = FrameOptions {
+                correspondence,
+                across: curves,
+                along: curves,
+                ring: false,
+                given_starts: false,
+                smooth_corners: false,
+            };
+            let made = frame(&outlines, &options, &job).unwrap();
+            let sheet = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
+            let off = volume_below(&sheet) / exact - 1.0;
+            assert!(off.abs() < 0.01, "{below} {above} {correspondence:?}: {off}");
+            let smooth = FrameOptions { smooth_corners: true, ..options };
+            let made = frame(&outlines, &smooth, &job).unwrap();
+            let sheet = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
+            println!("{below} {above} {correspondence:?}: {off:.5}, smooth {:.5}", volume_below(&sheet) / exact - 1.0);
         }
     }
 }

@@ -257,6 +257,8 @@ fn a_foot_from_its_frame() {
         across: curves,
         along: curves,
         ring: false,
+        given_starts: false,
+        smooth_corners: false,
     };
     let made = frame(&sections, &options, &Job::default()).unwrap();
     for kind in [FrameSurface::Nodes, FrameSurface::Curves] {

@@ -9,8 +9,10 @@ use crate::outline::frame::{Correspondence, Frame, FrameOptions, Measure, NodeGr
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
-/// Equal parts of the arc length of each section from its first point on; a closed section that
-/// runs the other way round than the first one is taken backwards.
+/// Equal parts of the arc length of each section, or of the lengths between corners that all sections
+/// have. Closed sections start where they are turned least against each other, wherever their first
+/// points are; one that runs the other way round than the first one is taken backwards. Open sections
+/// go from their first points to their last.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: u32 = 1;
 /// Where half-planes at equal angles round the axis meet each section; the farthest place where
 /// there are several.
@@ -43,6 +45,13 @@ pub struct gusset_frame_options {
     pub columns: u32,
     /// 1: the last section is followed by the first one. 0 or 1.
     pub ring: u32,
+    /// 1: closed sections start at their first points, or at the corner after the first section's; read
+    /// with ARC_LENGTH. 0 or 1.
+    pub given_starts: u32,
+    /// 1: corners that only the points' polygon has are drawn smooth. 0: a point is a corner where that
+    /// turns by 40 degrees and far more than usual, or by the `corner_angle` of the curves across if
+    /// that is less than pi; there they turn sharply. 0 or 1.
+    pub smooth_corners: u32,
     /// 0.
     pub reserved: u32,
     /// For ANGLE: a point of the axis.
@@ -81,6 +90,11 @@ pub struct gusset_frame_view {
     pub turned: *const u8,
     /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
     pub ambiguous: gusset_indices,
+    /// Nodes at which the curve across turns sharply, ascending.
+    pub corners: gusset_indices,
+    /// The largest angle, in radians, by which the nodes of a closed section are turned against those
+    /// of the section before it: a body that is not meant to be wrung has a small one. 0 of open ones.
+    pub max_twist: f64,
     /// The largest distance between the two curves at a node, relative to the size of the nodes'
     /// box.
     pub max_gap: f64,
@@ -100,12 +114,14 @@ pub struct gusset_section_report {
     pub centre: [f64; 3],
 }
 
-versioned! { gusset_frame_options: 128 reserved, gusset_frame_view: 88 }
+versioned! { gusset_frame_options: 136 reserved, gusset_frame_view: 112 }
 fixed! { gusset_section_report: 40 }
 
 impl gusset_frame_options {
     fn checked<'a>(&self, landmarks: &'a [u32]) -> Result<FrameOptions<'a>, Failure> {
         let ring = flag(self.ring, "ring")?;
+        let given_starts = flag(self.given_starts, "given_starts")?;
+        let smooth_corners = flag(self.smooth_corners, "smooth_corners")?;
         let columns = self.columns as usize;
         let correspondence = match self.correspondence {
             GUSSET_CORRESPONDENCE_GIVEN => Correspondence::Given,
@@ -121,7 +137,7 @@ impl gusset_frame_options {
         };
         let across = input::nested(self.across, "across", gusset_outline_options::checked)?;
         let along = input::nested(self.along, "along", gusset_outline_options::checked)?;
-        Ok(FrameOptions { correspondence, across, along, ring })
+        Ok(FrameOptions { correspondence, across, along, ring, given_starts, smooth_corners })
     }
 }
 
@@ -192,6 +208,8 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             along: lent(&grid.along).cast(),
             turned: lent(&grid.turned),
             ambiguous: gusset_indices::lend(&grid.ambiguous),
+            corners: gusset_indices::lend(&grid.corners),
+            max_twist: grid.max_twist,
             max_gap: grid.max_gap,
             min_sine: grid.min_sine,
         }

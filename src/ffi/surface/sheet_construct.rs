@@ -19,7 +19,8 @@ pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
 /// They are given.
 pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
 
-/// The surface through the nodes of a frame.
+/// The surface through the nodes of a frame; that of its curves if some of them have corners, which
+/// would be rounded.
 pub const GUSSET_FRAME_NODES: u32 = 0;
 /// Gordon's surface of the curves of a frame, which contains them.
 pub const GUSSET_FRAME_CURVES: u32 = 1;
@@ -303,7 +304,7 @@ pub unsafe extern "C" fn gusset_sheet_from_frame_create(
         let frame = input::reference(frame, "frame")?;
         let kind = choice(kind)?;
         let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
-        let (counts, closed) = ([grid.rows, grid.columns], [frame.ring, frame.closed]);
-        Ok(gusset_sheet(Sheet::from_frame_parts(counts, &grid.nodes, curves, closed, kind, job)?))
+        let closed = [frame.ring, frame.closed];
+        Ok(gusset_sheet(Sheet::from_frame_parts(grid, curves, closed, kind, job)?))
     })
 }

@@ -2,11 +2,13 @@
 //!
 //! Each correspondence gives every section the same number of nodes: the points themselves, equal
 //! parts of the arc length, the intersections with half-planes through an axis, or equal parts
-//! between landmarks. One fit and, but for the points themselves, one length of each section;
+//! between landmarks, as common corners are. One fit and, but for the points themselves, one length of each section;
 //! O(columns log segments) more, with angles O(columns x segments).
 
 use crate::outline::curve::{CurveView, Place};
 
+use super::align::{Ring, anchor, starts};
+use super::corners::{apportioned, constrained, corners, matched};
 use super::options::{Correspondence, FrameOptions};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -23,33 +25,32 @@ pub(super) struct SectionNodes {
     pub(super) nodes: Vec<DVec3>,
     pub(super) turned: Vec<u8>,
     pub(super) ambiguous: Vec<u32>,
+    /// The nodes that are corners of their sections, ascending.
+    pub(super) corners: Vec<u32>,
 }
 
 pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<SectionNodes> {
-    let rows = sections.offsets.map_or(1, |offsets| offsets.len().saturating_sub(1));
-    let curves = fit(sections, &options.across, &job.part(0.0, 0.5))?;
+    let rows = sections.check()?;
+    let corners = corners(sections, rows, options)?;
+    let constraints = constrained(sections, &corners)?;
+    let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &options.across, &job.part(0.0, 0.5))?;
     let job = job.part(0.5, 1.0);
-    let mut found =
-        SectionNodes { rows, columns: 0, nodes: Vec::new(), turned: alloc::filled(0, rows)?, ambiguous: Vec::new() };
+    let mut found = SectionNodes {
+        rows,
+        columns: 0,
+        nodes: Vec::new(),
+        turned: alloc::filled(0, rows)?,
+        ambiguous: Vec::new(),
+        corners: Vec::new(),
+    };
     match options.correspondence {
-        Correspondence::Given => add_given(sections, &mut found)?,
+        Correspondence::Given => add_given(sections, &corners, &mut found)?,
         Correspondence::ArcLength { columns } => {
             found.reserve(columns)?;
-            let mut first_turn = None;
-            for k in 0..rows {
-                job.step(k as f64 / rows as f64, "finding nodes")?;
-                let curve = curve_of(&curves, k)?;
-                let turn = turn_of(sections, k);
-                let backwards = sections.closed && turn.dot(*first_turn.get_or_insert(turn)) < 0.0;
-                found.turned[k] = backwards.into();
-                let lengths = curve.lengths(&Job::default())?;
-                let start = curves.place(sections.span(k).start);
-                let (whole, steps) = match sections.closed {
-                    true => (lengths.total(), columns),
-                    false => (lengths.total() - lengths.up_to(start)?, columns.saturating_sub(1)),
-                };
-                let whole = if backwards { -whole } else { whole };
-                add_even(&lengths, start, whole, [steps, columns], sections.closed, &mut found.nodes)?;
+            if sections.closed {
+                add_round(sections, &curves, &corners, options, &mut found, &job)?;
+            } else {
+                add_across(sections, &curves, &corners, &mut found, &job)?;
             }
         }
         Correspondence::Angle { columns, point, direction, reference } => {
@@ -65,7 +66,16 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
                 }
             }
         }
-        Correspondence::Landmarks { points, parts } => add_landmarks(sections, &curves, points, parts, &mut found)?,
+        Correspondence::Landmarks { points, parts } => {
+            add_landmarks(sections, &curves, points, parts, &mut found)?;
+            let each = points.len() / rows;
+            for (place, landmark) in points.iter().enumerate() {
+                let (k, i) = (place / each, place % each);
+                if corners[k].binary_search(landmark).is_ok() {
+                    alloc::push(&mut found.corners, (k * found.columns + i * parts) as u32)?;
+                }
+            }
+        }
     }
     Ok(found)
 }
@@ -116,7 +126,144 @@ impl SectionNodes {
     }
 }
 
-fn add_given(sections: &Outlines<'_>, found: &mut SectionNodes) -> Result<()> {
+/// Adds the nodes of closed sections at equal parts of their lengths: from where they are turned
+/// least, or between the corners that all of them have.
+fn add_round(
+    sections: &Outlines<'_>,
+    curves: &Fit,
+    corners: &[Vec<u32>],
+    options: &FrameOptions<'_>,
+    found: &mut SectionNodes,
+    job: &Job<'_>,
+) -> Result<()> {
+    let (rows, columns) = (found.rows, found.columns);
+    let point = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize);
+    let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
+    let mut rings = alloc::with_capacity(rows)?;
+    let (mut all, mut first_turn) = (alloc::with_capacity(rows)?, None);
+    for (k, own) in corners.iter().enumerate() {
+        job.step(0.5 * k as f64 / rows as f64, "finding nodes")?;
+        let curve = curve_of(curves, k)?;
+        let turn = turn_of(sections, k);
+        let backwards = turn.dot(*first_turn.get_or_insert(turn)) < 0.0;
+        found.turned[k] = backwards.into();
+        let lengths = curve.lengths(&Job::default())?;
+        let start = if options.given_starts { 0 } else { anchor(points(k)) };
+        let anchor = lengths.up_to(curves.place(sections.span(k).start + start))?;
+        rings.push(Ring { lengths, anchor, backwards });
+        let mut own = alloc::copied(own)?;
+        if backwards {
+            own.reverse();
+        }
+        all.push(own);
+    }
+    let centre = alloc::collect((0..rows).map(|k| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>()))?;
+    let mut marks = matched(&all, true, |k, i| point(k, i) - centre[k])?;
+    let count = marks.first().map_or(0, Vec::len);
+    if count == 0 || count > columns {
+        let starts = if options.given_starts { alloc::filled(0.0, rows)? } else { starts(&rings, options.ring)? };
+        for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
+            job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
+            let total = ring.lengths.total();
+            let whole = if ring.backwards { -total } else { total };
+            add_even(&ring.lengths, ring.place(start)?, whole, [columns, columns], true, &mut found.nodes)?;
+        }
+        return Ok(());
+    }
+    // As far along the way of the section as the corner is.
+    let along = |k: usize, mark: u32| -> Result<f64> {
+        let ring = &rings[k];
+        let by = ring.lengths.up_to(curves.place(sections.span(k).start + mark as usize))? - ring.anchor;
+        let by = if ring.backwards { -by } else { by };
+        Ok(if by < 0.0 { by + ring.lengths.total() } else { by })
+    };
+    let first = match options.given_starts {
+        true => {
+            let far = alloc::try_collect(marks[0].iter().map(|&mark| along(0, mark)))?;
+            (0..count).min_by(|&i, &j| far[i].total_cmp(&far[j])).unwrap_or(0)
+        }
+        false => anchor(marks[0].iter().map(|&mark| point(0, mark))),
+    };
+    marks.iter_mut().for_each(|marks| marks.rotate_left(first));
+    // Of the section from each corner to the next.
+    let span = |k: usize, i: usize| -> Result<f64> {
+        let by = along(k, marks[k][(i + 1) % count])? - along(k, marks[k][i])?;
+        Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
+    };
+    add_parts(&marks, &rings, curves, sections, columns, span, found)
+}
+
+/// Adds the nodes of open sections at equal parts of their lengths, or of those between the corners
+/// that all of them have.
+fn add_across(
+    sections: &Outlines<'_>,
+    curves: &Fit,
+    corners: &[Vec<u32>],
+    found: &mut SectionNodes,
+    job: &Job<'_>,
+) -> Result<()> {
+    let (rows, columns) = (found.rows, found.columns);
+    let mut rings = alloc::with_capacity(rows)?;
+    for k in 0..rows {
+        job.step(k as f64 / rows as f64, "finding nodes")?;
+        let lengths = curve_of(curves, k)?.lengths(&Job::default())?;
+        rings.push(Ring { lengths, anchor: 0.0, backwards: false });
+    }
+    let point = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize);
+    let centre = |k: usize| sections.span(k).map(|i| sections.points.get(i) / sections.span(k).len() as f64).sum();
+    let centres: Vec<DVec3> = alloc::collect((0..rows).map(centre))?;
+    let mut marks = matched(corners, false, |k, i| point(k, i) - centres[k])?;
+    if marks.first().is_some_and(|marks| marks.len() + 2 > columns) {
+        marks.iter_mut().for_each(Vec::clear);
+    }
+    for (k, marks) in marks.iter_mut().enumerate() {
+        alloc::push(marks, sections.span(k).len() as u32 - 1)?;
+        marks.insert(0, 0);
+    }
+    let at = |k: usize, i: usize| rings[k].lengths.up_to(curves.place(sections.span(k).start + marks[k][i] as usize));
+    let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
+    add_parts(&marks, &rings, curves, sections, columns, span, found)?;
+    found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
+    Ok(())
+}
+
+/// Adds the nodes between landmarks: as many parts for each interval as its mean share of the lengths
+/// says. `span`: the length of interval i of section k.
+fn add_parts(
+    marks: &[Vec<u32>],
+    rings: &[Ring<'_>],
+    curves: &Fit,
+    sections: &Outlines<'_>,
+    columns: usize,
+    span: impl Fn(usize, usize) -> Result<f64>,
+    found: &mut SectionNodes,
+) -> Result<()> {
+    let Some(count) = marks.first().map(Vec::len).filter(|_| columns > 1) else {
+        return Ok(());
+    };
+    let (intervals, parts) = if sections.closed { (count, columns) } else { (count - 1, columns - 1) };
+    let mut shares = alloc::filled(0.0, intervals)?;
+    for (k, ring) in rings.iter().enumerate() {
+        for (i, share) in shares.iter_mut().enumerate() {
+            *share += span(k, i)? / ring.lengths.total();
+        }
+    }
+    let counts = apportioned(&shares, parts)?;
+    for (k, ring) in rings.iter().enumerate() {
+        let place = |i: usize| curves.place(sections.span(k).start + marks[k][i] as usize);
+        for (i, &parts) in counts.iter().enumerate() {
+            alloc::push(&mut found.corners, found.nodes.len() as u32)?;
+            let whole = if ring.backwards { -span(k, i)? } else { span(k, i)? };
+            add_even(&ring.lengths, place(i), whole, [parts, parts], sections.closed, &mut found.nodes)?;
+        }
+        if !sections.closed {
+            found.nodes.push(ring.lengths.curve().point(place(intervals))?);
+        }
+    }
+    Ok(())
+}
+
+fn add_given(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
     let columns = if found.rows == 0 { 0 } else { sections.span(0).len() };
     found.reserve(columns)?;
     for k in 0..found.rows {
@@ -126,6 +273,7 @@ fn add_given(sections: &Outlines<'_>, found: &mut SectionNodes) -> Result<()> {
             return Err(Error::SectionsDiffer { section: k as u32, count, expected });
         }
         found.nodes.extend(span.map(|i| sections.points.get(i)));
+        alloc::extend(&mut found.corners, corners[k].iter().map(|&corner| (k * columns) as u32 + corner))?;
     }
     Ok(())
 }

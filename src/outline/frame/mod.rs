@@ -6,6 +6,8 @@
 //!
 //! * options: [`Correspondence`] of points, and the options of the curves.
 //! * correspond: the nodes; which points of one section belong to which of the next.
+//! * align: where closed sections start, and by how much a body is wrung.
+//! * corners: the corners of sections, and which of them belong together.
 //! * [`frame`](frame()): the curves through them.
 //! * slice: new sections, and girth and area along the body.
 //!
@@ -13,6 +15,8 @@
 //!
 //! Source: Nadopta, introduction; the correspondences are ours.
 
+mod align;
+mod corners;
 mod correspond;
 mod options;
 mod slice;
@@ -20,7 +24,7 @@ mod slice;
 pub use options::{Correspondence, FrameOptions};
 pub use slice::{Measure, Slice, slice};
 
-use crate::outline::identify::{Fit, Options, Outlines, Points, fit};
+use crate::outline::identify::{Constraint, Fit, Options, Outlines, PointConstraint, Points, fit};
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -45,6 +49,11 @@ pub struct NodeGrid {
     pub turned: Vec<u8>,
     /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
     pub ambiguous: Vec<u32>,
+    /// Nodes at which the curve across turns sharply, ascending.
+    pub corners: Vec<u32>,
+    /// The largest angle, in radians, by which the nodes of a closed section are turned against those
+    /// of the section before it: a body that is not meant to be wrung has a small one. 0 of open ones.
+    pub max_twist: f64,
     /// The largest distance between the two curves at a node, relative to the size of the nodes'
     /// box.
     pub max_gap: f64,
@@ -77,10 +86,12 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     for (option, count, closed) in [("sections", rows, options.ring), ("columns", columns, sections.closed)] {
         Error::require(count >= if closed { 3 } else { 2 }, option, count as f64)?;
     }
-    let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.6))?;
+    let kind = PointConstraint::Corner;
+    let corners = alloc::collect(found.corners.iter().map(|&point| Constraint { point, kind }))?;
+    let across = curves(&found.nodes, columns, sections.closed, &corners, &options.across, &job.part(0.4, 0.6))?;
     let turned_back = |point: usize| (point % rows) * columns + point / rows;
     let turned_about = alloc::collect((0..found.nodes.len()).map(|point| found.nodes[turned_back(point)]))?;
-    let along = curves(&turned_about, rows, options.ring, &options.along, &job.part(0.6, 0.8))?;
+    let along = curves(&turned_about, rows, options.ring, &[], &options.along, &job.part(0.6, 0.8))?;
     let (on_across, directions_across) = at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
     let (on_along, directions_along) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
     let mut grid = NodeGrid {
@@ -91,9 +102,14 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         along: directions_along,
         turned: found.turned,
         ambiguous: found.ambiguous,
+        corners: found.corners,
+        max_twist: 0.0,
         max_gap: 0.0,
         min_sine: 1.0,
     };
+    if sections.closed {
+        grid.max_twist = align::twist(&grid.nodes, columns, options.ring);
+    }
     let unit = common_unit(&grid.nodes);
     let size = Aabb::of(grid.nodes.iter().map(|&p| p / unit)).size().max_element();
     for (node, (&p, &q)) in on_across.iter().zip(&on_along).enumerate() {
@@ -107,11 +123,18 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
 }
 
 /// Curves through rows of `width` nodes each.
-fn curves(nodes: &[DVec3], width: usize, closed: bool, options: &Options, job: &Job<'_>) -> Result<Fit> {
+fn curves(
+    nodes: &[DVec3],
+    width: usize,
+    closed: bool,
+    constraints: &[Constraint],
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Fit> {
     let offsets = alloc::collect((0..nodes.len() / width + 1).map(|k| (k * width) as u32))?;
     let rows = alloc::collect(nodes.iter().map(DVec3::to_array))?;
     let points = Points::from(&rows[..]);
-    fit(&Outlines { points, offsets: Some(&offsets), closed, constraints: &[] }, options, job)
+    fit(&Outlines { points, offsets: Some(&offsets), closed, constraints }, options, job)
 }
 
 /// Where the curves pass their points, and in which direction, put at the places that `place` gives

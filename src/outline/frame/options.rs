@@ -8,8 +8,10 @@ use glam::DVec3;
 pub enum Correspondence<'a> {
     /// The points themselves, by their places: all sections have equally many.
     Given,
-    /// Equal parts of the arc length of each section from its first point on; a section that runs
-    /// the other way round than the first one is taken backwards.
+    /// Equal parts of the arc length of each section, or of the lengths between corners that all
+    /// sections have. Closed sections start where they are turned least against each other, wherever
+    /// their first points are; one that runs the other way round than the first one is taken
+    /// backwards. Open sections go from their first points to their last.
     ArcLength {
         /// The number of nodes in a section.
         columns: usize,
@@ -48,4 +50,11 @@ pub struct FrameOptions<'a> {
     pub along: Options,
     /// The last section is followed by the first one, as in a ring.
     pub ring: bool,
+    /// Closed sections start at their first points, or at the corner after the first section's;
+    /// read by [`Correspondence::ArcLength`].
+    pub given_starts: bool,
+    /// Corners that only the points' polygon has are drawn smooth. Otherwise a point is a corner where
+    /// that turns by 40 degrees and far more than usual, or by [`Options::corner_angle`] if that is less
+    /// than pi: curves across turn sharply there.
+    pub smooth_corners: bool,
 }

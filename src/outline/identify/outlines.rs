@@ -117,7 +117,7 @@ pub enum PointConstraint {
 
 impl Outlines<'_> {
     /// Checks offsets and constraints; the number of outlines.
-    pub(super) fn check(&self) -> Result<usize> {
+    pub(in crate::outline) fn check(&self) -> Result<usize> {
         let count = self.points.len();
         if let Some(offsets) = self.offsets {
             let value = |entry: usize| offsets.get(entry).copied().unwrap_or(0);

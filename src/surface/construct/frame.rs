@@ -11,7 +11,7 @@ use crate::surface::{Grid, Nodes, Scheme, Sheet};
 /// The parts of a frame that the surface is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum FrameSurface {
-    /// Its nodes: a grid.
+    /// Its nodes: a grid; all its curves if some of them have corners, which a grid would round.
     #[default]
     Nodes,
     /// Its curves too: Gordon's surface, which contains them.
@@ -19,7 +19,7 @@ pub enum FrameSurface {
 }
 
 choices! { for FrameSurface:
-    Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each.";
+    Nodes => "Nodes", "The nodes: bicubic patches from 6 x 6 of them each; the curves if some have corners.";
     Curves => "Curves", "All curves through the nodes, across and along.";
 }
 
@@ -33,21 +33,20 @@ impl Sheet<'static> {
     /// [`Error::CurveNotClosed`]; [`Error::NotFinite`], [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
-        let NodeGrid { rows, columns, nodes, .. } = &frame.grid;
-        Sheet::from_frame_parts([*rows, *columns], nodes, [&frame.across, &frame.along], closed, kind, job)
+        Sheet::from_frame_parts(&frame.grid, [&frame.across, &frame.along], closed, kind, job)
     }
 
-    /// The same from a frame's parts: rows and columns, nodes, the curves across and along.
+    /// The same from a frame's parts: nodes, and the curves across and along.
     pub(crate) fn from_frame_parts(
-        counts: [usize; 2],
-        nodes: &[DVec3],
+        grid: &NodeGrid,
         curves: [&Fit; 2],
         closed: [bool; 2],
         kind: FrameSurface,
         job: &Job<'_>,
     ) -> Result<Self> {
-        if kind == FrameSurface::Nodes {
-            return through(counts, nodes, closed);
+        let counts = [grid.rows, grid.columns];
+        if kind == FrameSurface::Nodes && grid.corners.is_empty() {
+            return through(counts, &grid.nodes, closed);
         }
         if degree(curves.into_iter().flat_map(|fit| (0..fit.len()).map(move |k| fit.curve(k))))? <= 3 {
             Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
