@@ -120,6 +120,15 @@ impl fmt::Display for Number<'_> {
     }
 }
 
+fn bad_line(line: u64, value: &f64) -> String {
+    match *value {
+        0.0 => format!("line {line} has no direction"),
+        value if !value.is_finite() => format!("line {line} has a coordinate or an end that is {value}"),
+        value if value.abs() > 1e150 => format!("line {line} begins beyond 1e150, at {}", Number(&value)),
+        value => format!("line {line} has no points between its ends: {}", Number(&value)),
+    }
+}
+
 /// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
 #[allow(missing_docs, reason = "the texts say what the fields are")]
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -163,7 +172,7 @@ pub enum Error {
     },
     /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere
     /// than their elements.
-    #[error("offset {entry} is {value}{}", if *.entry == 0 { " instead of 0" } else { ", which is out of order or out of range" })]
+    #[error("offset {entry} is {value}: offsets rise from 0 to the number of elements")]
     BadOffsets {
         /// The first offending entry.
         entry: u32,
@@ -309,8 +318,8 @@ pub enum Error {
         a: u32,
         b: u32,
     },
-    /// Sides of nets that are to be welded do not lie on each other.
-    #[error("the sides to be welded are {} apart at place {place}", Number(.distance))]
+    /// Sides that are to coincide, of nets that are welded or of a closed sheet, do not.
+    #[error("sides that are to coincide are {} apart at place {place}", Number(.distance))]
     SidesApart { place: u32, distance: f64 },
     /// A direction of a spline has another number of knots than its control points and degree need.
     #[error("direction {direction} has {given} knots; its control points and degree need {needed}")]
@@ -354,7 +363,7 @@ pub enum Error {
         face: u32,
     },
     /// A stream is damaged, cut off, or none of ours.
-    #[error("the stream is damaged at byte {byte}: {what}")]
+    #[error("the stream cannot be read at byte {byte}: {what}")]
     BadStream { what: &'static str, byte: u64 },
     /// A group of a scene would contain itself.
     #[error("entry {entry} of the scene would contain itself")]
@@ -374,7 +383,7 @@ pub enum Error {
     #[error("the net is glued elsewhere than along whole sides, or has bridges")]
     GluedInside,
     /// A line has an origin beyond 1e150, has no direction, or has no points between its ends.
-    #[error("line {line} begins beyond 1e150, has no direction, or no points between its ends: {}", Number(.value))]
+    #[error("{}", bad_line(*.line, .value))]
     BadLine {
         line: u64,
         /// The number that is wrong.

@@ -83,12 +83,11 @@ pub(super) fn nearest(
         Error::NotFinite { index, value, .. } => not_finite(index, value),
         error => error,
     })?;
-    alloc::try_collect(
-        (0..)
-            .zip(found)
-            .zip(queries)
-            .map(|((index, found), query)| found.ok_or(not_finite(index, query.element_sum()))),
-    )
+    alloc::try_collect((0..).zip(found).zip(queries).map(|((index, found), query)| {
+        // Squares of distances would overflow.
+        let value = query.to_array().into_iter().fold(0.0, |most: f64, x| if x.abs() > most.abs() { x } else { most });
+        found.ok_or(Error::CoordinateTooLarge { element, index, value })
+    }))
 }
 
 /// Paths as polylines.

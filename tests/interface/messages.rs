@@ -2,6 +2,7 @@
 
 #![allow(unsafe_code, reason = "the functions are those of C")]
 
+use gusset::Error;
 use gusset::ffi::context::*;
 use gusset::ffi::curve::frame::*;
 use gusset::ffi::curve::outline::gusset_outlines;
@@ -11,6 +12,7 @@ use gusset::ffi::mesh::fill::gusset_fill_options;
 use gusset::ffi::mesh::stitch_options::gusset_stitch_options;
 use gusset::ffi::mesh::weld::gusset_weld_options;
 use gusset::ffi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
+use gusset::net::stream::StreamInfo;
 use std::ffi::CStr;
 use std::ptr;
 
@@ -79,4 +81,27 @@ fn the_curves_across_and_along_a_frame_have_options_each() {
         });
         assert_eq!(said, format!("{name}.lock has the unknown value 77"));
     }
+}
+
+#[test]
+fn sentences_say_what_is_wrong() {
+    let line = |value: f64| Error::BadLine { line: 3, value }.to_string();
+    assert_eq!(line(0.0), "line 3 has no direction");
+    assert_eq!(line(f64::NAN), "line 3 has a coordinate or an end that is NaN");
+    assert_eq!(line(-1e200), "line 3 begins beyond 1e150, at -1e200");
+    assert_eq!(line(2.5), "line 3 has no points between its ends: 2.5");
+    let offsets = Error::BadOffsets { entry: 2, value: 4 }.to_string();
+    assert_eq!(offsets, "offset 2 is 4: offsets rise from 0 to the number of elements");
+    // Short texts and long ones.
+    for text in [&b"solid part"[..], &[b'v'; 4096]] {
+        let error = StreamInfo::read(text).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "the stream cannot be read at byte 0: it does not begin as a stream of a net does"
+        );
+    }
+    assert_eq!(
+        StreamInfo::read(b"\x8bTRN").unwrap_err().to_string(),
+        "the stream cannot be read at byte 4: it is cut off"
+    );
 }

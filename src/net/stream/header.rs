@@ -84,11 +84,13 @@ impl StreamInfo {
     /// # Errors
     /// [`Error::BadStream`](crate::Error::BadStream).
     pub fn read(bytes: &[u8]) -> Result<Self> {
-        let header = bytes.get(..HEADER_SIZE).ok_or(bad("it is cut off", bytes.len() as u64))?;
-        let mut from = Reader::new(header, 0);
-        if from.raw(8)? != MAGIC {
+        // Whatever else is wrong, of other bytes that is said first.
+        if bytes.iter().zip(&MAGIC).any(|(byte, own)| byte != own) {
             return Err(bad("it does not begin as a stream of a net does", 0));
         }
+        let header = bytes.get(..HEADER_SIZE).ok_or(bad("it is cut off", bytes.len() as u64))?;
+        let mut from = Reader::new(header, 0);
+        from.raw(MAGIC.len())?;
         let last = HEADER_SIZE - 4;
         if header[last..] != checksum(&header[..last]).to_le_bytes() {
             return Err(bad("the checksum of the header is wrong", last as u64));
