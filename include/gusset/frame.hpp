@@ -33,6 +33,19 @@ public:
         }
         return made;
     }
+    /// Equal angles round a bent axis, of which each section has a point: x, y, z. The points must
+    /// outlive the call.
+    static Correspondence angle(uint32_t columns, Points axis, const Point3 &reference) {
+        Correspondence made;
+        made.options_.correspondence = GUSSET_CORRESPONDENCE_ANGLE;
+        made.options_.columns = columns;
+        made.options_.axis_points = axis.empty() ? nullptr : axis[0].data();
+        made.options_.axis_point_count = axis.size();
+        for (std::size_t k = 0; k < 3; ++k) {
+            made.options_.reference[k] = reference[k];
+        }
+        return made;
+    }
     /// Landmarks of each section, and equal parts of the arc length between them. The landmarks
     /// must outlive the call.
     static Correspondence landmarks(Indices landmarks, uint32_t parts) {

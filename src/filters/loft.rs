@@ -1,7 +1,7 @@
 use super::curve::REFERENCE;
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};
-use crate::outline::frame::{Correspondence, Frame, FrameOptions, frame};
+use crate::outline::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
 use crate::outline::{Options, Outlines, Points};
 use crate::surface::construct::FrameSurface;
 use crate::surface::{Sheet, Surface};
@@ -72,8 +72,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         1 => Correspondence::Given,
         _ => Correspondence::Angle {
             columns,
-            point: values.vector("point"),
-            direction,
+            axis: Axis::Line { point: values.vector("point"), direction },
             reference: direction.any_orthonormal_vector(),
         },
     };

@@ -1,7 +1,7 @@
 //! The frame of outlines, on bodies by formula.
 
 use glam::DVec3;
-use gusset::outline::frame::{Correspondence, Frame, FrameOptions, Measure, frame, slice};
+use gusset::outline::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, frame, slice};
 use gusset::outline::{Mode, Options, Outlines, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
@@ -58,6 +58,10 @@ fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
     }
 }
 
+fn straight(point: DVec3, direction: DVec3) -> Axis<'static> {
+    Axis::Line { point, direction }
+}
+
 /// The circle of a ball of radius 2 at height z, of n points from angle `from` on, forwards or
 /// backwards.
 fn circle(z: f64, n: usize, from: f64, backwards: bool) -> Vec<[f64; 3]> {
@@ -95,7 +99,7 @@ fn a_ball_by_angles_and_by_arc_lengths() {
     // Differently many points, from different starts, some backwards.
     let sections = Sections::of(heights().enumerate().map(|(k, z)| circle(z, 20 + 3 * k, 0.3 * k as f64, k % 2 == 1)));
     let by_angle =
-        Correspondence::Angle { columns: 12, point: DVec3::ZERO, direction: DVec3::Z * 5.0, reference: DVec3::X };
+        Correspondence::Angle { columns: 12, axis: straight(DVec3::ZERO, DVec3::Z * 5.0), reference: DVec3::X };
     let made = sections.make(true, &options(by_angle)).unwrap();
     assert_meets(&made);
     assert!(made.grid.ambiguous.is_empty());
@@ -236,7 +240,8 @@ fn what_makes_no_frame_is_refused() {
         two.make(true, &options(Correspondence::Given)).unwrap_err(),
         Error::SectionsDiffer { section: 1, count: 7, expected: 6 }
     );
-    let angle = |point, direction, reference| Correspondence::Angle { columns: 5, point, direction, reference };
+    let angle =
+        |point, direction, reference| Correspondence::Angle { columns: 5, axis: straight(point, direction), reference };
     let refused = |correspondence| two.make(true, &options(correspondence)).unwrap_err();
     assert!(matches!(
         refused(angle(DVec3::ZERO, DVec3::ZERO, DVec3::X)),
@@ -435,4 +440,65 @@ fn open_sections_keep_their_chines() {
     // No room for the chine.
     let made = sections.make(false, &options(Correspondence::ArcLength { columns: 2 })).unwrap();
     assert!(made.grid.corners.is_empty());
+}
+
+#[test]
+fn angles_about_a_bent_axis() {
+    // A helix of radius 4 with a wire of radius 0.5 about it; the sections begin anywhere.
+    let (radius, rise, wire) = (4.0, 0.6, 0.5);
+    let at = |t: f64| DVec3::new(radius * t.cos(), radius * t.sin(), rise * t);
+    let tangent = |t: f64| DVec3::new(-radius * t.sin(), radius * t.cos(), rise).normalize();
+    let (count, columns) = (25, 16);
+    let turns = |k: usize| 0.15 * k as f64;
+    let sections = Sections::of((0..count).map(|k| {
+        let (centre, along) = (at(turns(k)), tangent(turns(k)));
+        let first = along.any_orthonormal_vector();
+        let on = |i: usize| {
+            let angle = TAU * i as f64 / 40.0 + k as f64;
+            (centre + wire * (first * angle.cos() + along.cross(first) * angle.sin())).to_array()
+        };
+        (0..40).map(on).collect()
+    }));
+    let axis: Vec<DVec3> = (0..count).map(|k| at(turns(k))).collect();
+    fn about(axis: Axis<'_>, reference: DVec3) -> Correspondence<'_> {
+        Correspondence::Angle { columns: 16, axis, reference }
+    }
+    let made = sections.make(true, &options(about(Axis::Points(&axis), DVec3::Z))).unwrap();
+    assert_meets(&made);
+    let node = |k: usize, i: usize| made.grid.nodes[k * columns + i] - axis[k];
+    // Column 0 begins towards z, and turns about the axis by what the helix's torsion says less than
+    // its own normal, which always points to the z axis.
+    let speed = radius.hypot(rise);
+    let torsion = rise / (speed * speed);
+    for k in 0..count {
+        let along = tangent(turns(k));
+        let normal = -DVec3::new(turns(k).cos(), turns(k).sin(), 0.0);
+        let start = DVec3::Z - along * along.z;
+        let expected_start = {
+            let (n, b) = (normal, along.cross(normal));
+            start.dot(b).atan2(start.dot(n))
+        };
+        let expected = expected_start - torsion * speed * turns(k);
+        for i in 0..columns {
+            let p = node(k, i);
+            assert!((p.length() - wire).abs() < 1e-4 && p.dot(along).abs() < 2e-3 * wire, "{k} {i}");
+            let angle = p.dot(along.cross(normal)).atan2(p.dot(normal));
+            let off = angle - (expected + TAU * i as f64 / columns as f64);
+            assert!(off.sin().abs() < 2e-3, "{k} {i}: {off}");
+        }
+    }
+    // Not as many points as sections; two at one place; a reference along the axis; no number.
+    let refused = |axis: &[DVec3], reference| {
+        let error = sections.make(true, &options(about(Axis::Points(axis), reference))).unwrap_err();
+        let Error::OptionOutOfRange { option, .. } = error else { panic!("{error}") };
+        option
+    };
+    assert_eq!(refused(&axis[1..], DVec3::Z), "axis");
+    let mut wrong = axis.clone();
+    wrong[3] = wrong[2];
+    assert_eq!(refused(&wrong, DVec3::Z), "axis");
+    wrong[3].x = f64::NAN;
+    assert_eq!(refused(&wrong, DVec3::Z), "axis");
+    let straight: Vec<DVec3> = (0..count).map(|k| DVec3::Z * k as f64).collect();
+    assert_eq!(refused(&straight, DVec3::Z), "reference");
 }

@@ -5,7 +5,7 @@ use crate::ffi::curve::outline_options::gusset_outline_options;
 use crate::ffi::mesh::{self, gusset_indices};
 use crate::ffi::prelude::*;
 use crate::outline::Options;
-use crate::outline::frame::{Correspondence, Frame, FrameOptions, Measure, NodeGrid, frame, slice};
+use crate::outline::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, NodeGrid, frame, slice};
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
@@ -14,8 +14,8 @@ pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
 /// points are; one that runs the other way round than the first one is taken backwards. Open sections
 /// go from their first points to their last.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: u32 = 1;
-/// Where half-planes at equal angles round the axis meet each section; the farthest place where
-/// there are several.
+/// Where half-planes at equal angles round the axis, straight or bent, meet each section; the
+/// farthest place where there are several.
 pub const GUSSET_CORRESPONDENCE_ANGLE: u32 = 2;
 /// Landmarks of each section, and equal parts of the arc length between them.
 pub const GUSSET_CORRESPONDENCE_LANDMARKS: u32 = 3;
@@ -58,8 +58,15 @@ pub struct gusset_frame_options {
     pub axis_point: [f64; 3],
     /// For ANGLE: its direction; seen against it angles grow counter-clockwise.
     pub axis_direction: [f64; 3],
-    /// For ANGLE: towards the nodes of column 0; any vector not along the axis.
+    /// For ANGLE: towards the nodes of column 0; any vector not along the axis, at its first point if
+    /// it is bent.
     pub reference: [f64; 3],
+    /// For ANGLE about a bent axis: a point of it for each section, x, y, z; axis_point and
+    /// axis_direction are not read then. The axis passes them along the circles through three of them
+    /// at a time, and the reference goes along without turning about it. NULL: the axis is straight.
+    pub axis_points: *const f64,
+    /// The number of these points: that of the sections.
+    pub axis_point_count: usize,
     /// For LANDMARKS: for each section its landmarks in order, places among its own points; as many
     /// for each.
     pub landmarks: gusset_indices,
@@ -114,11 +121,11 @@ pub struct gusset_section_report {
     pub centre: [f64; 3],
 }
 
-versioned! { gusset_frame_options: 136 reserved, gusset_frame_view: 112 }
+versioned! { gusset_frame_options: 152 reserved, gusset_frame_view: 112 }
 fixed! { gusset_section_report: 40 }
 
 impl gusset_frame_options {
-    fn checked<'a>(&self, landmarks: &'a [u32]) -> Result<FrameOptions<'a>, Failure> {
+    fn checked<'a>(&self, landmarks: &'a [u32], axis: Option<&'a [DVec3]>) -> Result<FrameOptions<'a>, Failure> {
         let ring = flag(self.ring, "ring")?;
         let given_starts = flag(self.given_starts, "given_starts")?;
         let smooth_corners = flag(self.smooth_corners, "smooth_corners")?;
@@ -128,8 +135,13 @@ impl gusset_frame_options {
             GUSSET_CORRESPONDENCE_ARC_LENGTH => Correspondence::ArcLength { columns },
             GUSSET_CORRESPONDENCE_ANGLE => Correspondence::Angle {
                 columns,
-                point: DVec3::from_array(self.axis_point),
-                direction: DVec3::from_array(self.axis_direction),
+                axis: axis.map_or(
+                    Axis::Line {
+                        point: DVec3::from_array(self.axis_point),
+                        direction: DVec3::from_array(self.axis_direction),
+                    },
+                    Axis::Points,
+                ),
                 reference: DVec3::from_array(self.reference),
             },
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
@@ -166,7 +178,10 @@ pub unsafe extern "C" fn gusset_frame_create(
     create(context, frame, "frame", |job| {
         let options = input::read(options, true, "options")?;
         let landmarks = mesh::indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
-        let options = options.checked(&landmarks)?;
+        let axis = input::list::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
+        let axis = alloc::collect(axis.into_iter().map(DVec3::from_array))?;
+        let axis = if options.axis_points.is_null() { None } else { Some(axis.as_slice()) };
+        let options = options.checked(&landmarks, axis)?;
         let given = Given::read(sections)?;
         let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
         let closed = given.outlines().closed;

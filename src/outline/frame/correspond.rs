@@ -8,6 +8,7 @@
 use crate::outline::curve::{CurveView, Place};
 
 use super::align::{Ring, anchor, starts};
+use super::axis::places;
 use super::corners::{apportioned, constrained, corners, matched};
 use super::options::{Correspondence, FrameOptions};
 use crate::alloc;
@@ -53,10 +54,10 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
                 add_across(sections, &curves, &corners, &mut found, &job)?;
             }
         }
-        Correspondence::Angle { columns, point, direction, reference } => {
-            let [along, first, second] = axes(direction, reference)?;
+        Correspondence::Angle { columns, axis, reference } => {
+            let places = places(axis, reference, rows)?;
             found.reserve(columns)?;
-            for k in 0..rows {
+            for (k, &(point, [along, first, second])) in places.iter().enumerate() {
                 job.step(k as f64 / rows as f64, "finding nodes")?;
                 let curve = curve_of(&curves, k)?;
                 for i in 0..columns {
@@ -357,19 +358,4 @@ fn add_landmarks(
         }
     }
     Ok(())
-}
-
-/// Three directions at right angles: along the axis, towards the reference, and on from there.
-fn axes(direction: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
-    let unit = |v: DVec3, option: &'static str| {
-        let largest = v.abs().max_element();
-        Error::require(v.is_finite() && largest > 0.0, option, largest)?;
-        Ok((v / largest).normalize())
-    };
-    let along = unit(direction, "axis")?;
-    let reference = unit(reference, "reference")?;
-    let across = reference - along * reference.dot(along);
-    Error::require(across.length() >= 1e-9, "reference", across.length())?;
-    let first = across.normalize();
-    Ok([along, first, along.cross(first)])
 }

@@ -7,6 +7,7 @@
 //! * options: [`Correspondence`] of points, and the options of the curves.
 //! * correspond: the nodes; which points of one section belong to which of the next.
 //! * align: where closed sections start, and by how much a body is wrung.
+//! * axis: the axis that angles are counted about.
 //! * corners: the corners of sections, and which of them belong together.
 //! * [`frame`](frame()): the curves through them.
 //! * slice: new sections, and girth and area along the body.
@@ -16,12 +17,13 @@
 //! Source: Nadopta, introduction; the correspondences are ours.
 
 mod align;
+mod axis;
 mod corners;
 mod correspond;
 mod options;
 mod slice;
 
-pub use options::{Correspondence, FrameOptions};
+pub use options::{Axis, Correspondence, FrameOptions};
 pub use slice::{Measure, Slice, slice};
 
 use crate::outline::identify::{Constraint, Fit, Options, Outlines, PointConstraint, Points, fit};

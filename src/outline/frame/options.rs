@@ -21,11 +21,10 @@ pub enum Correspondence<'a> {
     Angle {
         /// The number of nodes in a section.
         columns: usize,
-        /// A point of the axis.
-        point: DVec3,
-        /// Its direction; seen against it angles grow counter-clockwise.
-        direction: DVec3,
-        /// Towards the nodes of column 0; any vector not along the axis.
+        /// The axis; seen against its direction angles grow counter-clockwise.
+        axis: Axis<'a>,
+        /// Towards the nodes of column 0; any vector not along the axis, at its first point if it is
+        /// bent.
         reference: DVec3,
     },
     /// Landmarks: points of each section that belong together, and equal parts of the arc length
@@ -37,6 +36,21 @@ pub enum Correspondence<'a> {
         /// How many parts there are from each landmark to the next.
         parts: usize,
     },
+}
+
+/// What angles are counted about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Axis<'a> {
+    /// A straight line.
+    Line {
+        /// A point of it.
+        point: DVec3,
+        /// Its direction, of any length but 0.
+        direction: DVec3,
+    },
+    /// A curve, of which each section has a point. It passes them along the circles through three of
+    /// them at a time, and the reference goes along without turning about it.
+    Points(&'a [DVec3]),
 }
 
 /// The options of a frame.
