@@ -15,15 +15,25 @@
 //! | [`curvature`](self) | how a patch bends, without the detail of its triangles |
 //! | [`plate`](self) | the energy's normal equations, and the new places |
 //! | [`order`](self) | an order of the unknowns that keeps the factor sparse: nested dissection |
-//! | [`sparse`](self) | the factor L D L^T |
+//! | [`sparse`](self) | a sparse symmetric matrix |
+//! | [`tree`](self) | its elimination tree, and how many entries the columns of its factor have |
+//! | [`supernodes`](self) | columns of the factor that are computed together |
+//! | [`front`](self) | elimination in a dense matrix |
+//! | [`factor`](self) | the factor L D L^T |
+//! | [`solve`](self) | solutions by it |
 
 mod curvature;
+mod factor;
+mod front;
 mod order;
 mod plate;
 mod rings;
+mod solve;
 mod sparse;
+mod supernodes;
 #[cfg(test)]
 mod tests;
+mod tree;
 
 pub(crate) use curvature::mean_curvature;
 pub(crate) use plate::{Plate, Shape, thin_plate};

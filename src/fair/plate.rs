@@ -7,7 +7,7 @@
 
 use super::order::dissect;
 use super::rings::{Rings, Weights};
-use super::sparse::Triangle;
+use super::sparse::Symmetric;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::scale::common_unit;
@@ -72,7 +72,7 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
     let mut unknowns = anchored(&rings, plate.free)?;
     dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres)?;
     let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, (unit, origin))?;
-    matrix.factor(&job.part(0.2, 1.0))?.solve(&mut moves);
+    matrix.factor(&job.part(0.2, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
         if by != DVec3::ZERO && place.is_finite() {
@@ -114,7 +114,7 @@ fn equations(
     unknowns: &[u32],
     plate: &Plate<'_>,
     (unit, origin): (f64, DVec3),
-) -> Result<(Triangle, Vec<DVec3>)> {
+) -> Result<(Symmetric, Vec<DVec3>)> {
     let centres = plate.centres;
     // How far the Laplacian of each centre is from the plate's own, scaled.
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
@@ -128,7 +128,7 @@ fn equations(
         place[v as usize] = k as u32;
     }
     let n = unknowns.len();
-    let mut matrix = Triangle {
+    let mut matrix = Symmetric {
         start: alloc::with_capacity(n + 1)?,
         entries: alloc::with_capacity(10 * n)?,
         diagonal: alloc::with_capacity(n)?,

@@ -1,0 +1,237 @@
+//! Dense fronts: the first columns of a symmetric matrix are eliminated, and what is left is updated.
+//!
+//! The lower triangle is stored in blocks of [`LANES`] rows, column after column within a block, so
+//! that products of two blocks read memory in order and fill vector registers. Columns are eliminated
+//! in panels of [`PANEL`]: first within the panel, then in the rest at once, which is where the
+//! operations are. Every entry gets its products in the order of the columns, whatever the vectors.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::simd::{self, Kernel};
+
+/// Rows of a block.
+pub(super) const LANES: usize = 8;
+/// The entries of a block's rows in one column.
+pub(super) type Lanes = [f64; LANES];
+/// Columns eliminated at a time; a multiple of [`LANES`].
+const PANEL: usize = 32;
+/// Columns whose sums are in registers together.
+const SUMS: usize = 4;
+/// Pivots up to this share of their diagonal entries are rounding.
+const MIN_RELATIVE_PIVOT: f64 = 4.0 * f64::EPSILON;
+const ZEROS: Lanes = [0.0; LANES];
+
+/// The lower triangle of a symmetric matrix, and memory to eliminate columns in.
+#[derive(Default)]
+pub(super) struct Front {
+    size: usize,
+    /// Of rows `8 b` to `8 b + 7` the columns up to `8 b + 7`, block by block. Above the diagonal
+    /// and below the last row is nothing of use.
+    entries: Vec<Lanes>,
+    /// Of a panel's columns before they are divided by their pivots: block by block, and row by row
+    /// those of the panel's own rows.
+    undivided: Vec<Lanes>,
+    own: Vec<f64>,
+}
+
+/// Where block `b` starts.
+fn start(b: usize) -> usize {
+    LANES * b * (b + 1) / 2
+}
+
+impl Front {
+    /// Zeros in `size` rows.
+    pub(super) fn reset(&mut self, size: usize) -> Result<()> {
+        self.size = size;
+        let blocks = size.div_ceil(LANES);
+        self.own.resize(PANEL * PANEL, 0.0);
+        alloc::grow(&mut self.undivided, PANEL * blocks, ZEROS)?;
+        alloc::reset(&mut self.entries, start(blocks), ZEROS)
+    }
+
+    /// An entry on the diagonal or below it.
+    #[inline]
+    pub(super) fn entry(&mut self, row: usize, column: usize) -> &mut f64 {
+        &mut self.entries[start(row / LANES) + column][row % LANES]
+    }
+
+    /// Adds a lower triangle, given row by row, whose rows have these places, ascending.
+    pub(super) fn add(&mut self, places: &[u32], triangle: &[f64]) {
+        let mut rest = triangle;
+        for (i, &row) in places.iter().enumerate() {
+            let (values, after) = rest.split_at(i + 1);
+            rest = after;
+            let (b, lane) = (row as usize / LANES, row as usize % LANES);
+            let block = &mut self.entries[start(b)..start(b + 1)];
+            for (&column, &value) in places.iter().zip(values) {
+                block[column as usize][lane] += value;
+            }
+        }
+    }
+
+    /// Appends the lower triangle of the rows from `first` on, row by row.
+    pub(super) fn rest(&self, first: usize, triangle: &mut Vec<f64>) -> Result<()> {
+        for row in first..self.size {
+            let (b, lane) = (row / LANES, row % LANES);
+            let columns = &self.block(b)[first..=row];
+            alloc::extend(triangle, columns.iter().map(|lanes| lanes[lane]))?;
+        }
+        Ok(())
+    }
+
+    /// The blocks of rows.
+    fn blocks(&self) -> usize {
+        self.size.div_ceil(LANES)
+    }
+
+    /// The columns of a block of rows.
+    pub(super) fn block(&self, b: usize) -> &[Lanes] {
+        &self.entries[start(b)..start(b + 1)]
+    }
+
+    /// Eliminates the first columns, one for each of `inverse`, which becomes the inverses of their
+    /// pivots; they become those of L. A pivot that is not positive, next to the entry that was on the
+    /// `diagonal`, counts as infinite: its row and column have no part in what comes after.
+    /// `spend` hears of multiplications done.
+    pub(super) fn eliminate(
+        &mut self,
+        diagonal: &[f64],
+        inverse: &mut [f64],
+        mut spend: impl FnMut(usize) -> Result<()>,
+    ) -> Result<()> {
+        let count = inverse.len();
+        for first in (0..count).step_by(PANEL) {
+            let panel = first..count.min(first + PANEL);
+            let width = panel.len();
+            for b in first / LANES..self.blocks() {
+                simd::run(Divide {
+                    row: b * LANES,
+                    first,
+                    block: &mut self.entries[start(b)..start(b + 1)],
+                    own: &mut self.own,
+                    undivided: &mut self.undivided[PANEL * b..][..width],
+                    diagonal: &diagonal[panel.clone()],
+                    inverse: &mut inverse[panel.clone()],
+                });
+                spend(width * width * LANES / 2)?;
+            }
+            // The block in which the panel ends: its columns of the panel stay.
+            let next = panel.end / LANES;
+            if panel.end % LANES > 0 {
+                let own = &mut self.undivided[PANEL * next..][..width];
+                own.iter_mut().for_each(|lanes| lanes[..panel.end % LANES].fill(0.0));
+            }
+            for b in next..self.blocks() {
+                simd::run(Subtract {
+                    block: &mut self.entries[start(b)..start(b + 1)],
+                    first,
+                    width,
+                    next,
+                    undivided: &self.undivided,
+                });
+                spend(LANES * LANES * (b + 1 - next) * width)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Eliminates the columns of a panel in one block of rows.
+struct Divide<'a> {
+    row: usize,
+    /// The panel's first column.
+    first: usize,
+    block: &'a mut [Lanes],
+    own: &'a mut [f64],
+    undivided: &'a mut [Lanes],
+    diagonal: &'a [f64],
+    inverse: &'a mut [f64],
+}
+
+impl Kernel for Divide<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Divide { row, first, block, own, undivided, diagonal, inverse } = self;
+        let width = undivided.len();
+        // The panel's columns that the block has, and the first of its rows among them.
+        let columns = width.min(row + LANES - first);
+        let columns_in_panel = &mut block[first..first + columns];
+        let row = row - first;
+        for k in 0..columns {
+            let (known, rest) = columns_in_panel.split_at_mut(k + 1);
+            let lanes = &mut known[k];
+            if k >= row {
+                let pivot = lanes[k - row];
+                let divided = 1.0 / pivot;
+                // Not `<=`: a pivot that is no number is left out as well.
+                let is_positive = pivot > MIN_RELATIVE_PIVOT * diagonal[k] && divided.is_finite();
+                inverse[k] = if is_positive { divided } else { 0.0 };
+            }
+            if inverse[k] == 0.0 {
+                *lanes = ZEROS;
+            }
+            let own = &mut own[PANEL * k..PANEL * (k + 1)];
+            if row < width {
+                let end = width.min(row + LANES);
+                own[row..end].copy_from_slice(&lanes[..end - row]);
+            }
+            undivided[k] = *lanes;
+            lanes.iter_mut().for_each(|entry| *entry *= inverse[k]);
+            let divided = *lanes;
+            for (lanes, &factor) in rest.iter_mut().zip(&own[k + 1..]) {
+                for i in 0..LANES {
+                    lanes[i] -= divided[i] * factor;
+                }
+            }
+        }
+    }
+}
+
+/// Subtracts a panel's products from one block of rows.
+struct Subtract<'a> {
+    block: &'a mut [Lanes],
+    first: usize,
+    width: usize,
+    /// The first block of columns.
+    next: usize,
+    undivided: &'a [Lanes],
+}
+
+impl Kernel for Subtract<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Subtract { block, first, width, next, undivided } = self;
+        let mut divided = [ZEROS; PANEL];
+        divided[..width].copy_from_slice(&block[first..first + width]);
+        let divided = &divided[..width];
+        let columns = block[LANES * next..].chunks_exact_mut(LANES);
+        for (columns, undivided) in columns.zip(undivided[PANEL * next..].chunks_exact(PANEL)) {
+            let undivided = &undivided[..width];
+            let (low, high) = columns.split_at_mut(SUMS);
+            subtract::<0>(low, divided, undivided);
+            subtract::<SUMS>(high, divided, undivided);
+        }
+    }
+}
+
+/// Subtracts the products of [`SUMS`] rows from that on, of a block of `undivided`, with `divided`.
+#[inline(always)]
+fn subtract<const FROM: usize>(columns: &mut [Lanes], divided: &[Lanes], undivided: &[Lanes]) {
+    let mut sums = [ZEROS; SUMS];
+    for (l, v) in divided.iter().zip(undivided) {
+        for j in 0..SUMS {
+            for i in 0..LANES {
+                sums[j][i] += l[i] * v[FROM + j];
+            }
+        }
+    }
+    for (column, sum) in columns.iter_mut().zip(&sums) {
+        for i in 0..LANES {
+            column[i] -= sum[i];
+        }
+    }
+}
