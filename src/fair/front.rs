@@ -71,10 +71,11 @@ impl Front {
 
     /// Appends the lower triangle of the rows from `first` on, row by row.
     pub(super) fn rest(&self, first: usize, triangle: &mut Vec<f64>) -> Result<()> {
+        let rows = self.size - first;
+        alloc::reserve(triangle, rows * (rows + 1) / 2)?;
         for row in first..self.size {
             let (b, lane) = (row / LANES, row % LANES);
-            let columns = &self.block(b)[first..=row];
-            alloc::extend(triangle, columns.iter().map(|lanes| lanes[lane]))?;
+            triangle.extend(self.block(b)[first..=row].iter().map(|lanes| lanes[lane]));
         }
         Ok(())
     }
@@ -157,32 +158,35 @@ impl Kernel for Divide<'_> {
         let width = undivided.len();
         // The panel's columns that the block has, and the first of its rows among them.
         let columns = width.min(row + LANES - first);
-        let columns_in_panel = &mut block[first..first + columns];
+        let block = &mut block[first..first + columns];
         let row = row - first;
-        for k in 0..columns {
-            let (known, rest) = columns_in_panel.split_at_mut(k + 1);
-            let lanes = &mut known[k];
-            if k >= row {
-                let pivot = lanes[k - row];
-                let divided = 1.0 / pivot;
-                // Not `<=`: a pivot that is no number is left out as well.
-                let is_positive = pivot > MIN_RELATIVE_PIVOT * diagonal[k] && divided.is_finite();
-                inverse[k] = if is_positive { divided } else { 0.0 };
-            }
-            if inverse[k] == 0.0 {
-                *lanes = ZEROS;
-            }
-            let own = &mut own[PANEL * k..PANEL * (k + 1)];
-            if row < width {
-                let end = width.min(row + LANES);
-                own[row..end].copy_from_slice(&lanes[..end - row]);
-            }
-            undivided[k] = *lanes;
-            lanes.iter_mut().for_each(|entry| *entry *= inverse[k]);
-            let divided = *lanes;
-            for (lanes, &factor) in rest.iter_mut().zip(&own[k + 1..]) {
-                for i in 0..LANES {
-                    lanes[i] -= divided[i] * factor;
+        for group in (0..columns).step_by(SUMS) {
+            let (known, rest) = block.split_at_mut(group);
+            let rest = &mut rest[..SUMS.min(columns - group)];
+            subtract(rest, known.iter().zip(own.chunks_exact(PANEL).map(|own| &own[group..group + SUMS])));
+            for k in group..group + rest.len() {
+                let (lanes, rest) = rest[k - group..].split_first_mut().expect("a column of the group");
+                if k >= row {
+                    let pivot = lanes[k - row];
+                    let divided = 1.0 / pivot;
+                    // Not `<=`: a pivot that is no number is left out as well.
+                    let is_positive = pivot > MIN_RELATIVE_PIVOT * diagonal[k] && divided.is_finite();
+                    inverse[k] = if is_positive { divided } else { 0.0 };
+                }
+                if inverse[k] == 0.0 {
+                    *lanes = ZEROS;
+                }
+                let own = &mut own[PANEL * k..PANEL * (k + 1)];
+                if row < width {
+                    let end = width.min(row + LANES);
+                    own[row..end].copy_from_slice(&lanes[..end - row]);
+                }
+                undivided[k] = *lanes;
+                lanes.iter_mut().for_each(|entry| *entry *= inverse[k]);
+                for (column, &factor) in rest.iter_mut().zip(&own[k + 1..]) {
+                    for i in 0..LANES {
+                        column[i] -= lanes[i] * factor;
+                    }
                 }
             }
         }
@@ -210,22 +214,23 @@ impl Kernel for Subtract<'_> {
         let divided = &divided[..width];
         let columns = block[LANES * next..].chunks_exact_mut(LANES);
         for (columns, undivided) in columns.zip(undivided[PANEL * next..].chunks_exact(PANEL)) {
-            let undivided = &undivided[..width];
             let (low, high) = columns.split_at_mut(SUMS);
-            subtract::<0>(low, divided, undivided);
-            subtract::<SUMS>(high, divided, undivided);
+            let undivided = &undivided[..width];
+            subtract(low, divided.iter().zip(undivided.iter().map(|rows| &rows[..SUMS])));
+            subtract(high, divided.iter().zip(undivided.iter().map(|rows| &rows[SUMS..])));
         }
     }
 }
 
-/// Subtracts the products of [`SUMS`] rows from that on, of a block of `undivided`, with `divided`.
+/// Subtracts from up to [`SUMS`] columns the products of columns with as many factors each.
 #[inline(always)]
-fn subtract<const FROM: usize>(columns: &mut [Lanes], divided: &[Lanes], undivided: &[Lanes]) {
+fn subtract<'a>(columns: &mut [Lanes], products: impl Iterator<Item = (&'a Lanes, &'a [f64])>) {
     let mut sums = [ZEROS; SUMS];
-    for (l, v) in divided.iter().zip(undivided) {
+    for (lanes, factors) in products {
+        let factors: &[f64; SUMS] = factors.try_into().expect("as many factors as columns");
         for j in 0..SUMS {
             for i in 0..LANES {
-                sums[j][i] += l[i] * v[FROM + j];
+                sums[j][i] += lanes[i] * factors[j];
             }
         }
     }
