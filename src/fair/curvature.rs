@@ -36,7 +36,7 @@ pub(crate) fn mean_curvature(
     passes: u32,
     job: &Job<'_>,
 ) -> Result<Vec<DVec3>> {
-    let rings = Rings::new(points, triangles, Weights::Cotangent)?;
+    let rings = Rings::new(points, triangles, Weights::Cotangent, &job.part(0.0, 0.0))?;
     let mut sums = alloc::filled(Sum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
     for &corners in triangles {
         let [a, b, c] = corners.map(|v| points[v as usize]);

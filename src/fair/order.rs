@@ -11,19 +11,29 @@ use super::rings::Rings;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::Aabb;
+use crate::job::Job;
 use crate::sort::select;
 use glam::DVec3;
 
 /// Parts of at most this many unknowns are not halved.
 const MAX_LEAF_UNKNOWNS: usize = 24;
+/// Vertices halved between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
 
 /// Puts the vertices in `order`, all of them unknowns, into the order of elimination. Two are
 /// coupled if a row of `rings` that `is_row` holds both. O(n log n); extra memory: 5 bytes a vertex
 /// of the patch.
-pub(super) fn dissect(order: &mut [u32], points: &[DVec3], rings: &Rings, is_row: &[bool]) -> Result<()> {
-    let mut dissection = Dissection { points, rings, is_row, stamp: alloc::filled(0u32, points.len())?, part: 0 };
-    dissection.halve(order);
-    Ok(())
+pub(super) fn dissect(
+    order: &mut [u32],
+    points: &[DVec3],
+    rings: &Rings,
+    is_row: &[bool],
+    job: &Job<'_>,
+) -> Result<()> {
+    let n = order.len();
+    let stamp = alloc::filled(0u32, points.len())?;
+    let whole = n * (n / MAX_LEAF_UNKNOWNS + 1).ilog2() as usize;
+    Dissection { points, rings, is_row, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve(order)
 }
 
 struct Dissection<'a> {
@@ -33,12 +43,22 @@ struct Dissection<'a> {
     /// The last part whose first half the row of this vertex touches.
     stamp: Vec<u32>,
     part: u32,
+    job: Job<'a>,
+    /// Vertices that have been halved, each as often as it was, and will have been about.
+    done: usize,
+    whole: usize,
+    reported: usize,
 }
 
 impl Dissection<'_> {
-    fn halve(&mut self, order: &mut [u32]) {
+    fn halve(&mut self, order: &mut [u32]) -> Result<()> {
         if order.len() <= MAX_LEAF_UNKNOWNS {
-            return;
+            return Ok(());
+        }
+        self.done += order.len();
+        if self.done >= self.reported + REPORT_INTERVAL {
+            self.job.step(self.done as f64 / self.whole as f64, "fairing")?;
+            self.reported = self.done;
         }
         let axis = Aabb::of(order.iter().map(|&v| self.points[v as usize])).size().max_position();
         let middle = order.len() / 2;
@@ -62,7 +82,7 @@ impl Dissection<'_> {
         }
         let (first, rest) = order.split_at_mut(middle);
         let (second, _) = rest.split_at_mut(separator - middle);
-        self.halve(first);
-        self.halve(second);
+        self.halve(first)?;
+        self.halve(second)
     }
 }

@@ -15,6 +15,9 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use glam::DVec3;
 
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 14;
+
 /// A patch, and what is to be least.
 #[derive(Clone, Copy)]
 pub(crate) struct Plate<'a> {
@@ -57,7 +60,7 @@ pub(crate) struct Shape<'a> {
 /// centre in common.
 ///
 /// For n free vertices of a patch of T triangles O(T + n log n) and the factor: O(n^1.5) operations
-/// and O(n log n) memory, 16 bytes an entry, on a surface patch; nearly linear on a strip.
+/// and O(n log n) memory, some 10 bytes an entry, on a surface patch; nearly linear on a strip.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
@@ -68,11 +71,12 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
     // Relative to one of the points, so that a patch far from the origin loses no digits.
     let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-    let rings = Rings::new(&local, plate.triangles, plate.weights)?;
+    let rings = Rings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
     let mut unknowns = anchored(&rings, plate.free)?;
-    dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres)?;
-    let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, (unit, origin))?;
-    matrix.factor(&job.part(0.2, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
+    dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres, &job.part(0.15, 0.2))?;
+    let (matrix, mut moves) =
+        equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
+    matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
         if by != DVec3::ZERO && place.is_finite() {
@@ -114,6 +118,7 @@ fn equations(
     unknowns: &[u32],
     plate: &Plate<'_>,
     (unit, origin): (f64, DVec3),
+    job: &Job<'_>,
 ) -> Result<(Symmetric, Vec<DVec3>)> {
     let centres = plate.centres;
     // How far the Laplacian of each centre is from the plate's own, scaled.
@@ -139,6 +144,7 @@ fn equations(
     let mut rows = Vec::new();
     let mut seen = alloc::filled(NONE, n)?;
     for (k, &v) in unknowns.iter().enumerate() {
+        job.step_every(REPORT_INTERVAL, k, n, "fairing")?;
         let mut gradient = DVec3::ZERO;
         for (c, factor) in rings.row(v as usize).filter(|&(c, _)| centres[c]) {
             gradient += factor * bend[c];

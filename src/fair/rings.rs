@@ -4,6 +4,7 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::triangle::double_area;
+use crate::job::Job;
 use crate::sort::Buckets;
 use glam::DVec3;
 
@@ -36,11 +37,14 @@ const MAX_COTANGENT: f64 = 20.0;
 const MIN_COTANGENT: f64 = 1e-3;
 /// Areas below this part of the mean are taken to be this part.
 const MIN_AREA_SHARE: f64 = 1e-6;
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 15;
 
 impl Rings {
     /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100
     /// bytes a triangle.
-    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights) -> Result<Self> {
+    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights, job: &Job<'_>) -> Result<Self> {
+        job.step(0.0, "fairing")?;
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
         let double_area = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
@@ -62,16 +66,17 @@ impl Rings {
             triangle.iter().for_each(|&v| area[v as usize] += share);
         }
         let mut rings = Rings { start, entries, middle: Vec::new(), scale: area };
-        rings.merge();
+        rings.merge(&job.part(0.5, 1.0))?;
         rings.weigh(points.len(), weights)?;
         Ok(rings)
     }
 
     /// Makes one entry of the two or more that an edge has, with the sum of their weights.
-    fn merge(&mut self) {
+    fn merge(&mut self, job: &Job<'_>) -> Result<()> {
         let mut kept = 0;
         let mut from = 0;
         for v in 1..self.start.len() {
+            job.step_every(REPORT_INTERVAL, v, self.start.len(), "fairing")?;
             let to = self.start[v] as usize;
             // By weight too, so that the sum does not depend on the order of the triangles.
             self.entries[from..to].sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -89,6 +94,7 @@ impl Rings {
             self.start[v] = kept as u32;
         }
         self.entries.truncate(kept);
+        Ok(())
     }
 
     /// Replaces the cotangents by the weights asked for, and the areas by scales.

@@ -19,6 +19,8 @@ use std::ops::Range;
 const MAX_ZEROS: [(u64, f64); 3] = [(16, 0.6), (48, 0.15), (u64::MAX, 0.05)];
 /// Groups of up to so many columns may hold any number of zeros.
 const MIN_COLUMNS: u64 = 4;
+/// So many columns are one group.
+const MAX_SINGLE: usize = 24;
 /// Entries looked at between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
 
@@ -44,6 +46,9 @@ impl Supernodes {
     /// all groups.
     pub(super) fn new(matrix: &Symmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
         let n = matrix.len();
+        if n <= MAX_SINGLE {
+            return Supernodes::single(n);
+        }
         let parent = parents(matrix, &job.part(0.0, 0.2))?;
         let count = column_counts(below, &parent, &job.part(0.2, 0.6))?;
         let group = groups(&parent, &count)?;
@@ -80,6 +85,13 @@ impl Supernodes {
         let mut supernodes = Supernodes { order, place, first, rows: Vec::new(), rows_start: Vec::new(), parent, subtree };
         supernodes.find_rows(below, &job.part(0.6, 1.0))?;
         Ok(supernodes)
+    }
+
+    /// One group of all columns.
+    fn single(n: usize) -> Result<Self> {
+        let numbers = alloc::collect(0..n as u32)?;
+        let [place, first, parent, subtree] = [numbers.clone(), vec![0, n as u32], vec![NONE], vec![0]];
+        Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
     }
 
     /// How many groups there are.
