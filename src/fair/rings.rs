@@ -50,14 +50,15 @@ impl Rings {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
             double_area(a, b, c)
         };
-        let edges = proper.clone().flat_map(|triangle| {
+        // Once for both passes of the buckets.
+        let cotangents = alloc::gather(proper.clone().map(|triangle| {
+            let [a, b, c] = triangle.map(|v| points[v as usize]);
             let double_area = double_area(triangle);
-            (0..3).flat_map(move |k| {
-                let [from, u, v] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| triangle[k]);
-                let [p, q, r] = [from, u, v].map(|v| points[v as usize]);
-                let weight = cotangent((q - p).dot(r - p), double_area) / 2.0;
-                [(u as usize, (v, weight)), (v as usize, (u, weight))]
-            })
+            [(a, b, c), (b, c, a), (c, a, b)].map(|(p, q, r)| cotangent((q - p).dot(r - p), double_area) / 2.0)
+        }))?;
+        let edges = proper.clone().zip(&cotangents).flat_map(|(&[a, b, c], &[at_a, at_b, at_c])| {
+            let sides = [(b, c, at_a), (c, b, at_a), (c, a, at_b), (a, c, at_b), (a, b, at_c), (b, a, at_c)];
+            sides.map(|(u, v, weight)| (u as usize, (v, weight)))
         });
         let (start, entries) = Buckets::new(points.len(), (0, 0.0), edges)?.into_parts();
         let mut area = alloc::filled(0.0, points.len())?;
