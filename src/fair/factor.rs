@@ -46,7 +46,7 @@ impl Symmetric {
             local: alloc::filled(0, self.len())?,
             places: Vec::new(),
             diagonal: Vec::new(),
-            work: Work { job: job.part(0.1, 1.0), whole: costs.work, done: 0.0, reported: f64::NEG_INFINITY },
+            work: Work { job: job.part(0.1, 1.0), whole: costs.work, done: 0.0, reported: 0.0 },
         };
         let (entries, inverse) = (alloc::with_capacity(costs.entries)?, alloc::filled(0.0, self.len())?);
         let mut factor = Factor { supernodes, entries, inverse };

@@ -24,6 +24,8 @@
 
 mod curvature;
 mod factor;
+#[cfg(test)]
+mod factor_tests;
 mod front;
 mod order;
 mod plate;

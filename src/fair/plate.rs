@@ -74,8 +74,7 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
     let rings = Rings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
     let mut unknowns = anchored(&rings, plate.free)?;
     dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres, &job.part(0.15, 0.2))?;
-    let (matrix, mut moves) =
-        equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
+    let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
     matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
@@ -144,7 +143,7 @@ fn equations(
     let mut rows = Vec::new();
     let mut seen = alloc::filled(NONE, n)?;
     for (k, &v) in unknowns.iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, k, n, "fairing")?;
+        job.step_every(REPORT_INTERVAL, k + 1, n, "fairing")?;
         let mut gradient = DVec3::ZERO;
         for (c, factor) in rings.row(v as usize).filter(|&(c, _)| centres[c]) {
             gradient += factor * bend[c];

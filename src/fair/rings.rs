@@ -44,7 +44,6 @@ impl Rings {
     /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100
     /// bytes a triangle.
     pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights, job: &Job<'_>) -> Result<Self> {
-        job.step(0.0, "fairing")?;
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
         let double_area = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|v| points[v as usize]);

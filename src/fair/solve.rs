@@ -21,7 +21,7 @@ impl Factor {
         let order = &self.supernodes.order;
         let mut y = alloc::collect(order.iter().map(|&k| x[k as usize]))?;
         let mut local = Vec::new();
-        let (mut used, mut unreported) = (0, REPORT_INTERVAL);
+        let (mut used, mut unreported) = (0, 0);
         let whole = 2.0 * self.entries.len() as f64;
         let mut step = |done: usize, count: usize| {
             unreported += count;

@@ -82,7 +82,8 @@ impl Supernodes {
                 subtree[parent[s] as usize] = begin.min(subtree[s]);
             }
         }
-        let mut supernodes = Supernodes { order, place, first, rows: Vec::new(), rows_start: Vec::new(), parent, subtree };
+        let mut supernodes =
+            Supernodes { order, place, first, rows: Vec::new(), rows_start: Vec::new(), parent, subtree };
         supernodes.find_rows(below, &job.part(0.6, 1.0))?;
         Ok(supernodes)
     }
