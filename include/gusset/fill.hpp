@@ -109,11 +109,7 @@ public:
     Span<const double> weights() const && = delete;
     /// Pairs of faces that cut each other; empty if they were not looked for.
     std::optional<Indices> intersections() const & {
-        const gusset_fill_view found = view();
-        if (found.intersections_known == 0) {
-            return std::nullopt;
-        }
-        return detail::indices(found.intersections);
+        return detail::intersections(view());
     }
     std::optional<Indices> intersections() const && = delete;
     /// The faces that Outward::closed turned over.

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -130,6 +131,13 @@ inline constexpr bool is_temporary =
     !std::is_lvalue_reference_v<Argument> && !std::is_trivially_destructible_v<std::remove_reference_t<Argument>>;
 
 inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
+/// The pairs of faces that a view has, if they were looked for.
+template <class View> std::optional<Indices> intersections(const View &view) {
+    if (view.intersections_known == 0) {
+        return std::nullopt;
+    }
+    return indices(view.intersections);
+}
 inline Points points(const double *data, std::size_t count) {
     static_assert(sizeof(Point3) == 3 * sizeof(double), "packed");
     return {reinterpret_cast<const Point3 *>(data), count};

@@ -143,11 +143,7 @@ public:
     /// Pairs of faces of mesh() that intersect each other, interleaved; empty if they were not
     /// sought.
     std::optional<Indices> intersections() const & {
-        const gusset_stitch_view found = view();
-        if (found.intersections_known == 0) {
-            return std::nullopt;
-        }
-        return detail::indices(found.intersections);
+        return detail::intersections(view());
     }
     std::optional<Indices> intersections() const && = delete;
     /// What the strip is: a blend that was asked for may have had to give way to the strip.
