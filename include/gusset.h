@@ -652,6 +652,18 @@
 #define GUSSET_REFINE_RIM_DENSITY 1
 
 /**
+ * Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is
+ * least.
+ */
+#define GUSSET_CONTINUITY_C1 0
+
+/**
+ * They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old
+ * faces round each rim have a say, and with them their noise.
+ */
+#define GUSSET_CONTINUITY_C2 1
+
+/**
  * Filled; with plan_only, to be filled.
  */
 #define GUSSET_HOLE_FILLED 0
@@ -2513,6 +2525,15 @@ typedef struct gusset_fill_options {
      * own. NULL: as together says. Needs loops.
      */
     const uint32_t *groups;
+    /**
+     * GUSSET_CONTINUITY_...: how smoothly faired vertices go on the surface round the hole.
+     */
+    uint32_t continuity;
+    /**
+     * 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
+     * 1.
+     */
+    uint32_t ignore_creases;
 } gusset_fill_options;
 
 /**
@@ -7890,7 +7911,8 @@ gusset_status gusset_meridians_index(uint32_t n,
  *
  * Creases of the old surface that end at a rim go on across the patch, by plain triangles where they
  * are straight: joined in pairs, or three and more in a new vertex where they meet. A crease without
- * a counterpart ends at the rim. Patches of several loops have none.
+ * a counterpart ends at the rim. Patches of several loops have none, and with ignore_creases none
+ * has.
  *
  * Several loops get one patch where options.groups or options.together says so: a surface of genus 0
  * between them. If none is found, by a search that is not complete, or two of the loops share a

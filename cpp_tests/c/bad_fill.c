@@ -45,7 +45,11 @@ static void options_and_arguments(void) {
     options.together = GUSSET_TOGETHER_CHEAPEST, options.groups = rim;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     CHECK(strcmp(gusset_context_get_message(context), "groups are given, but loops is NULL") == 0);
-    options.groups = NULL, options.max_length = NAN;
+    options.groups = NULL, options.continuity = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.continuity = GUSSET_CONTINUITY_C2, options.ignore_creases = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.ignore_creases = 1, options.max_length = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.max_length = 0.0, options.max_diameter = -1.0;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
@@ -127,6 +131,24 @@ static void results(void) {
             CHECK(memcmp(out.face_corners, faces, sizeof inside_out) == 0);
             gusset_fill_destroy(fill);
         }
+    }
+
+    /* With the curvature that goes on, and without creases; what knows neither asks for none. */
+    {
+        gusset_fill_options options = {0};
+        options.struct_size = sizeof options, options.refine = GUSSET_REFINE_RIM_DENSITY;
+        options.fairing = GUSSET_FAIRING_THIN_PLATE, options.ignore_creases = 1;
+        parts.struct_size = sizeof parts, quality.struct_size = sizeof quality;
+        for (options.continuity = GUSSET_CONTINUITY_C1; options.continuity <= GUSSET_CONTINUITY_C2; ++options.continuity) {
+            EXPECT(GUSSET_OK, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+            EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
+            EXPECT(GUSSET_OK, gusset_fill_get_quality(fill, &quality));
+            CHECK(parts.holes[0].status == GUSSET_HOLE_FILLED && quality.loops_left == 0);
+            gusset_fill_destroy(fill);
+        }
+        options.struct_size = offsetof(gusset_fill_options, continuity), options.continuity = 77;
+        EXPECT(GUSSET_OK, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+        gusset_fill_destroy(fill);
     }
 
     /* Two pyramids that look at each other, closed together. */

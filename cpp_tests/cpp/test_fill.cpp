@@ -131,6 +131,48 @@ TEST_CASE("loops closed together") {
     CHECK_THROWS_AS(gusset::Fill(soup.view(), options), gusset::Error);
 }
 
+TEST_CASE("patches go on with the curvature, or along tangents") {
+    // A bowl with a hole round its middle.
+    const uint32_t n = 24;
+    Soup soup;
+    for (uint32_t j = 0; j <= n; ++j) {
+        for (uint32_t i = 0; i <= n; ++i) {
+            const double x = i / 12.0 - 1.0, y = j / 12.0 - 1.0;
+            soup.points.push_back({x, y, 0.3 * x * x + 0.2 * y * y});
+        }
+    }
+    for (uint32_t j = 0; j < n; ++j) {
+        for (uint32_t i = 0; i < n; ++i) {
+            const uint32_t a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+            if (std::hypot(i - 11.5, j - 11.5) > 4.0) {
+                soup.add_face({a, b, c});
+                soup.add_face({a, c, d});
+            }
+        }
+    }
+    const auto farthest = [&](gusset::FillContinuity continuity, bool ignore_creases) {
+        gusset::FillOptions options = fair;
+        options.keep = gusset::FillKeep::longest;
+        options.continuity = continuity;
+        options.ignore_creases = ignore_creases;
+        const gusset::Fill filled(soup.view(), options);
+        double most = 0;
+        for (std::size_t v = soup.points.size(); v < filled.mesh().vertex_count(); ++v) {
+            const gusset::Point3 p = filled.mesh().position(v);
+            most = std::max(most, std::abs(0.3 * p[0] * p[0] + 0.2 * p[1] * p[1] - p[2]));
+        }
+        CHECK(filled.mesh().vertex_count() > soup.points.size());
+        REQUIRE(filled.intersections().has_value());
+        CHECK(filled.intersections()->empty());
+        return most;
+    };
+    const double tangents = farthest(gusset::FillContinuity::c1, false);
+    CHECK(farthest(gusset::FillContinuity::c2, false) < tangents / 3);
+    // It has no creases.
+    CHECK(farthest(gusset::FillContinuity::c1, true) == tangents);
+    CHECK(gusset::FillOptions().continuity == gusset::FillContinuity::c1);
+}
+
 TEST_CASE("a planar hole of concave outline, beside CGAL's filling of it") {
     // A star with twelve points, as the open top of a cone.
     Soup soup;

@@ -3,17 +3,19 @@
 #![no_main]
 
 use gusset::Job;
-use gusset::fill::{Fairing, Keep, Options, Refinement, Selection, Weight, fill_holes};
+use gusset::fill::{Continuity, Fairing, Keep, Options, Refinement, Selection, Weight, fill_holes};
 use gusset_fuzz::Soup;
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|input: (Soup, bool, bool, bool)| {
-    let (soup, plain, faired, borders) = input;
+fuzz_target!(|input: (Soup, bool, bool, bool, bool, bool)| {
+    let (soup, plain, faired, borders, curved, uncreased) = input;
     soup.visit(|mesh| {
         let options = Options {
             weight: Weight::default(),
             refinement: if plain { Refinement::None } else { Refinement::default() },
             fairing: if faired { Fairing::ThinPlate } else { Fairing::None },
+            continuity: if curved { Continuity::C2 } else { Continuity::C1 },
+            ignore_creases: uncreased,
             keep: if borders { Keep::Borders } else { Keep::None },
             ..Options::default()
         };

@@ -17,6 +17,9 @@ enum class FillWeight : uint32_t {
 /// The new vertices of patches.
 enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
 
+/// How faired patches go on the old surface.
+enum class FillContinuity : uint32_t { c1 = GUSSET_CONTINUITY_C1, c2 = GUSSET_CONTINUITY_C2 };
+
 /// The loops that are no holes.
 enum class FillKeep : uint32_t { none = GUSSET_KEEP_NONE, longest = GUSSET_KEEP_LONGEST, borders = GUSSET_KEEP_BORDERS };
 
@@ -44,6 +47,10 @@ struct FillOptions {
     FillTogether together = FillTogether::apart;
     /// One for each loop that is given: those with the same number get one patch; empty: as together says.
     std::vector<uint32_t> groups;
+    /// How smoothly faired vertices go on the old surface.
+    FillContinuity continuity = FillContinuity::c1;
+    /// No patch goes on with creases of the old surface.
+    bool ignore_creases = false;
 };
 
 namespace detail {
@@ -63,6 +70,8 @@ inline gusset_fill_options as_c(const FillOptions &options) {
     given.outward = static_cast<uint32_t>(options.outward);
     given.together = static_cast<uint32_t>(options.together);
     given.groups = options.groups.empty() ? nullptr : options.groups.data();
+    given.continuity = static_cast<uint32_t>(options.continuity);
+    given.ignore_creases = options.ignore_creases ? 1 : 0;
     return given;
 }
 } // namespace detail

@@ -28,4 +28,4 @@ mod ring;
 mod unfold;
 
 pub(crate) use plan::{Limits, Plan, Way};
-pub(crate) use ring::{MAX_FAN_TRIANGLES, OldRing};
+pub(crate) use ring::{Beyond, MAX_FAN_TRIANGLES, OldRing};

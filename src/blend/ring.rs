@@ -4,7 +4,7 @@
 use super::unfold::unfold;
 use crate::alloc;
 use crate::error::Result;
-use crate::fair::{Plate, Shape, Weights, mean_curvature, thin_plate};
+use crate::fair::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
 use crate::job::Job;
 use crate::remesh::{PatchMesh, Sizing};
 use glam::DVec3;
@@ -31,10 +31,23 @@ pub(crate) struct OldRing {
     pub(crate) rims: Vec<(usize, bool)>,
     /// What is wider than this hangs on the first triangles; see [`Shape`].
     pub(crate) reach: f64,
-    /// How the plate is bent by itself once it was solved: `None`: as before; else as it is then, its
-    /// rims included, averaged so often. Where its curvature is the mean of that round it, as on a
-    /// sphere, the plate stays.
+    /// How the plate is bent by itself once it was solved: `None`: as before; else as it is then,
+    /// its rims included, averaged so often. Where its curvature is the mean of that round it, as
+    /// on a sphere, the plate stays.
     pub(crate) follows: Option<u32>,
+    /// Of the old surface beyond, for continuous curvature.
+    pub(crate) beyond: Beyond,
+}
+
+/// The old faces next to those that touch the rims.
+#[derive(Default)]
+pub(crate) struct Beyond {
+    /// What the plate is to have in common with the old surface; without the curvature the rest is
+    /// empty.
+    pub(crate) continuity: Continuity,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// True of the old vertices after the rims' whose Laplacian is known, in their order.
+    pub(crate) centred: Vec<bool>,
 }
 
 impl OldRing {
@@ -97,7 +110,12 @@ impl OldRing {
 
     /// Draws the old vertices beyond the rims nearer to them, to where the next new ones would be:
     /// they are to tell the plate the slope at the rims, and tell little from afar.
+    ///
+    /// Not if they tell its curvature, too, which would be another one.
     pub(super) fn draw_near(&mut self, size: &[f64]) -> Result<()> {
+        if self.beyond.continuity == Continuity::C2 {
+            return Ok(());
+        }
         let rim = size.len();
         let mut anchors = alloc::filled((DVec3::ZERO, 0.0, 0.0), self.points.len() - rim)?;
         for triangle in &self.triangles {
@@ -127,6 +145,7 @@ impl OldRing {
         alloc::append(&mut points, &mesh.points[rim..])?;
         let name = |v: u32| if (v as usize) < rim { v } else { v + (old - rim) as u32 };
         let mut triangles = alloc::copied(&self.triangles)?;
+        alloc::append(&mut triangles, &self.beyond.triangles)?;
         alloc::extend(&mut triangles, mesh.triangles.iter().map(|triangle| triangle.map(name)))?;
         Ok((points, triangles))
     }
@@ -150,17 +169,21 @@ impl OldRing {
         free[old..].fill(true);
         let mut centres = alloc::copied(&free)?;
         centres[..rim].copy_from_slice(&self.centred);
+        centres[rim..][..self.beyond.centred.len()].copy_from_slice(&self.beyond.centred);
         let mut curvature = alloc::copied(&sizing.curvature[..rim])?;
         alloc::append(&mut curvature, &alloc::filled(DVec3::ZERO, old - rim)?)?;
         alloc::append(&mut curvature, &sizing.curvature[rim..])?;
         let mut places = alloc::copied(&self.points)?;
         alloc::append(&mut places, &sizing.unfaired[rim..])?;
+        // Where the curvature goes on, it is that of the old surface that bends the plate.
+        let is_bent = self.beyond.continuity == Continuity::C1;
         let plate = Plate {
             triangles: &triangles,
             free: &free,
             centres: &centres,
             weights: Weights::Cotangent,
-            shape: Some(Shape { curvature: &curvature, places: &places, reach: self.reach }),
+            continuity: self.beyond.continuity,
+            shape: is_bent.then_some(Shape { curvature: &curvature, places: &places, reach: self.reach }),
             layout: None,
         };
         thin_plate(&mut points, &plate, job)?;

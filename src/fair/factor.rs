@@ -2,9 +2,9 @@
 //! unknowns, by the multifrontal method.
 //!
 //! Source: I. S. Duff, J. K. Reid, *The multifrontal solution of indefinite sparse symmetric linear
-//! equations* (1983). Each [supernode](super::supernodes) gathers its columns of the matrix and what
-//! its children left in one dense [front](super::front), eliminates its columns, and leaves the rest
-//! on a stack for its parent. All sums run in one fixed order, on any machine.
+//! equations* (1983). Each [supernode](super::supernodes) gathers its columns of the matrix and
+//! what its children left in one dense [front](super::front), eliminates its columns, and leaves
+//! the rest on a stack for its parent. All sums run in one fixed order, on any machine.
 
 use super::front::{Front, LANES, Lanes};
 use super::sparse::Symmetric;
@@ -32,8 +32,8 @@ impl Symmetric {
     /// The factor. An unknown whose pivot is not positive is left out: its solution will be 0, and
     /// the others are found as if its row and column did not exist.
     ///
-    /// O(sum of the squares of the columns' lengths); memory: some 10 bytes an entry of L, less than
-    /// that on the stack, and 100 a row.
+    /// O(sum of the squares of the columns' lengths); memory: some 10 bytes an entry of L, less
+    /// than that on the stack, and 100 a row.
     pub(super) fn factor(&self, job: &Job<'_>) -> Result<Factor> {
         let below = self.below()?;
         let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;

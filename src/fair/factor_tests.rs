@@ -28,8 +28,8 @@ fn zeros(n: usize) -> Dense {
     vec![vec![0.0; n]; n]
 }
 
-/// B^T B of a random B with about so many entries a row, and a little on the diagonal: as the squares
-/// of a plate's Laplacians.
+/// B^T B of a random B with about so many entries a row, and a little on the diagonal: as the
+/// squares of a plate's Laplacians.
 fn random_definite(n: usize, entries: usize, random: &mut fastrand::Rng) -> Dense {
     let mut a = zeros(n);
     for _ in 0..n {
@@ -154,9 +154,10 @@ fn cases() -> Vec<(String, Dense)> {
     }
     // An arrow either way: the factor has no more entries, or all.
     let mut arrow = zeros(70);
-    for k in 0..70 {
-        (arrow[k][k], arrow[k][69], arrow[69][k]) = (2.0, -1.0 / 9.0, -1.0 / 9.0);
+    for (k, row) in arrow.iter_mut().enumerate() {
+        (row[k], row[69]) = (2.0, -1.0 / 9.0);
     }
+    arrow[69] = vec![-1.0 / 9.0; 70];
     arrow[69][69] = 70.0;
     let back: Vec<_> = (0..70).rev().collect();
     cases.push(("dense arrow".into(), permuted(&arrow, &back)));

@@ -1,9 +1,11 @@
-//! Dense fronts: the first columns of a symmetric matrix are eliminated, and what is left is updated.
+//! Dense fronts: the first columns of a symmetric matrix are eliminated, and what is left is
+//! updated.
 //!
 //! The lower triangle is stored in blocks of [`LANES`] rows, column after column within a block, so
-//! that products of two blocks read memory in order and fill vector registers. Columns are eliminated
-//! in panels of [`PANEL`]: first within the panel, then in the rest at once, which is where the
-//! operations are. Every entry gets its products in the order of the columns, whatever the vectors.
+//! that products of two blocks read memory in order and fill vector registers. Columns are
+//! eliminated in panels of [`PANEL`]: first within the panel, then in the rest at once, which is
+//! where the operations are. Every entry gets its products in the order of the columns, whatever
+//! the vectors.
 
 use crate::alloc;
 use crate::error::Result;
@@ -91,8 +93,8 @@ impl Front {
     }
 
     /// Eliminates the first columns, one for each of `inverse`, which becomes the inverses of their
-    /// pivots; they become those of L. A pivot that is not positive, next to the entry that was on the
-    /// `diagonal`, counts as infinite: its row and column have no part in what comes after.
+    /// pivots; they become those of L. A pivot that is not positive, next to the entry that was on
+    /// the `diagonal`, counts as infinite: its row and column have no part in what comes after.
     /// `spend` hears of multiplications done.
     pub(super) fn eliminate(
         &mut self,

@@ -7,6 +7,7 @@
 //! operations; on a strip, whose separators are short, both are linear but for the logarithm of its
 //! width.
 
+use super::continuity::Continuity;
 use super::rings::Rings;
 use crate::alloc;
 use crate::error::Result;
@@ -18,28 +19,42 @@ use glam::DVec3;
 /// Parts of at most this many unknowns are not halved.
 const MAX_LEAF_UNKNOWNS: usize = 24;
 /// Vertices halved between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 14;
 
 /// Puts the vertices in `order`, all of them unknowns, into the order of elimination. Two are
-/// coupled if a row of `rings` that `is_row` holds both. O(n log n); extra memory: 5 bytes a vertex
+/// coupled if a row of the Laplacian that the energy has holds both, or, if the gradient of the
+/// Laplacian is least, if two neighbouring rows do. O(n log n); extra memory: 5 bytes a vertex
 /// of the patch.
-pub(super) fn dissect(
-    order: &mut [u32],
-    points: &[DVec3],
-    rings: &Rings,
-    is_row: &[bool],
-    job: &Job<'_>,
-) -> Result<()> {
+pub(super) fn dissect(order: &mut [u32], points: &[DVec3], couplings: Couplings<'_>, job: &Job<'_>) -> Result<()> {
     let n = order.len();
     let stamp = alloc::filled(0u32, points.len())?;
     let whole = n * (n / MAX_LEAF_UNKNOWNS + 1).ilog2() as usize;
-    Dissection { points, rings, is_row, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve(order)
+    Dissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve(order)
+}
+
+/// Which unknowns the equations couple.
+pub(super) struct Couplings<'a> {
+    pub(super) rings: &'a Rings,
+    /// True of the rows of the Laplacian that the energy has.
+    pub(super) is_row: &'a [bool],
+    pub(super) continuity: Continuity,
+}
+
+impl Couplings<'_> {
+    /// True if what has an entry in one of the rows of which `found` is true is coupled with `v`.
+    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+        let found = |row: usize| self.is_row[row] && found(row);
+        let mut rows = self.rings.rows().row(v as usize).filter(|&(row, _)| self.is_row[row]);
+        match self.continuity {
+            Continuity::C1 => rows.any(|(row, _)| found(row)),
+            Continuity::C2 => rows.any(|(row, _)| self.rings.rows().row(row).any(|(other, _)| found(other))),
+        }
+    }
 }
 
 struct Dissection<'a> {
     points: &'a [DVec3],
-    rings: &'a Rings,
-    is_row: &'a [bool],
+    couplings: Couplings<'a>,
     /// The last part whose first half the row of this vertex touches.
     stamp: Vec<u32>,
     part: u32,
@@ -67,13 +82,12 @@ impl Dissection<'_> {
 
         self.part += 1;
         for &v in &order[..middle] {
-            self.rings.row(v as usize).for_each(|(row, _)| self.stamp[row] = self.part);
+            self.couplings.rings.rows().row(v as usize).for_each(|(row, _)| self.stamp[row] = self.part);
         }
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {
-            let touched = |(row, _): (usize, f64)| self.is_row[row] && self.stamp[row] == self.part;
-            if self.rings.row(order[i] as usize).any(touched) {
+            if self.couplings.touches(order[i], |row| self.stamp[row] == self.part) {
                 separator -= 1;
                 order.swap(i, separator);
             } else {

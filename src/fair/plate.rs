@@ -1,12 +1,16 @@
 //! The normal equations of the thin-plate energy, and their solution for the free vertices.
 //!
 //! With the Laplacian L of the patch, the vertices C at which it is counted and the Laplacian h
-//! that the plate has by itself, the energy is the sum over C of |L p - h|^2 by area, and that of the
-//! springs of its [`Shape`]; its minimum over the free vertices solves a sparse symmetric system,
-//! factored once for all three coordinates.
+//! that the plate has by itself, the energy is the sum over C of |L p - h|^2 by area, and that of
+//! the springs of its [`Shape`]; its minimum over the free vertices solves a sparse symmetric
+//! system, factored once for all three coordinates. For continuous curvature the energy is the sum
+//! over the edges between centres of the squared differences of L p - h by their weights: b^T S b
+//! with the stiffness matrix S, b being L p - h.
 
-use super::order::dissect;
-use super::rings::{Rings, Weights};
+use super::continuity::Continuity;
+use super::exact::Exact;
+use super::order::{Couplings, dissect};
+use super::rings::{Rings, Rows, Weights};
 use super::sparse::Symmetric;
 use crate::alloc;
 use crate::error::Result;
@@ -16,7 +20,7 @@ use crate::mesh::NONE;
 use glam::DVec3;
 
 /// Vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 14;
+const REPORT_INTERVAL: usize = 1 << 12;
 
 /// A patch, and what is to be least.
 #[derive(Clone, Copy)]
@@ -29,7 +33,11 @@ pub(crate) struct Plate<'a> {
     /// `triangles`, old neighbours included.
     pub(crate) centres: &'a [bool],
     pub(crate) weights: Weights,
-    /// The shape that the plate has by itself; `None`: flat. With [`Weights::Cotangent`] only.
+    /// What is least: the Laplacian, or, with [`Weights::Cotangent`] only, its gradient. Then the
+    /// centres are the fixed vertices, too, that border on those.
+    pub(crate) continuity: Continuity,
+    /// The shape that the plate has by itself; `None`: flat. With [`Weights::Cotangent`] only, and
+    /// [`Continuity::C1`].
     pub(crate) shape: Option<Shape<'a>>,
     /// Places of the vertices by which they are put in order, near each other where they are
     /// neighbours and spread evenly; `None` for the points themselves. The result does not depend
@@ -50,9 +58,10 @@ pub(crate) struct Shape<'a> {
 }
 
 /// Moves the free vertices of a plate to where the sum over all its centres v of A(v) |L x(v) -
-/// h(v)|^2 and, over the free vertices, of A(v) |x(v) - x0(v)|^2 / r^4 is least, A being the areas;
-/// the others stay. So does a vertex that no chain of free vertices connects with a fixed one, or
-/// whose place the equations do not determine. Without a shape h is 0, and nothing hangs on
+/// h(v)|^2, or, over the edges between centres, that of their weights times the squared difference
+/// of L x - h, and, over the free vertices, of A(v) |x(v) - x0(v)|^2 / r^4 is least, A being the
+/// areas; the others stay. So does a vertex that no chain of free vertices connects with a fixed
+/// one, or whose place the equations do not determine. Without a shape h is 0, and nothing hangs on
 /// springs.
 ///
 /// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy
@@ -73,7 +82,8 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
     let rings = Rings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
     let mut unknowns = anchored(&rings, plate.free)?;
-    dissect(&mut unknowns, plate.layout.unwrap_or(&local), &rings, plate.centres, &job.part(0.15, 0.2))?;
+    let couplings = Couplings { rings: &rings, is_row: plate.centres, continuity: plate.continuity };
+    dissect(&mut unknowns, plate.layout.unwrap_or(&local), couplings, &job.part(0.15, 0.2))?;
     let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
     matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
@@ -120,18 +130,18 @@ fn equations(
     job: &Job<'_>,
 ) -> Result<(Symmetric, Vec<DVec3>)> {
     let centres = plate.centres;
-    // How far the Laplacian of each centre is from the plate's own, scaled.
-    let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
-    for c in (0..points.len()).filter(|&c| centres[c]) {
-        let laplacian =
-            rings.ring(c).iter().fold(DVec3::ZERO, |sum, &(w, weight)| sum + weight * (points[w as usize] - points[c]));
-        bend[c] = rings.scale(c) * laplacian - plate.shape.map_or(DVec3::ZERO, |own| own.curvature[c] * unit);
-    }
+    let exact = match plate.continuity {
+        Continuity::C1 => None,
+        Continuity::C2 => Some(Exact::new(points, plate.triangles, rings, &job.part(0.0, 0.3))?),
+    };
+    let (rows, columns) =
+        exact.as_ref().map_or((rings.rows(), rings.rows()), |exact| (exact.rows(rings), exact.columns(rings)));
+    let bend = bends(points, rings, rows, plate, unit)?;
     let mut place = alloc::filled(NONE, points.len())?;
     for (k, &v) in unknowns.iter().enumerate() {
         place[v as usize] = k as u32;
     }
-    let n = unknowns.len();
+    let (n, assembly) = (unknowns.len(), job.part(0.3, 1.0));
     let mut matrix = Symmetric {
         start: alloc::with_capacity(n + 1)?,
         entries: alloc::with_capacity(10 * n)?,
@@ -139,27 +149,29 @@ fn equations(
     };
     matrix.start.push(0);
     let mut moves = alloc::with_capacity(n)?;
-    let mut column = alloc::filled(0.0, n)?;
-    let mut rows = Vec::new();
-    let mut seen = alloc::filled(NONE, n)?;
+    let (mut shares, mut column) = (Sums::new(points.len())?, Sums::new(n)?);
     for (k, &v) in unknowns.iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, k + 1, n, "fairing")?;
+        assembly.step_every(REPORT_INTERVAL, k + 1, n, "fairing")?;
         let mut gradient = DVec3::ZERO;
-        for (c, factor) in rings.row(v as usize).filter(|&(c, _)| centres[c]) {
+        for (c, factor) in columns.row(v as usize).filter(|&(c, _)| centres[c]) {
             gradient += factor * bend[c];
-            let factor = factor * rings.scale(c);
-            for (w, weight) in rings.row(c) {
+            match plate.continuity {
+                Continuity::C1 => shares.add(c, factor * rings.scale(c))?,
+                Continuity::C2 => {
+                    for (other, weight) in edges(rings, centres, c) {
+                        shares.add(c, factor * weight)?;
+                        shares.add(other, -factor * weight)?;
+                    }
+                }
+            }
+        }
+        for (c, share) in shares.drain() {
+            for (w, weight) in rows.row(c) {
                 let i = place[w] as usize;
-                // Also if it is no unknown.
-                if i > k {
-                    continue;
+                // Not if it is no unknown.
+                if i <= k {
+                    column.add(i, share * weight)?;
                 }
-                if seen[i] != k as u32 {
-                    seen[i] = k as u32;
-                    column[i] = 0.0;
-                    alloc::push(&mut rows, i as u32)?;
-                }
-                column[i] += factor * weight;
             }
         }
         // A spring of strength area / reach^4.
@@ -170,11 +182,75 @@ fn equations(
         };
         let (strength, away) = plate.shape.map_or((0.0, DVec3::ZERO), spring);
         moves.push(-gradient - strength * away);
-        let is_centred = seen[k] == k as u32;
-        matrix.diagonal.push(if is_centred { column[k] + strength } else { 0.0 });
-        alloc::reserve(&mut matrix.entries, rows.len())?;
-        matrix.entries.extend(rows.drain(..).filter(|&i| i as usize != k).map(|i| (i, column[i as usize])));
+        let mut diagonal = 0.0;
+        alloc::reserve(&mut matrix.entries, column.len())?;
+        for (i, value) in column.drain() {
+            if i == k {
+                diagonal = value + strength;
+            } else {
+                matrix.entries.push((i as u32, value));
+            }
+        }
+        matrix.diagonal.push(diagonal);
         matrix.start.push(matrix.entries.len());
     }
     Ok((matrix, moves))
+}
+
+/// The derivative of the halved energy by the row of the Laplacian at each centre, as the rows have
+/// it: L p - h, or, where it is the gradient that is least, the weighted sum of its differences.
+fn bends(points: &[DVec3], rings: &Rings, rows: Rows<'_>, plate: &Plate<'_>, unit: f64) -> Result<Vec<DVec3>> {
+    let centres = plate.centres;
+    let scale = |c: usize| if plate.continuity == Continuity::C1 { rings.scale(c) } else { 1.0 };
+    let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
+    for c in (0..points.len()).filter(|&c| centres[c]) {
+        let neighbours = rows.row(c).skip(1);
+        let laplacian = neighbours.fold(DVec3::ZERO, |sum, (w, weight)| sum + weight * (points[w] - points[c]));
+        bend[c] = scale(c) * laplacian - plate.shape.map_or(DVec3::ZERO, |own| own.curvature[c] * unit);
+    }
+    if plate.continuity == Continuity::C1 {
+        return Ok(bend);
+    }
+    let difference = |c: usize| edges(rings, centres, c).map(|(other, weight)| weight * (bend[c] - bend[other])).sum();
+    alloc::collect((0..points.len()).map(|c| if centres[c] { difference(c) } else { DVec3::ZERO }))
+}
+
+/// The edges from a centre to others, and their weights.
+fn edges(rings: &Rings, centres: &[bool], c: usize) -> impl Iterator<Item = (usize, f64)> {
+    rings.ring(c).iter().map(|&(w, weight)| (w as usize, weight)).filter(|&(w, _)| centres[w])
+}
+
+/// Sums by number, most of them of nothing.
+struct Sums {
+    sums: Vec<f64>,
+    has_terms: Vec<bool>,
+    numbers: Vec<u32>,
+}
+
+impl Sums {
+    fn new(count: usize) -> Result<Self> {
+        let (sums, has_terms) = (alloc::filled(0.0, count)?, alloc::filled(false, count)?);
+        Ok(Sums { sums, has_terms, numbers: Vec::new() })
+    }
+
+    fn add(&mut self, number: usize, value: f64) -> Result<()> {
+        if !std::mem::replace(&mut self.has_terms[number], true) {
+            alloc::push(&mut self.numbers, number as u32)?;
+        }
+        self.sums[number] += value;
+        Ok(())
+    }
+
+    fn len(&self) -> usize {
+        self.numbers.len()
+    }
+
+    /// Those that have terms, in the order of their first ones; then none have.
+    fn drain(&mut self) -> impl Iterator<Item = (usize, f64)> {
+        let (sums, has_terms) = (&mut self.sums, &mut self.has_terms);
+        self.numbers.drain(..).map(|number| {
+            has_terms[number as usize] = false;
+            (number as usize, std::mem::take(&mut sums[number as usize]))
+        })
+    }
 }

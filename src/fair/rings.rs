@@ -126,14 +126,41 @@ impl Rings {
         &self.entries[self.start[v] as usize..self.start[v + 1] as usize]
     }
 
-    /// The row of L for vertex `v`, itself first, before scaling. It is the column too.
-    pub(super) fn row(&self, v: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        std::iter::once((v, self.middle[v])).chain(self.ring(v).iter().map(|&(w, weight)| (w as usize, weight)))
+    /// The rows of L before scaling. They are its columns too.
+    pub(super) fn rows(&self) -> Rows<'_> {
+        Rows { start: &self.start, entries: &self.entries, middle: &self.middle }
     }
 
     /// What the square of row `v` is multiplied by in the energy.
     pub(super) fn scale(&self, v: usize) -> f64 {
         self.scale[v]
+    }
+}
+
+/// The rows of a matrix that couples neighbours.
+#[derive(Clone, Copy)]
+pub(super) struct Rows<'a> {
+    start: &'a [u32],
+    entries: &'a [(u32, f64)],
+    middle: &'a [f64],
+}
+
+impl<'a> Rows<'a> {
+    /// With the neighbours of rings and other entries.
+    pub(super) fn new(rings: &'a Rings, entries: &'a [(u32, f64)], middle: &'a [f64]) -> Self {
+        Rows { start: &rings.start, entries, middle }
+    }
+
+    /// The entry of a row in the column of a neighbour.
+    pub(super) fn entry(self, v: usize, w: u32) -> f64 {
+        let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
+        ring.binary_search_by_key(&w, |&(w, _)| w).map_or(0.0, |at| ring[at].1)
+    }
+
+    /// The row of a vertex, itself first.
+    pub(super) fn row(self, v: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
+        std::iter::once((v, self.middle[v])).chain(ring.iter().map(|&(w, weight)| (w as usize, weight)))
     }
 }
 

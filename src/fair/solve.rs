@@ -89,8 +89,8 @@ impl Factor {
         }
     }
 
-    /// Of L^T x = y the columns of a supernode, whose entries end at `used`. Blocks from the last one
-    /// on, and columns too, so that a row is known before it is used.
+    /// Of L^T x = y the columns of a supernode, whose entries end at `used`. Blocks from the last
+    /// one on, and columns too, so that a row is known before it is used.
     fn backward(&self, s: usize, mut used: usize, local: &mut [Sides]) {
         for (b, columns) in self.blocks(s).enumerate().rev() {
             used -= columns;

@@ -2,8 +2,8 @@
 //!
 //! Columns whose rows are nearly the same, one an ancestor of the other, form a group, with some
 //! zeros stored among its entries. The groups form a tree; their columns are numbered anew in its
-//! postorder, which changes nothing of the factor but the order of rows and columns. Sources:
-//! C. Ashcraft, R. Grimes, *The influence of relaxed supernode partitions on the multifrontal method*
+//! postorder, which changes nothing of the factor but the order of rows and columns. Sources: C.
+//! Ashcraft, R. Grimes, *The influence of relaxed supernode partitions on the multifrontal method*
 //! (1989); J. W. H. Liu, *The multifrontal method for sparse matrix solution* (1992).
 
 use super::sparse::Symmetric;
@@ -42,8 +42,8 @@ pub(super) struct Supernodes {
 }
 
 impl Supernodes {
-    /// The groups of a matrix; `below`: what it has below its diagonal. O(e log n) for the e rows of
-    /// all groups.
+    /// The groups of a matrix; `below`: what it has below its diagonal. O(e log n) for the e rows
+    /// of all groups.
     pub(super) fn new(matrix: &Symmetric, below: &Buckets<(u32, f64)>, job: &Job<'_>) -> Result<Self> {
         let n = matrix.len();
         if n <= MAX_SINGLE {
@@ -185,8 +185,8 @@ impl Size {
     }
 }
 
-/// The last column of each column's group. From the leaves on, each column takes up the groups of its
-/// children, the last one first, as long as few zeros come in.
+/// The last column of each column's group. From the leaves on, each column takes up the groups of
+/// its children, the last one first, as long as few zeros come in.
 fn groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
     let n = parent.len();
     let mut last = alloc::collect(0..n as u32)?;

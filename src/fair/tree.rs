@@ -1,11 +1,11 @@
-//! The elimination tree of a sparse symmetric matrix, and how many entries each column of its factor
-//! has.
+//! The elimination tree of a sparse symmetric matrix, and how many entries each column of its
+//! factor has.
 //!
 //! The parent of column i is the first row below i in which the factor L has an entry; the rows of
 //! column i beyond are among the parent's. Sources: J. W. H. Liu, *The role of elimination trees in
 //! sparse factorization* (1990); J. R. Gilbert, E. G. Ng, B. W. Peyton, *An efficient algorithm to
-//! compute row and column counts for sparse Cholesky factorization* (1994), in the form of
-//! T. A. Davis, *Direct methods for sparse linear systems* (2006), section 4.4. Nearly linear in the
+//! compute row and column counts for sparse Cholesky factorization* (1994), in the form of T. A.
+//! Davis, *Direct methods for sparse linear systems* (2006), section 4.4. Nearly linear in the
 //! entries of the matrix.
 
 use super::sparse::Symmetric;
@@ -66,9 +66,9 @@ pub(super) fn postorder(parent: &[u32]) -> Result<Vec<u32>> {
 /// The number of entries in each column of the factor, that on the diagonal included. `below`: the
 /// matrix below its diagonal, column by column.
 ///
-/// Row i of L has the columns of a subtree with root i, whose leaves are columns in which the matrix
-/// itself has an entry. Each leaf counts for itself and its ancestors; where it meets the leaf before
-/// it, in their least common ancestor, one too many have been counted.
+/// Row i of L has the columns of a subtree with root i, whose leaves are columns in which the
+/// matrix itself has an entry. Each leaf counts for itself and its ancestors; where it meets the
+/// leaf before it, in their least common ancestor, one too many have been counted.
 pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
     let order = postorder(parent)?;
@@ -127,8 +127,9 @@ struct RowSubtrees {
 }
 
 impl RowSubtrees {
-    /// Column `j` in row `i`; `first`: the place of its first descendant. `None` if it is no leaf of
-    /// the row's subtree; else the least common ancestor with the leaf before it, `NONE` for the first.
+    /// Column `j` in row `i`; `first`: the place of its first descendant. `None` if it is no leaf
+    /// of the row's subtree; else the least common ancestor with the leaf before it, `NONE` for the
+    /// first.
     fn add(&mut self, i: usize, j: u32, first: u32) -> Option<u32> {
         if first < self.latest_first[i] {
             return None;

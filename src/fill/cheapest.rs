@@ -16,6 +16,7 @@ use super::search::MIN_GAIN;
 use super::surroundings::Surroundings;
 use crate::alloc;
 use crate::error::Result;
+use crate::fair::Continuity;
 use crate::geom::Aabb;
 use crate::geom::box_tree::{BoxTree, spatial_order};
 use crate::job::Job;
@@ -88,7 +89,7 @@ pub(super) fn cheapest(
     let around = |vertices: &&[u32]| Aabb::of(vertices.iter().map(|&v| mesh.positions().get(v)));
     let boxes = alloc::collect(loops.iter().map(around))?;
     let near = faces_near(mesh, &boxes, &job.part(0.0, 0.05))?;
-    let surroundings = Surroundings::new(mesh, passes, &near, &job.part(0.05, 0.1))?;
+    let surroundings = Surroundings::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;
     let partners = alloc::collect(loops.iter().map(|_| Vec::new()))?;
     let owner = alloc::collect(0..loops.len())?;
     // All that there can be.

@@ -59,7 +59,7 @@ impl<'a> Filling<'a> {
             alloc::push(&mut boxes, if bulges { neighbourhood(rim) } else { Aabb::of(rim) })?;
         }
         let near = faces_near(mesh, &boxes, &job.part(0.0, 0.9))?;
-        let surroundings = Surroundings::new(mesh, passes, &near, &job.part(0.9, 1.0))?;
+        let surroundings = Surroundings::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
         let made = Made { pool: Pool::new(mesh, &points), ..Made::nothing(mesh) };
         Ok(Filling {
             options,

@@ -50,5 +50,6 @@ mod weigh;
 
 pub use holes::fill_holes;
 pub use request::{
-    Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Measures, Options, Refinement, Selection, Together, Weight,
+    Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Measures, Options, Refinement, Selection,
+    Together, Weight,
 };

@@ -67,10 +67,11 @@ pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     };
     let mut ways = Vec::new();
     for weight in weights {
-        for creased in [true, false] {
+        let creases: &[bool] = if options.ignore_creases { &[false] } else { &[true, false] };
+        for &creased in creases {
             ways.extend(blends.iter().map(|&way| Attempt { weight, way: Some(way), creased }));
         }
-        ways.extend([true, false].map(|creased| Attempt { weight, way: None, creased }));
+        ways.extend(creases.iter().map(|&creased| Attempt { weight, way: None, creased }));
     }
     ways
 }
@@ -131,7 +132,13 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             (self.options.refinement, &self.plan, attempt.way.is_some())
         {
             let copy = alloc::copied(coarse)?;
-            self.plan = blend::Plan::new(rim.old_ring()?, copy, limits(limit), self.taken, &job.part(0.4, 0.6))?;
+            self.plan = blend::Plan::new(
+                rim.old_ring(self.options.continuity)?,
+                copy,
+                limits(limit),
+                self.taken,
+                &job.part(0.4, 0.6),
+            )?;
         }
         let coarse = alloc::copied(coarse)?;
         if attempt.is_blend() && self.plan.is_none() {
@@ -175,7 +182,13 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             if let Some((way, limits)) = attempt.way.zip(limits) {
                 let new = (u64::from(limits.new / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
                 let limits = Limits { new, ..limits };
-                let plan = blend::Plan::new(part.rim.old_ring()?, triangles, limits, taken, &job.part(0.4, 0.6))?;
+                let plan = blend::Plan::new(
+                    part.rim.old_ring(self.options.continuity)?,
+                    triangles,
+                    limits,
+                    taken,
+                    &job.part(0.4, 0.6),
+                )?;
                 let Some(plan) = plan else {
                     return Ok(None);
                 };

@@ -1,6 +1,7 @@
 //! Options, results and the status of each hole.
 
 use crate::choice::choices;
+pub use crate::fair::Continuity;
 use crate::mesh::Mesh;
 use crate::repair::orient::Outward;
 use crate::stitch::{Intersections, Quality};
@@ -138,6 +139,10 @@ pub struct Options {
     pub refinement: Refinement,
     /// Where they go; if none are asked for, a note says that this is not read.
     pub fairing: Fairing,
+    /// How smoothly faired vertices go on the surface round the hole.
+    pub continuity: Continuity,
+    /// Creases of the old surface that end at a rim end there: no patch goes on with them.
+    pub ignore_creases: bool,
     /// Whether cuts are looked for, and avoided by other weights and less fairing
     /// ([`Intersections::Auto`]), reported only, or ignored.
     pub intersections: Intersections,

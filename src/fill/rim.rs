@@ -2,8 +2,9 @@
 
 use super::weigh::Polygon;
 use crate::alloc;
-use crate::blend::{MAX_FAN_TRIANGLES, OldRing};
+use crate::blend::{Beyond, MAX_FAN_TRIANGLES, OldRing};
 use crate::error::Result;
+use crate::fair::Continuity;
 use crate::geom::scale::common_unit;
 use glam::DVec3;
 
@@ -21,10 +22,12 @@ pub(super) struct Rim {
     pub(super) points: Vec<DVec3>,
     /// The old faces with a vertex on the rim, as triangles.
     pub(super) around: Vec<[u32; 3]>,
-    /// Their sides, face by face.
+    /// Those next to these, as triangles; empty if no curvature is asked for.
+    pub(super) beyond: Vec<[u32; 3]>,
+    /// The sides of `around`, face by face.
     pub(super) sides: Vec<(u32, u32)>,
-    /// The unit normal of the old face at the edge from each rim vertex to the next of its loop; 0 if
-    /// it is not known.
+    /// The unit normal of the old face at the edge from each rim vertex to the next of its loop; 0
+    /// if it is not known.
     pub(super) across: Vec<DVec3>,
     /// The unit normal of the old surface at each rim vertex, 0 if it has none.
     pub(super) normals: Vec<DVec3>,
@@ -32,40 +35,45 @@ pub(super) struct Rim {
     pub(super) whole: Vec<bool>,
 }
 
+/// The old faces round a rim; see [`Rim`].
+pub(super) struct OldFaces {
+    pub(super) around: Vec<[u32; 3]>,
+    pub(super) beyond: Vec<[u32; 3]>,
+    pub(super) sides: Vec<(u32, u32)>,
+}
+
 impl Rim {
     /// Of the points as the mesh has them; `whole` and `across` of the rim's.
     pub(super) fn new(
         points: &[DVec3],
         lengths: Vec<usize>,
-        around: Vec<[u32; 3]>,
-        sides: Vec<(u32, u32)>,
+        faces: OldFaces,
         across: Vec<DVec3>,
         whole: Vec<bool>,
     ) -> Result<Rim> {
         let unit = common_unit(points);
         let origin = points[0] / unit;
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-        Rim::placed_at((origin, unit), points, lengths, (around, sides), (across, whole))
+        Rim::placed_at((origin, unit), points, lengths, faces, (across, whole))
     }
 
     /// A part of it with one loop, of points in its unit from its origin.
     pub(super) fn part(
         &self,
         points: Vec<DVec3>,
-        around: Vec<[u32; 3]>,
-        sides: Vec<(u32, u32)>,
+        faces: OldFaces,
         across: Vec<DVec3>,
         whole: Vec<bool>,
     ) -> Result<Rim> {
         let lengths = vec![whole.len()];
-        Rim::placed_at((self.origin, self.unit), points, lengths, (around, sides), (across, whole))
+        Rim::placed_at((self.origin, self.unit), points, lengths, faces, (across, whole))
     }
 
     fn placed_at(
         (origin, unit): (DVec3, f64),
         points: Vec<DVec3>,
         lengths: Vec<usize>,
-        (around, sides): (Vec<[u32; 3]>, Vec<(u32, u32)>),
+        OldFaces { around, beyond, sides }: OldFaces,
         (across, whole): (Vec<DVec3>, Vec<bool>),
     ) -> Result<Rim> {
         let count = whole.len();
@@ -78,7 +86,7 @@ impl Rim {
             }
         }
         normals.iter_mut().for_each(|normal| *normal = normal.normalize_or_zero());
-        Ok(Rim { count, lengths, origin, unit, points, around, sides, across, normals, whole })
+        Ok(Rim { count, lengths, origin, unit, points, around, beyond, sides, across, normals, whole })
     }
 
     /// Back to the mesh's own coordinates.
@@ -105,7 +113,7 @@ impl Rim {
     }
 
     /// What a blend is clamped to.
-    pub(super) fn old_ring(&self) -> Result<OldRing> {
+    pub(super) fn old_ring(&self, continuity: Continuity) -> Result<OldRing> {
         let mut valence = alloc::filled(0usize, self.points.len())?;
         self.around.as_flattened().iter().for_each(|&v| valence[v as usize] += 1);
         let is_centre = |(&whole, &valence): (&bool, &usize)| whole && valence <= MAX_FAN_TRIANGLES;
@@ -117,7 +125,35 @@ impl Rim {
             centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
             rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
             reach: f64::INFINITY,
-            follows: Some(self.averages()),
+            follows: (continuity == Continuity::C1).then(|| self.averages()),
+            beyond: self.beyond(continuity)?,
         })
+    }
+
+    /// Vertices beyond the rim have a Laplacian if the faces that are known go all round them.
+    fn beyond(&self, continuity: Continuity) -> Result<Beyond> {
+        if continuity == Continuity::C1 {
+            return Ok(Beyond::default());
+        }
+        let triangles = self.around.iter().chain(&self.beyond);
+        let mut sides = alloc::with_capacity(3 * (self.around.len() + self.beyond.len()))?;
+        sides.extend(triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]));
+        sides.sort_unstable();
+        let mut valence = alloc::filled(0usize, self.points.len())?;
+        let mut is_whole = alloc::filled(true, self.points.len())?;
+        let once = |side: &(u32, u32)| {
+            let first = sides.partition_point(|other| other < side);
+            sides.get(first) == Some(side) && sides.get(first + 1) != Some(side)
+        };
+        for &(u, v) in &sides {
+            valence[u as usize] += 1;
+            if !once(&(u, v)) || !once(&(v, u)) {
+                is_whole[u as usize] = false;
+                is_whole[v as usize] = false;
+            }
+        }
+        let is_centre = |v: usize| is_whole[v] && (1..=MAX_FAN_TRIANGLES).contains(&valence[v]);
+        let centred = alloc::collect((self.count..self.points.len()).map(is_centre))?;
+        Ok(Beyond { continuity, triangles: alloc::copied(&self.beyond)?, centred })
     }
 }

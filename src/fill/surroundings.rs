@@ -1,9 +1,10 @@
 //! The old faces that touch the rims: which of their vertices share a face, their normals along the
 //! rims, and their sides.
 
-use super::rim::Rim;
+use super::rim::{OldFaces, Rim};
 use crate::alloc;
 use crate::error::Result;
+use crate::fair::Continuity;
 use crate::geom::scale::distance;
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
@@ -17,6 +18,9 @@ pub(super) struct Surroundings<'a> {
     passes: &'a [u8],
     /// (rim vertex, face), sorted.
     corners: Vec<(u32, u32)>,
+    /// (vertex of a face that touches a rim, face that touches none), sorted; empty if no curvature
+    /// is asked for.
+    beyond: Vec<(u32, u32)>,
     /// Per vertex of the mesh, scratch.
     names: Vec<u32>,
 }
@@ -25,9 +29,16 @@ pub(super) struct Surroundings<'a> {
 const REPORT_INTERVAL: usize = 1 << 16;
 
 impl<'a> Surroundings<'a> {
-    /// `near`: faces, ascending; all that touch a rim are among them. Extra memory: 4 bytes a vertex
-    /// of the mesh, and 8 a corner at a rim.
-    pub(super) fn new(mesh: &'a MeshView<'a>, passes: &'a [u8], near: &[u32], job: &Job<'_>) -> Result<Self> {
+    /// `near`: faces, ascending; all that touch a rim are among them. For continuous curvature the
+    /// faces next to those are looked for as well, in another pass over all faces. Extra memory: 4
+    /// bytes a vertex of the mesh, 8 a corner at a rim, and 8 a corner of what is next to it.
+    pub(super) fn new(
+        mesh: &'a MeshView<'a>,
+        passes: &'a [u8],
+        near: &[u32],
+        continuity: Continuity,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let mut corners = Vec::new();
         for (k, &f) in near.iter().enumerate() {
             job.step_every(REPORT_INTERVAL, k, near.len(), "looking round the holes")?;
@@ -36,13 +47,15 @@ impl<'a> Surroundings<'a> {
             }
         }
         sort_distinct(&mut corners);
-        Ok(Surroundings { mesh, passes, corners, names: alloc::filled(NONE, mesh.positions().len())? })
+        let beyond = match continuity {
+            Continuity::C1 => Vec::new(),
+            Continuity::C2 => beyond(mesh, passes, &corners, job)?,
+        };
+        Ok(Surroundings { mesh, passes, corners, beyond, names: alloc::filled(NONE, mesh.positions().len())? })
     }
 
     fn faces_at(&self, v: u32) -> &[(u32, u32)] {
-        let start = self.corners.partition_point(|&(u, _)| u < v);
-        let count = self.corners[start..].partition_point(|&(u, _)| u == v);
-        &self.corners[start..start + count]
+        corners_of(&self.corners, v)
     }
 
     /// True if a face has both of two rim vertices: as an edge of it, or as a diagonal, which is an
@@ -53,8 +66,8 @@ impl<'a> Surroundings<'a> {
         few.iter().any(|&(_, face)| many.binary_search_by_key(&face, |&(_, face)| face).is_ok())
     }
 
-    /// The rim of a patch of loops, each with the surface on the left, and the rim's vertices in the
-    /// mesh; `None` if two of the loops have a vertex in common.
+    /// The rim of a patch of loops, each with the surface on the left, and the rim's vertices in
+    /// the mesh; `None` if two of the loops have a vertex in common.
     pub(super) fn rim<'b>(&mut self, loops: impl Iterator<Item = &'b [u32]>) -> Result<Option<(Rim, Vec<u32>)>> {
         let mesh = self.mesh;
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
@@ -103,11 +116,50 @@ impl<'a> Surroundings<'a> {
                 }
             }
         }
+        let next_to = names[n..].iter().flat_map(|&v| corners_of(&self.beyond, v));
+        let mut next_to = alloc::gather(next_to.map(|&(_, face)| face))?;
+        sort_distinct(&mut next_to);
+        let mut beyond = Vec::new();
+        for &f in &next_to {
+            own.clear();
+            for v in mesh.face(f as usize) {
+                let name = &mut self.names[v as usize];
+                if *name == NONE {
+                    *name = names.len() as u32;
+                    alloc::push(&mut names, v)?;
+                }
+                alloc::push(&mut own, *name)?;
+            }
+            alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
+        }
         let points = alloc::collect(names.iter().map(|&v| mesh.positions().get(v)))?;
         let whole = alloc::collect(rim.iter().map(|&v| self.passes[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        Ok(Some((Rim::new(&points, lengths, around, sides, across, whole)?, rim)))
+        Ok(Some((Rim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
     }
+}
+
+fn corners_of(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
+    let start = corners.partition_point(|&(u, _)| u < v);
+    let count = corners[start..].partition_point(|&(u, _)| u == v);
+    &corners[start..start + count]
+}
+
+/// The corners of faces that touch no rim, at vertices of those that do.
+fn beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<(u32, u32)>> {
+    let mut is_next = alloc::filled(false, mesh.positions().len())?;
+    for &(_, f) in corners {
+        mesh.face(f as usize).for_each(|v| is_next[v as usize] = true);
+    }
+    let mut found = Vec::new();
+    for f in 0..mesh.faces().len() {
+        job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "looking round the holes")?;
+        if mesh.face(f).all(|v| passes[v as usize] == 0) {
+            alloc::extend(&mut found, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
+        }
+    }
+    sort_distinct(&mut found);
+    Ok(found)
 }
 
 /// A loop against its direction. It ends with its longest side, of equals that at the first vertex,
@@ -125,8 +177,8 @@ fn turned(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
     Ok(rim)
 }
 
-/// The direction of a face's area vector, by Newell's formula, seen from a corner, at a scale of its
-/// own.
+/// The direction of a face's area vector, by Newell's formula, seen from a corner, at a scale of
+/// its own.
 fn direction(face: &[u32], point: impl Fn(u32) -> DVec3) -> DVec3 {
     let first = point(face[0]);
     let reach = face.iter().map(|&v| (point(v) - first).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);

@@ -1,7 +1,7 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
 use crate::fill::{
-    Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
 use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
@@ -31,6 +31,8 @@ pub(super) const FILTER: Filter = Filter {
             .with_help("Loops with a larger area between them and their centre, in the square of the unit, are left open; 0 sets no limit."),
         Param::choice("intersections", "Intersections", CUTS.texts).with_help("The search for faces of patches that cut."),
         Param::flag("plan_only", "Plan only").with_help("Nothing is filled: the report says what would be."),
+        Param::choice("continuity", "Continuity", Continuity::CHOICES.texts).with_help("How fair patches go on the surface round them."),
+        Param::flag("ignore_creases", "Ignore creases").with_help("No patch goes on with creases of the surface round it."),
         Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
@@ -59,6 +61,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         weight: values.choice("weight", Weight::CHOICES),
         refinement: if inside > 0 { Refinement::RimDensity(0) } else { Refinement::None },
         fairing: if inside > 1 { Fairing::ThinPlate } else { Fairing::None },
+        continuity: values.choice("continuity", Continuity::CHOICES),
+        ignore_creases: values.is_set("ignore_creases"),
         limits: Limits {
             edges: limit("max_edges").map(|limit| limit as u32),
             length: limit("max_length"),

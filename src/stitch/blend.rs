@@ -5,7 +5,7 @@ use super::grid::FaceList;
 use super::neighbourhood::Neighbourhood;
 use super::strip::{Parents, Strip};
 use crate::alloc;
-use crate::blend::{self, Limits, MAX_FAN_TRIANGLES, OldRing, Way};
+use crate::blend::{self, Beyond, Limits, MAX_FAN_TRIANGLES, OldRing, Way};
 use crate::error::{Error, Result};
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
@@ -118,5 +118,6 @@ fn old_ring(whole: &Mesh, strip: &Strip, unit: f64) -> Result<(OldRing, Vec<(u32
     let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
     let reach = REACH * strip.a.radius().max(strip.b.radius());
     let rims = vec![(strip.a.vertices.len(), strip.a.closed), (strip.b.vertices.len(), strip.b.closed)];
-    Ok((OldRing { points, origin, triangles, sides, centred, rims, reach, follows: None }, edges))
+    let beyond = Beyond::default();
+    Ok((OldRing { points, origin, triangles, sides, centred, rims, reach, follows: None, beyond }, edges))
 }

@@ -21,7 +21,7 @@ use super::strip::Strip;
 use crate::alloc;
 use crate::blend::MAX_FAN_TRIANGLES;
 use crate::error::Result;
-use crate::fair::{Plate, Weights, thin_plate};
+use crate::fair::{Continuity, Plate, Weights, thin_plate};
 use crate::job::Job;
 use crate::mesh::Mesh;
 use crate::sort::sort_distinct;
@@ -223,6 +223,7 @@ impl Neighbourhood<'_> {
             free: &free,
             centres: &centres,
             weights: Weights::Uniform,
+            continuity: Continuity::C1,
             shape: None,
             layout: Some(&layout),
         };

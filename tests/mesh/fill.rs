@@ -3,7 +3,7 @@
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, volume};
 use gusset::fill::{
-    Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+    Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
 use gusset::mesh::Mesh;
 use gusset::repair::orient::Outward;
@@ -16,6 +16,8 @@ const AREA: Options = Options {
     weight: Weight::Area,
     refinement: Refinement::None,
     fairing: Fairing::None,
+    continuity: Continuity::C1,
+    ignore_creases: false,
     limits: Limits { edges: None, length: None, diameter: None, area: None },
     keep: Keep::None,
     intersections: Intersections::Report,

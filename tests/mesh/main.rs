@@ -10,6 +10,7 @@ mod blend;
 mod boundary;
 mod check;
 mod concatenate;
+mod continuity;
 mod creases;
 mod cuts;
 mod errata;

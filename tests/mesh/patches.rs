@@ -4,7 +4,8 @@
 use crate::common::{Soup, cap, edge_counts, faces_of, sheet, torus};
 use gusset::Job;
 use gusset::fill::{
-    Fairing, Filled, Finish, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
+    Continuity, Fairing, Filled, Finish, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight,
+    fill_holes,
 };
 use gusset::repair::orient::Outward;
 use gusset::stitch::Intersections;
@@ -15,6 +16,8 @@ const FAIR: Options = Options {
     weight: Weight::Continuation,
     refinement: Refinement::RimDensity(0),
     fairing: Fairing::ThinPlate,
+    continuity: Continuity::C1,
+    ignore_creases: false,
     intersections: Intersections::Auto,
     limits: Limits { edges: None, length: None, diameter: None, area: None },
     keep: Keep::None,

@@ -6,8 +6,8 @@ use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
 use crate::fill::{
-    Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight,
-    fill_holes,
+    Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together,
+    Weight, fill_holes,
 };
 use crate::mesh::MAX_ELEMENTS;
 
@@ -57,6 +57,13 @@ pub const GUSSET_PATCH_FAIRED: u32 = 2;
 pub const GUSSET_REFINE_NONE: u32 = 0;
 /// New vertices as dense as those round the hole.
 pub const GUSSET_REFINE_RIM_DENSITY: u32 = 1;
+
+/// Faired patches leave the old surface along its tangent planes: the plate's squared Laplacian is
+/// least.
+pub const GUSSET_CONTINUITY_C1: u32 = 0;
+/// They go on with its curvature, too: the squared gradient of the Laplacian is least. Two rings of old
+/// faces round each rim have a say, and with them their noise.
+pub const GUSSET_CONTINUITY_C2: u32 = 1;
 
 /// Filled; with plan_only, to be filled.
 pub const GUSSET_HOLE_FILLED: u32 = 0;
@@ -127,6 +134,11 @@ pub struct gusset_fill_options {
     /// patch, a surface of genus 0 between them, but for loops that are left for reasons of their
     /// own. NULL: as together says. Needs loops.
     pub groups: *const u32,
+    /// GUSSET_CONTINUITY_...: how smoothly faired vertices go on the surface round the hole.
+    pub continuity: u32,
+    /// 1: creases of the old surface that end at a rim end there, and no patch goes on with them. 0 or
+    /// 1.
+    pub ignore_creases: u32,
 }
 
 /// The account of one loop.
@@ -210,6 +222,7 @@ c_enum! {
         GUSSET_WEIGHT_AREA => Area,
     }
     fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
+    continuity: Continuity { GUSSET_CONTINUITY_C1 => C1, GUSSET_CONTINUITY_C2 => C2 }
     keep: Keep {
         GUSSET_KEEP_NONE => None,
         GUSSET_KEEP_LONGEST => Longest,
@@ -255,6 +268,8 @@ impl gusset_fill_options {
             weight: choice(self.weight)?,
             refinement,
             fairing: choice(self.fairing)?,
+            continuity: choice(self.continuity)?,
+            ignore_creases: flag(self.ignore_creases, "ignore_creases")?,
             intersections: choice(self.intersections)?,
             limits,
             keep: choice(self.keep)?,
@@ -322,7 +337,8 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 ///
 /// Creases of the old surface that end at a rim go on across the patch, by plain triangles where they
 /// are straight: joined in pairs, or three and more in a new vertex where they meet. A crease without
-/// a counterpart ends at the rim. Patches of several loops have none.
+/// a counterpart ends at the rim. Patches of several loops have none, and with ignore_creases none
+/// has.
 ///
 /// Several loops get one patch where options.groups or options.together says so: a surface of genus 0
 /// between them. If none is found, by a search that is not complete, or two of the loops share a

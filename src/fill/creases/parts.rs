@@ -1,6 +1,6 @@
 //! The parts of a hole that curves cut out of it.
 
-use super::super::rim::Rim;
+use super::super::rim::{OldFaces, Rim};
 use super::bridges::Bridge;
 use super::ends::{Corners, End, Touch};
 use crate::alloc;
@@ -191,6 +191,10 @@ impl<'a> Outline<'a> {
         sort_distinct(&mut self.around);
         let around = alloc::collect(self.around.iter().map(|&t| rim.around[t as usize].map(&mut number)))?;
         sides.iter_mut().for_each(|(u, v)| (*u, *v) = (number(*u), number(*v)));
+        let mut is_near = alloc::filled(false, rim.points.len())?;
+        self.around.iter().for_each(|&t| rim.around[t as usize].iter().for_each(|&v| is_near[v as usize] = true));
+        let next_to = rim.beyond.iter().filter(|triangle| triangle.iter().any(|&v| is_near[v as usize]));
+        let beyond = alloc::gather(next_to.map(|triangle| triangle.map(&mut number)))?;
         let mut across = alloc::with_capacity(n)?;
         for (k, &name) in self.names.iter().enumerate() {
             let next = (k + 1) % n;
@@ -202,7 +206,7 @@ impl<'a> Outline<'a> {
         }
         let is_whole = |(&name, &curves): (&u32, &[u32; 2])| curves == NO_CURVE && rim.whole[name as usize];
         let whole = alloc::collect(self.names.iter().zip(&self.curves).map(is_whole))?;
-        let part = rim.part(own, around, sides, across, whole)?;
+        let part = rim.part(own, OldFaces { around, beyond, sides }, across, whole)?;
         Ok(Part { rim: part, names: self.names, curves: self.curves, count })
     }
 }

@@ -1,6 +1,6 @@
 //! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, at heights of several kinds.
 
-use super::super::rim::Rim;
+use super::super::rim::{OldFaces, Rim};
 use super::{Division, divide};
 use crate::testing::cases;
 use glam::DVec3;
@@ -30,7 +30,8 @@ fn rim(mut height: impl FnMut(f64, f64) -> f64) -> Rim {
     let points: Vec<_> =
         order.iter().map(|&(x, y)| (f64::from(x), f64::from(y))).map(|(x, y)| DVec3::new(x, y, height(x, y))).collect();
     let sides = around.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
-    Rim::new(&points, vec![20], around, sides, vec![DVec3::Z; 20], vec![true; 20]).unwrap()
+    Rim::new(&points, vec![20], OldFaces { around, beyond: Vec::new(), sides }, vec![DVec3::Z; 20], vec![true; 20])
+        .unwrap()
 }
 
 fn divided(rim: &Rim, limit: Option<u32>) -> Option<Division> {

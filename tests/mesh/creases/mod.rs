@@ -130,6 +130,18 @@ fn the_rim_of_a_cylinder_goes_on() {
     }
 }
 
+/// The edge is rounded, and only where nothing is refined is it there by chance.
+#[test]
+fn creases_that_are_ignored_end_at_the_rim() {
+    for turn in turns() {
+        let case = block(16, DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.0), 0.33).turned(turn);
+        let (_, kept) = case.filled(&options(true));
+        let (filled, ignored) = case.filled(&Options { ignore_creases: true, ..options(true) });
+        assert_eq!(filled.quality.loops_left, 0);
+        assert!(kept.missed < 1e-6 && ignored.missed > 0.02, "{kept:?} {ignored:?}");
+    }
+}
+
 #[test]
 fn few_vertices_are_few_along_creases_too() {
     let case = block(16, DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.0), 0.33).turned(turns()[1]);
