@@ -139,7 +139,8 @@ static void results(void) {
         options.struct_size = sizeof options, options.refine = GUSSET_REFINE_RIM_DENSITY;
         options.fairing = GUSSET_FAIRING_THIN_PLATE, options.ignore_creases = 1;
         parts.struct_size = sizeof parts, quality.struct_size = sizeof quality;
-        for (options.continuity = GUSSET_CONTINUITY_C1; options.continuity <= GUSSET_CONTINUITY_C2; ++options.continuity) {
+        for (uint32_t continuity = GUSSET_CONTINUITY_C1; continuity <= GUSSET_CONTINUITY_C2; ++continuity) {
+            options.continuity = continuity;
             EXPECT(GUSSET_OK, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
             EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
             EXPECT(GUSSET_OK, gusset_fill_get_quality(fill, &quality));
