@@ -53,8 +53,8 @@
 #define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
 
 /**
- * Where half-planes at equal angles round the axis meet each section; the farthest place where
- * there are several.
+ * Where half-planes at equal angles round the axis, straight or bent, meet each section; the
+ * farthest place where there are several.
  */
 #define GUSSET_CORRESPONDENCE_ANGLE 2
 
@@ -1928,9 +1928,20 @@ typedef struct gusset_frame_options {
      */
     double axis_direction[3];
     /**
-     * For ANGLE: towards the nodes of column 0; any vector not along the axis.
+     * For ANGLE: towards the nodes of column 0; any vector not along the axis, at its first point if
+     * it is bent.
      */
     double reference[3];
+    /**
+     * For ANGLE about a bent axis: a point of it for each section, x, y, z; axis_point and
+     * axis_direction are not read then. The axis passes them along the circles through three of them
+     * at a time, and the reference goes along without turning about it. NULL: the axis is straight.
+     */
+    const double *axis_points;
+    /**
+     * The number of these points: that of the sections.
+     */
+    size_t axis_point_count;
     /**
      * For LANDMARKS: for each section its landmarks in order, places among its own points; as many
      * for each.
