@@ -48,6 +48,63 @@ pub(crate) fn map_cancellable<T: Send, R: Send>(
     run_ordered(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
 }
 
+/// [`map_cancellable`] for items that may be large: the work hears the job, too. On this thread
+/// that is the host's; the others hear of it once the host cancels or an item fails, and while this
+/// thread waits for them the host is asked. What the others report and note is not passed on.
+///
+/// # Errors
+/// The first of the items' in their order; [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn map_jobs<T: Send, R: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T, &Job<'_>) -> Result<R> + Sync,
+) -> Result<Vec<R>> {
+    let count = items.len();
+    let helpers = at_most(count, job.threads()).saturating_sub(1);
+    let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
+    let results = Mutex::new(iter::repeat_with(|| None).take(count).collect::<Vec<Option<Result<R>>>>());
+    let (busy, waiting) = (Mutex::new(0usize), thread::current());
+    let finish = |i: usize, item: T, job: &Job<'_>| {
+        let result = work(item, job);
+        let failed = result.is_err();
+        lock(&results)[i] = Some(result);
+        stopped.fetch_or(failed, Ordering::Relaxed);
+    };
+    let next = || lock(&queue).next().filter(|_| !stopped.load(Ordering::Relaxed));
+    let help = || {
+        *lock(&busy) += 1;
+        let own = Unless(&stopped);
+        while let Some((i, item)) = next() {
+            finish(i, item, &Job::new(1, &own));
+        }
+        *lock(&busy) -= 1;
+        waiting.unpark();
+    };
+    let mut reported = Ok(());
+    let mut lead = || {
+        let stop = StopOnDrop(&stopped);
+        let ask = |done: usize| job.step(done as f64 / count.max(1) as f64, stage);
+        reported = (|| {
+            while let Some((i, item)) = next() {
+                ask(i)?;
+                finish(i, item, &job.share(i, count).with_threads(1));
+            }
+            while *lock(&busy) > 0 {
+                ask(count)?;
+                thread::park_timeout(BETWEEN_REPORTS);
+            }
+            Ok(())
+        })();
+        if reported.is_ok() {
+            std::mem::forget(stop);
+        }
+    };
+    run_beside(helpers, &help, &mut lead);
+    reported?;
+    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
+}
+
 /// The engine of [`map`]: results in the order of the items. `before` is called on this thread with
 /// the number of each item that it takes.
 fn run_ordered<T: Send, R: Send, E>(
@@ -233,6 +290,34 @@ mod tests {
             assert_eq!(run(threads, 1000).0, Ok(100));
             let (done, begun, _) = run(threads, 1);
             assert_eq!((done, begun), (Err(crate::Error::Cancelled), 0));
+        }
+    }
+
+    #[test]
+    fn large_items_hear_the_host() {
+        // The host cancels at its third answer: an item that never ends does, on any thread.
+        struct Patience(Cell<u32>);
+        impl crate::Progress for Patience {
+            fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+                self.0.set(self.0.get().saturating_sub(1));
+                if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            }
+        }
+        let endless = |_: usize, job: &Job<'_>| -> Result<()> {
+            loop {
+                job.step(0.0, "endless")?;
+            }
+        };
+        for threads in [1, 2, 16] {
+            let patience = Patience(Cell::new(3));
+            assert_eq!(map_jobs(&Job::new(threads, &patience), "work", 0..5, endless), Err(Error::Cancelled));
+            let job = Job::new(threads, &Forever);
+            assert_eq!(map_jobs(&job, "work", 0..50, |i: usize, _: &Job<'_>| Ok(i * i)).unwrap()[7], 49);
+            let fails = |i: usize, _: &Job<'_>| if i == 3 { Err(Error::Cancelled) } else { Ok(i) };
+            assert_eq!(map_jobs(&job, "work", 0..50, fails), Err(Error::Cancelled));
+            // One item fails, and the others hear of it.
+            let either = |i: usize, job: &Job<'_>| if i == 0 { Err(Error::Cancelled) } else { endless(i, job) };
+            assert_eq!(map_jobs(&job, "work", 0..2, either), Err(Error::Cancelled));
         }
     }
 

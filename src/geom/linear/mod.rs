@@ -1,9 +1,11 @@
 //! Systems of linear equations.
 //!
+//! * [`banded`]: symmetric ones whose entries are near the diagonal, in linear time.
 //! * [`cholesky`]: small symmetric ones that are positive definite.
 //! * [`dense`]: small square systems, by elimination with row exchanges.
 //! * [`tridiagonal`]: open and cyclic ones with dominant rows, in linear time.
 
+pub(crate) mod banded;
 pub(crate) mod cholesky;
 pub(crate) mod dense;
 pub(crate) mod tridiagonal;
