@@ -91,6 +91,12 @@
 #define GUSSET_CONSTRAINT_CORNER 1
 
 /**
+ * The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
+ * x-axis, in the plane of x and y.
+ */
+#define GUSSET_CONSTRAINT_TANGENT_ANGLE 2
+
+/**
  * Quadratic segments, one control point for each point; smooth (G1) everywhere.
  */
 #define GUSSET_CURVE_COMPOSITE 0
@@ -121,22 +127,32 @@
 #define GUSSET_CURVE_CUBIC_C2 4
 
 /**
- * The control point of a section lies on the bisector of the angle at its point. For all points.
+ * The paper's chain: GUSSET_CURVE_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
+ * control point lies on the guide of its point, the bisector, median or normal that the method
+ * names.
+ */
+#define GUSSET_CURVE_CHAIN 5
+
+/**
+ * The bisector of the angle at the point. For all points. Sections by themselves and
+ * GUSSET_LOCK_DATA_GUIDE have their control points on the line that the method names; the other
+ * locks take from it the parameter of the point, and control points are near the line.
  */
 #define GUSSET_METHOD_BISECTOR 0
 
 /**
- * On the median. For all points.
+ * The median. For all points.
  */
 #define GUSSET_METHOD_MEDIAN 1
 
 /**
- * On the normal of the chord; where its foot is outside the chord, on the bisector.
+ * The normal of the chord; where its foot is outside the chord the bisector takes its place, but
+ * for GUSSET_LOCK_SELF_CONSISTENT, where the foot counts as the nearer end of the chord.
  */
 #define GUSSET_METHOD_NORMAL 2
 
 /**
- * On the symmedian. For all points.
+ * The symmedian. For all points.
  */
 #define GUSSET_METHOD_SYMMEDIAN 3
 
@@ -147,7 +163,8 @@
 #define GUSSET_METHOD_ALPHA 4
 
 /**
- * The parameter of a point is that of the method on the triangle of the data. Always solvable.
+ * The parameter of a point is that of the method on the triangle of the data. Always solvable. The
+ * control point is near the guide of that triangle but not on it.
  */
 #define GUSSET_LOCK_PARAMETER 0
 
@@ -158,9 +175,9 @@
 #define GUSSET_LOCK_SELF_CONSISTENT 1
 
 /**
- * The control point lies on the guide of the data's triangle, where that is possible. Outlines
- * must lie in a plane, any plane; points of others get GUSSET_POINT_OUT_OF_PLANE and the lock by
- * parameter.
+ * The control point lies on the guide of the data's triangle, as the paper draws it, where that is
+ * possible. Outlines must lie in a plane, any plane; points of others get
+ * GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
  */
 #define GUSSET_LOCK_DATA_GUIDE 2
 
@@ -175,7 +192,9 @@
 #define GUSSET_JOINT_PARAMETER_KNOT 1
 
 /**
- * So that the curvature is continuous, where the control polygon turns one way.
+ * So that the curvature is continuous (G2): cubic segments in the triangles of the quadratics. 0
+ * where the control polygon turns the other way. Outlines in a plane; in space curvatures agree in
+ * magnitude, and points get GUSSET_POINT_OUT_OF_PLANE.
  */
 #define GUSSET_JOINT_PARAMETER_G2 2
 
@@ -198,6 +217,21 @@
  * Perpendicular to the first chord, from the first point to the third, and to the last one.
  */
 #define GUSSET_ENDS_PERPENDICULAR 1
+
+/**
+ * Along the x-axis, in the sense of the first and the last leg.
+ */
+#define GUSSET_ENDS_LEVEL 2
+
+/**
+ * Along the y-axis, in the sense of the first and the last leg.
+ */
+#define GUSSET_ENDS_UPRIGHT 3
+
+/**
+ * Level or upright, whichever is nearer the perpendicular of the first or the last chord.
+ */
+#define GUSSET_ENDS_LEVEL_OR_UPRIGHT 4
 
 /**
  * Repeats are neighbours nearer than 1e-12 times the size of the outline.
@@ -268,7 +302,8 @@
 #define GUSSET_POINT_TANGENT_BEYOND 10
 
 /**
- * The tangent is not in the plane of the section.
+ * The tangent is not in the plane of the section; or GUSSET_LOCK_DATA_GUIDE or
+ * GUSSET_JOINT_PARAMETER_G2 is asked of an outline that is not plane.
  */
 #define GUSSET_POINT_OUT_OF_PLANE 11
 
@@ -278,7 +313,7 @@
 #define GUSSET_POINT_NO_TANGENT 12
 
 /**
- * The lock could not be kept; the lock by parameter took its place.
+ * The lock could not be kept: its parameter is that of GUSSET_LOCK_PARAMETER.
  */
 #define GUSSET_POINT_FELL_BACK 13
 
@@ -292,6 +327,22 @@
  * solution.
  */
 #define GUSSET_POINT_MISSED 15
+
+/**
+ * A joint beside it could not be where the option asks for it: it is in the middle between its
+ * control points, or, for GUSSET_JOINT_PARAMETER_G2, the curvature there is 0.
+ */
+#define GUSSET_POINT_JOINT_FELL_BACK 16
+
+/**
+ * It is on a composite curve, as the single one failed.
+ */
+#define GUSSET_POINT_COMPOSITE_INSTEAD 17
+
+/**
+ * A blended curve turns back at it: it stands still there, or leaves the way it came.
+ */
+#define GUSSET_POINT_CUSP 18
 
 /**
  * As asked.
@@ -1744,7 +1795,8 @@ typedef struct gusset_constraint {
      */
     uint32_t demand;
     /**
-     * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
+     * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
+     * GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
      */
     double tangent[3];
 } gusset_constraint;
@@ -1818,11 +1870,11 @@ typedef struct gusset_outline_options {
      */
     uint32_t method;
     /**
-     * GUSSET_LOCK_..., for composite and single curves.
+     * GUSSET_LOCK_..., for composite and single curves; a chain has its own.
      */
     uint32_t lock;
     /**
-     * GUSSET_JOINT_PARAMETER_..., for composite curves.
+     * GUSSET_JOINT_PARAMETER_..., for composite curves and chains.
      */
     uint32_t joint;
     /**
@@ -1866,7 +1918,7 @@ typedef struct gusset_outline_options {
      */
     double step_divisor;
     /**
-     * The most sweeps or iterations; 0 for 200.
+     * The most sweeps or iterations between two corners; 0 for 200.
      */
     uint32_t max_sweeps;
     /**
@@ -1878,9 +1930,9 @@ typedef struct gusset_outline_options {
      */
     uint32_t repeats;
     /**
-     * 0.
+     * 1: the moves of each cycle are kept, for gusset_outline_get_history. 0: they are not.
      */
-    uint32_t reserved;
+    uint32_t history;
 } gusset_outline_options;
 
 /**
@@ -2185,7 +2237,8 @@ typedef struct gusset_outline_report {
      */
     uint32_t fit;
     /**
-     * Sweeps or iterations; 0 for what needs none.
+     * Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
+     * max_sweeps of the options.
      */
     uint32_t iterations;
     /**
@@ -2206,6 +2259,12 @@ typedef struct gusset_outline_report {
      */
     double max_joint_sine;
     /**
+     * The largest difference of the curvatures on both sides of a joint by
+     * GUSSET_JOINT_PARAMETER_G2, relative to the larger one, or to 1 / size where both are less; 0
+     * for other joints.
+     */
+    double max_curvature_gap;
+    /**
      * The farthest move of a control point in the last iteration.
      */
     double last_move;
@@ -2218,6 +2277,39 @@ typedef struct gusset_outline_report {
      */
     uint32_t reserved;
 } gusset_outline_report;
+
+/**
+ * One cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
+ */
+typedef struct gusset_cycle {
+    /**
+     * The farthest move of a control point, relative to the size of the outline.
+     */
+    double moved;
+    /**
+     * The steps of GUSSET_SOLVER_STEP up to its end, of all cycles of the outline so far.
+     */
+    uint64_t steps;
+} gusset_cycle;
+
+/**
+ * The cycles of an outline. Pointers are valid until the outline is destroyed.
+ */
+typedef struct gusset_outline_history_view {
+    /**
+     * sizeof(gusset_outline_history_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cycles in their order, those of one part between corners after those of another; NULL
+     * for none.
+     */
+    const struct gusset_cycle *cycles;
+    /**
+     * How many.
+     */
+    size_t cycle_count;
+} gusset_outline_history_view;
 
 /**
  * One section for each point: the quadratic from the point before over the control point to the
@@ -2245,6 +2337,10 @@ typedef struct gusset_sections_view {
      * GUSSET_POINT_...
      */
     const uint8_t *statuses;
+    /**
+     * The steps of GUSSET_SOLVER_STEP, of all sections.
+     */
+    uint64_t steps;
 } gusset_sections_view;
 
 /**
@@ -7451,6 +7547,8 @@ gusset_status gusset_curve_bounds(const struct gusset_context *context,
 /**
  * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
  *
+ * An open curve is closed by the chord from its end to its start.
+ *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param curve the curve.
  * @param[out] area receives x, y, z.
@@ -7499,7 +7597,8 @@ gusset_status gusset_curve_get_moments(const struct gusset_context *context,
  *     constraint whose point does not exist or is not behind the one before; the report has the
  *     constraint), OUT_OF_MEMORY, CANCELLED.
  * @complexity Composite, blended and cubic curves take linear time; linear memory, none for each
- *     outline but for its result.
+ *     outline but for its result, and about 1,500 bytes a point of the largest outline with
+ *     GUSSET_JOINT_PARAMETER_G2.
  * @source Nadopta; the composite and blended readings are ours.
  * @since 0.1
  */
@@ -7550,6 +7649,25 @@ gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
                                         struct gusset_outline_report *report);
 
 /**
+ * Lends the history of outline `index`: how far each cycle moved the control points, if the
+ * options asked for it.
+ *
+ * @param outline the outline.
+ * @param index its number, from 0.
+ * @param[out] history receives it; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     NO_SUCH_ELEMENT.
+ * @complexity O(1).
+ * @source Nadopta, the second and following approximations.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_get_history(const struct gusset_outline *outline,
+                                         size_t index,
+                                         struct gusset_outline_history_view *history);
+
+/**
  * Copies the curve of outline `index`, for what the gusset_curve functions do.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -7578,7 +7696,8 @@ gusset_status gusset_outline_curve_create(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param outlines the outlines.
- * @param options NULL for the defaults; method and alpha are read, all must be valid.
+ * @param options NULL for the defaults; method, alpha and solver are read, and by
+ *     GUSSET_SOLVER_STEP tolerance, first_step, step_divisor and max_steps; all must be valid.
  * @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_outline_create.
  * @complexity O(n).

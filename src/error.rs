@@ -172,7 +172,7 @@ pub enum Error {
     },
     /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere
     /// than their elements.
-    #[error("offset {entry} is {value}: offsets rise from 0 to the number of elements")]
+    #[error("offset {entry} is {value}{}", if *.entry == 0 { " instead of 0" } else { ": offsets must not fall, and the last is the number of elements" })]
     BadOffsets {
         /// The first offending entry.
         entry: u32,
@@ -191,7 +191,7 @@ pub enum Error {
     },
     /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point, the
     /// tangent of a constraint, a node.
-    #[error("{element} {index} has a coordinate that is {value}")]
+    #[error("{element} {index} has a coordinate that is {}", Number(.value))]
     NotFinite { element: Element, index: u64, value: f64 },
     /// An element has a coordinate whose square would overflow.
     #[error("{element} {index} has a coordinate beyond 1e150: {}", Number(.value))]

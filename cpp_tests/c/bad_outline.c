@@ -93,8 +93,9 @@ static void data(void) {
     EXPECT(GUSSET_ERROR_BAD_OFFSETS, fit(&outlines, NULL));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_OFFSET && report.index == 2);
+    CHECK(strstr(gusset_context_get_message(context), "must not fall") != NULL);
     offsets[1] = 2, offsets[2] = 4;
-    constraints[0].demand = 2;
+    constraints[0].demand = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, NULL));
     constraints[0].demand = GUSSET_CONSTRAINT_CORNER, constraints[1].point = 4;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
@@ -104,7 +105,10 @@ static void data(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
     constraints[1].point = 3, constraints[1].tangent[2] = NAN;
     EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
-    constraints[1].tangent[2] = 0.0, points[2][1] = INFINITY;
+    constraints[1].tangent[2] = 0.0, constraints[1].demand = GUSSET_CONSTRAINT_TANGENT_ANGLE;
+    constraints[1].tangent[0] = INFINITY;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
+    constraints[1].tangent[0] = 0.5, points[2][1] = INFINITY;
     EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_POINT && report.index == 2 && report.value == INFINITY);
@@ -114,7 +118,7 @@ static void options(void) {
     const gusset_outlines outlines = given(square, 4);
     gusset_outline_options options;
     uint32_t *choices[] = {&options.curve, &options.method, &options.lock,    &options.joint,
-                           &options.solver, &options.ends, &options.repeats, &options.reserved};
+                           &options.solver, &options.ends, &options.repeats, &options.history};
     double *numbers[] = {&options.parameter_limit, &options.corner_angle, &options.tolerance, &options.first_step,
                          &options.step_divisor};
     size_t i;
@@ -152,6 +156,7 @@ static void results(void) {
     gusset_outlines outlines;
     gusset_outline_view parts;
     gusset_outline_report report;
+    gusset_outline_history_view history;
     gusset_sections_view sections_parts;
     gusset_outline *outline = NULL;
     gusset_sections *sections = NULL;
@@ -199,6 +204,14 @@ static void results(void) {
     EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 2, &report));
     CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok_count == 1);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_report(outline, 3, &report));
+    memset(&history, 0, sizeof history);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_history(outline, 0, &history));
+    history.struct_size = sizeof history;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_history(NULL, 0, &history));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_history(outline, 0, NULL));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_history(outline, 3, &history));
+    EXPECT(GUSSET_OK, gusset_outline_get_history(outline, 0, &history));
+    CHECK(history.cycles == NULL && history.cycle_count == 0);
     EXPECT(GUSSET_OK, gusset_outline_curve_create(context, outline, 0, &curve));
     EXPECT(GUSSET_OK, gusset_curve_length(context, curve, &length));
     CHECK(length > 2.8 && length < 4.5);

@@ -40,6 +40,33 @@ static gusset_curve *a_curve_through_points(void) {
 }
 //! [outline]
 
+//! [history]
+static void how_the_cycles_went(void) {
+    double points[12][3];
+    gusset_outlines outlines = {.struct_size = sizeof outlines,
+                                .points = points,
+                                .point_stride = sizeof points[0],
+                                .point_count = 12,
+                                .dimension = 2,
+                                .closed = 1};
+    /* The paper's chain, with control points on the bisectors, by its own steps. */
+    gusset_outline_options options = {.struct_size = sizeof options,
+                                      .curve = GUSSET_CURVE_CHAIN,
+                                      .solver = GUSSET_SOLVER_STEP,
+                                      .history = 1};
+    gusset_outline *outline = NULL;
+    gusset_outline_history_view history = {.struct_size = sizeof history};
+
+    circle(points, 12, 0.0);
+    MUST(gusset_outline_create(NULL, &outlines, &options, &outline));
+    MUST(gusset_outline_get_history(outline, 0, &history));
+    /* The moves of the control points become less from cycle to cycle. */
+    HOLDS(history.cycle_count > 3 && history.cycles[3].moved < history.cycles[0].moved);
+    HOLDS(history.cycles[history.cycle_count - 1].steps > history.cycles[0].steps);
+    gusset_outline_destroy(outline);
+}
+//! [history]
+
 //! [sections]
 static void one_section_a_point(void) {
     const double points[3][2] = {{0, 0}, {1, 1}, {2, 0}};
@@ -251,6 +278,7 @@ static void curves_in_space(void) {
 
 int main(void) {
     gusset_curve *round = a_curve_through_points(), *arch = an_arch();
+    how_the_cycles_went();
     one_section_a_point();
     a_body_and_a_new_section();
     what_curves_are(arch);

@@ -12,12 +12,12 @@ fuzz_target!(|input: (Vec<Point>, bool, [u8; 4])| {
     if points.len() > 64 {
         return;
     }
-    use Mode::{BlendC1, BlendC2, Composite, CubicC2, Single};
+    use Mode::{BlendC1, BlendC2, Chain, Composite, CubicC2, Single};
     let options = Options {
-        mode: [BlendC1, BlendC2, Composite, CubicC2, Single][usize::from(mode % 5)],
+        mode: [BlendC1, BlendC2, Composite, CubicC2, Single, Chain][usize::from(mode % 6)],
         lock: [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide][usize::from(lock % 3)],
         joint: [JointParameter::Half, JointParameter::Knot, JointParameter::G2][usize::from(joint % 3)],
-        ends: [Ends::Free, Ends::Perpendicular][usize::from(ends % 2)],
+        ends: [Ends::Free, Ends::Perpendicular, Ends::LevelOrUpright][usize::from(ends % 3)],
         ..Options::default()
     };
     let outlines = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };

@@ -201,6 +201,7 @@ public:
         context.call(gusset_curve_bounds, get(), b.data());
         return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
     }
+    /// Half the integral of r x dr; an open curve is closed by the chord from its end to its start.
     Point3 area_vector(const Context &context = Context()) const {
         Point3 area{};
         context.call(gusset_curve_area_vector, get(), area.data());

@@ -12,7 +12,8 @@ enum class CurveKind : uint32_t {
     single = GUSSET_CURVE_SINGLE,
     blend_c1 = GUSSET_CURVE_BLEND_C1,
     blend_c2 = GUSSET_CURVE_BLEND_C2,
-    cubic_c2 = GUSSET_CURVE_CUBIC_C2
+    cubic_c2 = GUSSET_CURVE_CUBIC_C2,
+    chain = GUSSET_CURVE_CHAIN
 };
 /// The guide of the control point of a section; see the constants.
 enum class SectionMethod : uint32_t {
@@ -37,12 +38,22 @@ enum class JointParameter : uint32_t {
 /// The method that solves for a curve.
 enum class OutlineSolver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
 /// The ends of open outlines.
-enum class OutlineEnds : uint32_t { free = GUSSET_ENDS_FREE, perpendicular = GUSSET_ENDS_PERPENDICULAR };
+enum class OutlineEnds : uint32_t {
+    free = GUSSET_ENDS_FREE,
+    perpendicular = GUSSET_ENDS_PERPENDICULAR,
+    level = GUSSET_ENDS_LEVEL,
+    upright = GUSSET_ENDS_UPRIGHT,
+    level_or_upright = GUSSET_ENDS_LEVEL_OR_UPRIGHT
+};
 
 /// A constraint at a point: a corner or a tangent.
 struct Constraint : gusset_constraint {
     /// A corner at a point.
     static Constraint corner(uint32_t point) { return {{point, GUSSET_CONSTRAINT_CORNER, {0.0, 0.0, 0.0}}}; }
+    /// A tangent at a point by its angle, in radians counter-clockwise from the x-axis.
+    static Constraint tangent_angle(uint32_t point, double angle) {
+        return {{point, GUSSET_CONSTRAINT_TANGENT_ANGLE, {angle, 0.0, 0.0}}};
+    }
     /// A tangent at a point.
     static Constraint tangent(uint32_t point, double x, double y, double z = 0.0) {
         return {{point, GUSSET_CONSTRAINT_TANGENT, {x, y, z}}};
@@ -103,6 +114,8 @@ struct OutlineOptions {
     double step_divisor = 0.0;
     uint32_t max_sweeps = 0;
     uint32_t max_steps = 0;
+    /// Whether the moves of each cycle are kept, for Outline::history.
+    bool history = false;
 
     gusset_outline_options get() const {
         auto options = detail::sized<gusset_outline_options>();
@@ -122,6 +135,7 @@ struct OutlineOptions {
         options.step_divisor = step_divisor;
         options.max_sweeps = max_sweeps;
         options.max_steps = max_steps;
+        options.history = history ? 1 : 0;
         return options;
     }
 };
@@ -175,6 +189,12 @@ public:
     gusset_outline_report report(std::size_t k = 0) const {
         return detail::lent(gusset_outline_get_report, outline_.get(), k);
     }
+    /// The cycles of outline k, if the options asked for them.
+    Span<const gusset_cycle> history(std::size_t k = 0) const & {
+        const auto found = detail::lent(gusset_outline_get_history, outline_.get(), k);
+        return {found.cycles, found.cycle_count};
+    }
+    Span<const gusset_cycle> history(std::size_t k = 0) const && = delete;
     /// GUSSET_POINT_... of each point.
     Span<const uint8_t> statuses() const & {
         const gusset_outline_view all = view();
@@ -200,13 +220,15 @@ private:
 class Sections {
 public:
     explicit Sections(const Outlines &outlines, SectionMethod method = SectionMethod::bisector, double alpha = 0.5,
-                      const Context &context = Context()) {
-        OutlineOptions options;
-        options.method = method;
-        options.alpha = alpha;
+                      const Context &context = Context())
+        : Sections(outlines, options_of(method, alpha), context) {}
+    /// Of the options the method, alpha and the solver with its steps are read.
+    explicit Sections(const Outlines &outlines, const OutlineOptions &options, const Context &context = Context()) {
         const gusset_outline_options given = options.get();
         sections_.reset(context.result(gusset_sections_create, &outlines.get(), &given));
     }
+    /// The steps of OutlineSolver::step, of all sections.
+    uint64_t steps() const { return view().steps; }
     /// The control point of each section.
     Points controls() const & {
         const gusset_sections_view all = view();
@@ -227,6 +249,12 @@ public:
     Span<const uint8_t> statuses() const && = delete;
 
 private:
+    static OutlineOptions options_of(SectionMethod method, double alpha) {
+        OutlineOptions options;
+        options.method = method;
+        options.alpha = alpha;
+        return options;
+    }
     gusset_sections_view view() const { return detail::lent(gusset_sections_get_view, sections_.get()); }
     detail::Handle<gusset_sections, gusset_sections_destroy> sections_;
 };

@@ -7,6 +7,8 @@ mod lines;
 mod near;
 mod ops;
 mod outline;
+mod outline_choices;
+mod outline_curvature;
 mod outline_data;
 mod outline_export;
 mod outline_frame;

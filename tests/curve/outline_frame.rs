@@ -21,6 +21,7 @@ const CUBIC: Options = Options {
     max_steps: 20_000,
     first_step: 0.1,
     step_divisor: 10.0,
+    history: false,
 };
 
 /// Sections one after another, each from its own points.

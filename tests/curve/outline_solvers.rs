@@ -348,7 +348,8 @@ fn what_runs_away_with_any_joints_is_solved_by_parameters() {
     {
         let fit = solve_with(&line, &Options { joint, parameter_limit, ..options }, &constraints);
         assert!(fit.reports()[0].max_residual <= 1e-14, "{joint:?} {:?}", fit.reports()[0]);
-        assert!(fit.statuses().contains(&PointStatus::FellBack));
+        let fell_back = |s: &PointStatus| matches!(s, PointStatus::FellBack | PointStatus::JointFellBack);
+        assert!(fit.statuses().iter().any(fell_back), "{joint:?} {:?}", fit.statuses());
     }
 }
 
@@ -430,7 +431,8 @@ fn joints_by_curvatures() {
             if fit.statuses()[k + usize::from(!line.closed)] != PointStatus::Ok {
                 continue;
             }
-            let before = -curvature(here[2], here[1], here[0]);
+            let [.., p, q, r] = *here else { panic!("{here:?}") };
+            let before = -curvature(r, q, p);
             let after = curvature(there[0], there[1], there[2]);
             assert!(
                 (before.abs() - after.abs()).abs() <= 1e-8 * before.abs().max(1.0),
@@ -520,7 +522,7 @@ fn single_curves_have_their_tangents_and_seams() {
     let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
     check(&line, &fit, "many");
     assert_eq!((fit.reports()[0].status, fit.curve(0).len()), (FitStatus::DegreeTooHigh, 80));
-    assert!(fit.statuses().iter().all(|&status| status == PointStatus::FellBack));
+    assert!(fit.statuses().iter().all(|&status| status == PointStatus::CompositeInstead));
 }
 
 /// The second derivative of a segment in its knots.

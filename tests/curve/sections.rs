@@ -3,7 +3,7 @@
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::{Constraint, Method, Outlines, PointConstraint, PointStatus, Points, sections};
+use gusset::outline::{Constraint, Method, Options, Outlines, PointConstraint, PointStatus, Points, sections};
 use proptest::prelude::*;
 
 #[test]
@@ -90,7 +90,7 @@ fn sections_of_outlines() {
     for (name, points, closed) in data() {
         for method in METHODS {
             let outlines = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
-            let found = sections(&outlines, method, &Job::default()).unwrap();
+            let found = sections(&outlines, &Options { method, ..Options::default() }, &Job::default()).unwrap();
             let n = points.len();
             for i in 0..n {
                 if !closed && (i == 0 || i == n - 1) {
@@ -114,7 +114,7 @@ fn sections_of_outlines() {
         let constraints = [Constraint { point, kind: PointConstraint::Tangent(tangent) }];
         let outlines =
             Outlines { points: Points::from(&points[..]), offsets: None, closed: false, constraints: &constraints };
-        let found = sections(&outlines, Method::Bisector, &Job::default()).unwrap();
+        let found = sections(&outlines, &Options::default(), &Job::default()).unwrap();
         assert!(found.controls[1].distance(expected.unwrap().control) < 1e-15);
     }
 }

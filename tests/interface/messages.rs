@@ -91,7 +91,7 @@ fn sentences_say_what_is_wrong() {
     assert_eq!(line(-1e200), "line 3 begins beyond 1e150, at -1e200");
     assert_eq!(line(2.5), "line 3 has no points between its ends: 2.5");
     let offsets = Error::BadOffsets { entry: 2, value: 4 }.to_string();
-    assert_eq!(offsets, "offset 2 is 4: offsets rise from 0 to the number of elements");
+    assert_eq!(offsets, "offset 2 is 4: offsets must not fall, and the last is the number of elements");
     // Short texts and long ones.
     for text in [&b"solid part"[..], &[b'v'; 4096]] {
         let error = StreamInfo::read(text).unwrap_err();

@@ -255,6 +255,8 @@ pub unsafe extern "C" fn gusset_curve_bounds(
 
 /// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area).
 ///
+/// An open curve is closed by the chord from its end to its start.
+///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param curve the curve.
 /// @param[out] area receives x, y, z.

@@ -5,13 +5,16 @@ use crate::ffi::curve::outline_options::gusset_outline_options;
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
 use crate::outline::{
-    Constraint, CurveView, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections,
+    Constraint, CurveView, Cycle, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections,
 };
 
 /// The curve passes the point in the direction of the tangent, of any length but 0.
 pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;
 /// The curve may turn sharply at the point.
 pub const GUSSET_CONSTRAINT_CORNER: u32 = 1;
+/// The curve passes the point at the angle tangent[0], in radians counter-clockwise from the
+/// x-axis, in the plane of x and y.
+pub const GUSSET_CONSTRAINT_TANGENT_ANGLE: u32 = 2;
 
 /// What is demanded of a curve at a point.
 #[repr(C)]
@@ -21,7 +24,8 @@ pub struct gusset_constraint {
     pub point: u32,
     /// GUSSET_CONSTRAINT_...
     pub demand: u32,
-    /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
+    /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines. For
+    /// GUSSET_CONSTRAINT_TANGENT_ANGLE the angle and twice 0.
     pub tangent: [f64; 3],
 }
 
@@ -105,7 +109,8 @@ pub struct gusset_outline_report {
     pub struct_size: usize,
     /// GUSSET_FIT_...
     pub fit: u32,
-    /// Sweeps or iterations; 0 for what needs none.
+    /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
+    /// max_sweeps of the options.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,
@@ -116,12 +121,39 @@ pub struct gusset_outline_report {
     pub max_residual: f64,
     /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
     pub max_joint_sine: f64,
+    /// The largest difference of the curvatures on both sides of a joint by
+    /// GUSSET_JOINT_PARAMETER_G2, relative to the larger one, or to 1 / size where both are less; 0
+    /// for other joints.
+    pub max_curvature_gap: f64,
     /// The farthest move of a control point in the last iteration.
     pub last_move: f64,
     /// How many points have another status than GUSSET_POINT_OK.
     pub not_ok_count: u32,
     /// 0.
     pub reserved: u32,
+}
+
+/// One cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_cycle {
+    /// The farthest move of a control point, relative to the size of the outline.
+    pub moved: f64,
+    /// The steps of GUSSET_SOLVER_STEP up to its end, of all cycles of the outline so far.
+    pub steps: u64,
+}
+
+/// The cycles of an outline. Pointers are valid until the outline is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_outline_history_view {
+    /// sizeof(gusset_outline_history_view), set by the caller.
+    pub struct_size: usize,
+    /// The cycles in their order, those of one part between corners after those of another; NULL
+    /// for none.
+    pub cycles: *const gusset_cycle,
+    /// How many.
+    pub cycle_count: usize,
 }
 
 /// The sections of outlines. Opaque and immutable.
@@ -143,15 +175,19 @@ pub struct gusset_sections_view {
     pub parameters: *const f64,
     /// GUSSET_POINT_...
     pub statuses: *const u8,
+    /// The steps of GUSSET_SOLVER_STEP, of all sections.
+    pub steps: u64,
 }
 
 versioned! {
     gusset_outlines: 72,
     gusset_outline_view: 96,
-    gusset_outline_report: 64,
-    gusset_sections_view: 40,
+    gusset_outline_report: 72,
+    gusset_outline_history_view: 24,
+    gusset_sections_view: 48,
 }
-fixed! { gusset_constraint: 32 }
+fixed! { gusset_constraint: 32, gusset_cycle: 16 }
+laid_out_like! { gusset_cycle: Cycle { moved, steps } }
 
 /// The caller's outlines: the points where they are, the rest copied.
 pub(crate) struct Given<'a> {
@@ -195,6 +231,7 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
             PointConstraint::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32])))
         }
         GUSSET_CONSTRAINT_CORNER => PointConstraint::Corner,
+        GUSSET_CONSTRAINT_TANGENT_ANGLE => PointConstraint::TangentAngle(bytemuck::pod_read_unaligned(&bytes[8..16])),
         other => return Err(Failure::unknown("demand", other.into())),
     };
     Ok(Constraint { point, kind })
@@ -217,7 +254,8 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
 ///     constraint whose point does not exist or is not behind the one before; the report has the
 ///     constraint), OUT_OF_MEMORY, CANCELLED.
 /// @complexity Composite, blended and cubic curves take linear time; linear memory, none for each
-///     outline but for its result.
+///     outline but for its result, and about 1,500 bytes a point of the largest outline with
+///     GUSSET_JOINT_PARAMETER_G2.
 /// @source Nadopta; the composite and blended readings are ours.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -297,9 +335,41 @@ pub unsafe extern "C" fn gusset_outline_get_report(
             size: report.size,
             max_residual: report.max_residual,
             max_joint_sine: report.max_joint_sine,
+            max_curvature_gap: report.max_curvature_gap,
             last_move: report.last_move,
             not_ok_count: report.not_ok,
             reserved: 0,
+        }
+    })
+}
+
+/// Lends the history of outline `index`: how far each cycle moved the control points, if the
+/// options asked for it.
+///
+/// @param outline the outline.
+/// @param index its number, from 0.
+/// @param[out] history receives it; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     NO_SUCH_ELEMENT.
+/// @complexity O(1).
+/// @source Nadopta, the second and following approximations.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_get_history(
+    outline: *const gusset_outline,
+    index: usize,
+    history: *mut gusset_outline_history_view,
+) -> gusset_status {
+    lend!(outline, history, |gusset_outline(done)| {
+        if index >= done.len() {
+            return Err(Failure::no_such("outline", index));
+        }
+        let cycles = done.history(index);
+        gusset_outline_history_view {
+            struct_size: size_of::<gusset_outline_history_view>(),
+            cycles: lent(cycles).cast(),
+            cycle_count: cycles.len(),
         }
     })
 }
@@ -336,7 +406,8 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param outlines the outlines.
-/// @param options NULL for the defaults; method and alpha are read, all must be valid.
+/// @param options NULL for the defaults; method, alpha and solver are read, and by
+///     GUSSET_SOLVER_STEP tolerance, first_step, step_divisor and max_steps; all must be valid.
 /// @param[out] sections receives the result, for gusset_sections_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_outline_create.
 /// @complexity O(n).
@@ -353,10 +424,8 @@ pub unsafe extern "C" fn gusset_sections_create(
 ) -> gusset_status {
     create(context, sections, "sections", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        // As for the curves, of which sections read the method alone.
-        options.check()?;
         let given = Given::read(outlines)?;
-        Ok(gusset_sections(self::sections(&given.outlines(), options.method, job)?))
+        Ok(gusset_sections(self::sections(&given.outlines(), &options, job)?))
     })
 }
 
@@ -388,5 +457,6 @@ pub unsafe extern "C" fn gusset_sections_get_view(
         controls: lent(&found.controls).cast(),
         parameters: lent(&found.parameters),
         statuses: lent(&found.statuses).cast(),
+        steps: found.steps,
     })
 }

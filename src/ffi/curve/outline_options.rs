@@ -18,34 +18,44 @@ pub const GUSSET_CURVE_BLEND_C1: u32 = 2;
 pub const GUSSET_CURVE_BLEND_C2: u32 = 3;
 /// The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent.
 pub const GUSSET_CURVE_CUBIC_C2: u32 = 4;
+/// The paper's chain: GUSSET_CURVE_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
+/// control point lies on the guide of its point, the bisector, median or normal that the method
+/// names.
+pub const GUSSET_CURVE_CHAIN: u32 = 5;
 
-/// The control point of a section lies on the bisector of the angle at its point. For all points.
+/// The bisector of the angle at the point. For all points. Sections by themselves and
+/// GUSSET_LOCK_DATA_GUIDE have their control points on the line that the method names; the other
+/// locks take from it the parameter of the point, and control points are near the line.
 pub const GUSSET_METHOD_BISECTOR: u32 = 0;
-/// On the median. For all points.
+/// The median. For all points.
 pub const GUSSET_METHOD_MEDIAN: u32 = 1;
-/// On the normal of the chord; where its foot is outside the chord, on the bisector.
+/// The normal of the chord; where its foot is outside the chord the bisector takes its place, but
+/// for GUSSET_LOCK_SELF_CONSISTENT, where the foot counts as the nearer end of the chord.
 pub const GUSSET_METHOD_NORMAL: u32 = 2;
-/// On the symmedian. For all points.
+/// The symmedian. For all points.
 pub const GUSSET_METHOD_SYMMEDIAN: u32 = 3;
 /// The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from
 /// its neighbours: the median at alpha = 0, the bisector at 1/2, the symmedian at 1.
 pub const GUSSET_METHOD_ALPHA: u32 = 4;
 
-/// The parameter of a point is that of the method on the triangle of the data. Always solvable.
+/// The parameter of a point is that of the method on the triangle of the data. Always solvable. The
+/// control point is near the guide of that triangle but not on it.
 pub const GUSSET_LOCK_PARAMETER: u32 = 0;
 /// The parameter is that of the method on the section's own triangle. With the normal there may be
 /// several solutions; which one is found depends on the solver.
 pub const GUSSET_LOCK_SELF_CONSISTENT: u32 = 1;
-/// The control point lies on the guide of the data's triangle, where that is possible. Outlines
-/// must lie in a plane, any plane; points of others get GUSSET_POINT_OUT_OF_PLANE and the lock by
-/// parameter.
+/// The control point lies on the guide of the data's triangle, as the paper draws it, where that is
+/// possible. Outlines must lie in a plane, any plane; points of others get
+/// GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
 pub const GUSSET_LOCK_DATA_GUIDE: u32 = 2;
 
 /// Sections join in the middle between their control points.
 pub const GUSSET_JOINT_PARAMETER_HALF: u32 = 0;
 /// By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
 pub const GUSSET_JOINT_PARAMETER_KNOT: u32 = 1;
-/// So that the curvature is continuous, where the control polygon turns one way.
+/// So that the curvature is continuous (G2): cubic segments in the triangles of the quadratics. 0
+/// where the control polygon turns the other way. Outlines in a plane; in space curvatures agree in
+/// magnitude, and points get GUSSET_POINT_OUT_OF_PLANE.
 pub const GUSSET_JOINT_PARAMETER_G2: u32 = 2;
 
 /// Closed forms and Newton's method.
@@ -57,6 +67,12 @@ pub const GUSSET_SOLVER_STEP: u32 = 1;
 pub const GUSSET_ENDS_FREE: u32 = 0;
 /// Perpendicular to the first chord, from the first point to the third, and to the last one.
 pub const GUSSET_ENDS_PERPENDICULAR: u32 = 1;
+/// Along the x-axis, in the sense of the first and the last leg.
+pub const GUSSET_ENDS_LEVEL: u32 = 2;
+/// Along the y-axis, in the sense of the first and the last leg.
+pub const GUSSET_ENDS_UPRIGHT: u32 = 3;
+/// Level or upright, whichever is nearer the perpendicular of the first or the last chord.
+pub const GUSSET_ENDS_LEVEL_OR_UPRIGHT: u32 = 4;
 
 /// Repeats are neighbours nearer than 1e-12 times the size of the outline.
 pub const GUSSET_REPEATS_AUTO: u32 = 0;
@@ -88,17 +104,25 @@ pub const GUSSET_POINT_TANGENT_BACKWARD: u32 = 9;
 /// The tangent cannot be reached by a quadratic: the point is farther from it than the section's
 /// end.
 pub const GUSSET_POINT_TANGENT_BEYOND: u32 = 10;
-/// The tangent is not in the plane of the section.
+/// The tangent is not in the plane of the section; or GUSSET_LOCK_DATA_GUIDE or
+/// GUSSET_JOINT_PARAMETER_G2 is asked of an outline that is not plane.
 pub const GUSSET_POINT_OUT_OF_PLANE: u32 = 11;
 /// The tangent has no direction, and was left out.
 pub const GUSSET_POINT_NO_TANGENT: u32 = 12;
-/// The lock could not be kept; the lock by parameter took its place.
+/// The lock could not be kept: its parameter is that of GUSSET_LOCK_PARAMETER.
 pub const GUSSET_POINT_FELL_BACK: u32 = 13;
 /// The iteration ended before it was still.
 pub const GUSSET_POINT_NOT_CONVERGED: u32 = 14;
 /// The curve misses it: the outline has too few different points, or its equations have no
 /// solution.
 pub const GUSSET_POINT_MISSED: u32 = 15;
+/// A joint beside it could not be where the option asks for it: it is in the middle between its
+/// control points, or, for GUSSET_JOINT_PARAMETER_G2, the curvature there is 0.
+pub const GUSSET_POINT_JOINT_FELL_BACK: u32 = 16;
+/// It is on a composite curve, as the single one failed.
+pub const GUSSET_POINT_COMPOSITE_INSTEAD: u32 = 17;
+/// A blended curve turns back at it: it stands still there, or leaves the way it came.
+pub const GUSSET_POINT_CUSP: u32 = 18;
 
 /// As asked.
 pub const GUSSET_FIT_OK: u32 = 0;
@@ -127,9 +151,9 @@ pub struct gusset_outline_options {
     pub curve: u32,
     /// GUSSET_METHOD_...
     pub method: u32,
-    /// GUSSET_LOCK_..., for composite and single curves.
+    /// GUSSET_LOCK_..., for composite and single curves; a chain has its own.
     pub lock: u32,
-    /// GUSSET_JOINT_PARAMETER_..., for composite curves.
+    /// GUSSET_JOINT_PARAMETER_..., for composite curves and chains.
     pub joint: u32,
     /// GUSSET_SOLVER_...
     pub solver: u32,
@@ -153,17 +177,17 @@ pub struct gusset_outline_options {
     pub first_step: f64,
     /// What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
     pub step_divisor: f64,
-    /// The most sweeps or iterations; 0 for 200.
+    /// The most sweeps or iterations between two corners; 0 for 200.
     pub max_sweeps: u32,
     /// The most steps at a point in a sweep; 0 for 20,000.
     pub max_steps: u32,
     /// GUSSET_REPEATS_...
     pub repeats: u32,
-    /// 0.
-    pub reserved: u32,
+    /// 1: the moves of each cycle are kept, for gusset_outline_get_history. 0: they are not.
+    pub history: u32,
 }
 
-versioned! { gusset_outline_options: 104 reserved }
+versioned! { gusset_outline_options: 104 }
 
 /// The method of the options.
 pub(crate) fn method(options: &gusset_outline_options) -> Result<Method, Failure> {
@@ -184,11 +208,18 @@ c_enum! {
         GUSSET_CURVE_BLEND_C1 => BlendC1,
         GUSSET_CURVE_BLEND_C2 => BlendC2,
         GUSSET_CURVE_CUBIC_C2 => CubicC2,
+        GUSSET_CURVE_CHAIN => Chain,
     }
     lock: Lock { GUSSET_LOCK_PARAMETER => Parameter, GUSSET_LOCK_SELF_CONSISTENT => SelfConsistent, GUSSET_LOCK_DATA_GUIDE => DataGuide }
     joint: JointParameter { GUSSET_JOINT_PARAMETER_HALF => Half, GUSSET_JOINT_PARAMETER_KNOT => Knot, GUSSET_JOINT_PARAMETER_G2 => G2 }
     solver: Solver { GUSSET_SOLVER_FAST => Fast, GUSSET_SOLVER_STEP => Step }
-    ends: Ends { GUSSET_ENDS_FREE => Free, GUSSET_ENDS_PERPENDICULAR => Perpendicular }
+    ends: Ends {
+        GUSSET_ENDS_FREE => Free,
+        GUSSET_ENDS_PERPENDICULAR => Perpendicular,
+        GUSSET_ENDS_LEVEL => Level,
+        GUSSET_ENDS_UPRIGHT => Upright,
+        GUSSET_ENDS_LEVEL_OR_UPRIGHT => LevelOrUpright,
+    }
 }
 
 impl gusset_outline_options {
@@ -215,6 +246,7 @@ impl gusset_outline_options {
             max_steps: or_count(self.max_steps, plain.max_steps),
             first_step: or(self.first_step, plain.first_step),
             step_divisor: or(self.step_divisor, plain.step_divisor),
+            history: flag(self.history, "history")?,
         })
     }
 }

@@ -11,6 +11,9 @@
 //! point the first and second derivatives of its section, on both sides: a quintic, C2 in the knots
 //! of the method's exponent.
 //!
+//! Where the outline turns back, P_(i-1) and P_(i+1) being in one direction from P_i, so does the
+//! curve, on the line or at the point: such points are cusps, and say so.
+//!
 //! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic
 //! that takes the place of the missing section. O(n).
 //!
@@ -19,9 +22,13 @@
 
 use super::method::{Method, through};
 use super::options::Mode;
+use super::report::PointStatus;
 use super::solution::Solution;
 use super::subcurve::{Output, Subcurve};
 use crate::error::Result;
+
+/// The sine of the angle between the legs at a point where the outline turns back.
+const MAX_REVERSAL_SINE: f64 = 1e-9;
 
 /// Appends the blended curve of a subcurve's points.
 pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
@@ -30,8 +37,12 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
     let (controls, parameters) = (&mut solution.controls, &mut solution.t);
     for i in sub.sections() {
         let [a, p, c] = sub.triple(i);
+        let (u, w) = (a - p, c - p);
+        if u.dot(w) > 0.0 && u.cross(w).length() <= MAX_REVERSAL_SINE * u.length() * w.length() {
+            out.results[i].flag(PointStatus::Cusp);
+        }
         let t = method.parameter(a, p, c).or_else(|status| {
-            out.results[i].status = status;
+            out.results[i].flag(status);
             Method::Bisector.parameter(a, p, c)
         });
         let section = t.and_then(|t| through(a, p, c, t)).or_else(|status| {

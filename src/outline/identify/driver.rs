@@ -8,9 +8,9 @@ use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
 use super::nodes::Nodes;
-use super::options::{Mode, Options};
+use super::options::{JointParameter, Mode, Options};
 use super::outlines::{Constraint, Outlines};
-use super::report::{FitStatus, PointStatus, Report};
+use super::report::{Account, FitStatus, PointStatus, Report};
 use super::single::{self, Collocation};
 use super::subcurve::{Output, PointResult, Subcurve};
 use super::{blend, cubic_spline, residuals};
@@ -47,6 +47,7 @@ const MAX_SAFE_SIZE: f64 = 1e200;
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
     options.check()?;
+    let options = &options.resolved();
     let batches = batches(outlines, outlines.check()?)?;
     let threads = par::at_most(batches.len(), job.threads());
     let mut whole = Worker::new(outlines, options);
@@ -55,23 +56,24 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
     }
     if threads == 1 {
         for (k, batch) in batches.iter().enumerate() {
-            job.step(k as f64 / batches.len() as f64, STAGE)?;
-            whole.identify_all(batch.clone())?;
+            let part = job.share(k, batches.len());
+            part.step(0.0, STAGE)?;
+            whole.identify_all(batch.clone(), &part)?;
         }
     } else {
         // The workers' memory is used again from round to round; between rounds the host can
         // cancel.
         let idle = Mutex::new(Vec::new());
-        let work = |batch: Range<usize>| -> Result<Worker<'_>> {
+        let work = |batch: Range<usize>, job: &Job<'_>| -> Result<Worker<'_>> {
             let free = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
             let mut worker = free.unwrap_or_else(|| Worker::new(outlines, options));
-            worker.identify_all(batch)?;
+            worker.identify_all(batch, job)?;
             Ok(worker)
         };
         for (k, round) in batches.chunks(BATCHES_PER_REPORT).enumerate() {
-            job.step((k * BATCHES_PER_REPORT) as f64 / batches.len() as f64, STAGE)?;
-            for worker in par::map(threads, round.iter().cloned(), work) {
-                let mut worker = worker?;
+            let part = |batch: usize| batch.min(batches.len()) as f64 / batches.len() as f64;
+            let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
+            for mut worker in par::map_jobs(&part, STAGE, round.iter().cloned(), work)? {
                 whole.done.append(&mut worker.done)?;
                 idle.lock().unwrap_or_else(PoisonError::into_inner).push(worker);
             }
@@ -133,7 +135,8 @@ impl<'a> Worker<'a> {
         let points = self.outlines.span(batch.start).start..self.outlines.span(batch.end - 1).end;
         let expected = points.len() + 2 * batch.len();
         let per_segment = match self.options.mode {
-            Mode::Composite => 2,
+            Mode::Composite | Mode::Chain if self.options.joint == JointParameter::G2 => 3,
+            Mode::Composite | Mode::Chain => 2,
             Mode::BlendC1 | Mode::CubicC2 => 3,
             Mode::BlendC2 => 5,
             Mode::Single => 1,
@@ -143,17 +146,18 @@ impl<'a> Worker<'a> {
         alloc::reserve(&mut done.ends, expected)?;
         alloc::reserve(&mut done.starts, batch.len())?;
         done.reserve_points(points.len())?;
+        alloc::reserve(&mut done.cycle_ends, batch.len())?;
         alloc::reserve(&mut done.reports, batch.len())
     }
 
-    fn identify_all(&mut self, batch: Range<usize>) -> Result<()> {
+    fn identify_all(&mut self, batch: Range<usize>, job: &Job<'_>) -> Result<()> {
         let first = self.outlines.span(batch.start).start;
         let from = self.outlines.constraints.partition_point(|constraint| (constraint.point as usize) < first);
         self.constraints = &self.outlines.constraints[from..];
-        batch.into_iter().try_for_each(|k| self.identify(k))
+        batch.into_iter().try_for_each(|k| self.identify(k, job))
     }
 
-    fn identify(&mut self, k: usize) -> Result<()> {
+    fn identify(&mut self, k: usize, job: &Job<'_>) -> Result<()> {
         let span = self.outlines.span(k);
         let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);
         let (own, rest) = self.constraints.split_at(own);
@@ -161,12 +165,18 @@ impl<'a> Worker<'a> {
         self.nodes.read(self.outlines, &span, own, self.options)?;
         let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
         let placement = self.nodes.placement;
-        let mut report = Report { size: placement.size * placement.unit, ..Report::default() };
-        if self.nodes.cuts.is_empty() && self.options.mode == Mode::Composite {
-            self.identify_smooth(&span, base, &mut report)?;
+        let size = placement.size * placement.unit;
+        let report = Report { size, ..Report::default() };
+        let mut report = Account { report, history: self.options.history.then(Vec::new) };
+        let quadratic = self.options.mode == Mode::Composite && self.options.joint != JointParameter::G2;
+        if self.nodes.cuts.is_empty() && quadratic {
+            self.identify_smooth(&span, base, &mut report, job)?;
         } else {
-            self.solve(&mut report)?;
+            self.solve(&mut report, job)?;
             residuals::measure(&self.nodes, &self.builder, &mut report);
+            if self.options.mode == Mode::Composite && !quadratic && !self.builder.is_empty() {
+                residuals::measure_curvatures(&mut self.nodes, &self.builder, &mut report);
+            }
             self.deliver(&span, base)?;
         }
         self.check_range(&span, base, first_status, &mut report)?;
@@ -174,7 +184,7 @@ impl<'a> Worker<'a> {
     }
 
     /// Finds the curve, near the origin, subcurve by subcurve.
-    fn solve(&mut self, report: &mut Report) -> Result<()> {
+    fn solve(&mut self, report: &mut Account, job: &Job<'_>) -> Result<()> {
         self.builder.clear();
         let n = self.nodes.points.len();
         if n < 2 || (self.outlines.closed && n < 3) {
@@ -182,7 +192,7 @@ impl<'a> Worker<'a> {
         }
         if self.nodes.cuts.is_empty() {
             let (sub, results) = self.nodes.whole(self.options);
-            let mut out = Output { results, report, builder: &mut self.builder };
+            let mut out = Output { results, report, builder: &mut self.builder, job };
             return append(&sub, &mut self.composite, &mut self.single, &mut out);
         }
         for k in 0..self.nodes.cuts.len() - 1 {
@@ -190,7 +200,7 @@ impl<'a> Worker<'a> {
                 self.builder.mark_corner()?;
             }
             let (sub, results) = self.nodes.between_cuts(k, self.options);
-            let mut out = Output { results, report, builder: &mut self.builder };
+            let mut out = Output { results, report, builder: &mut self.builder, job };
             append(&sub, &mut self.composite, &mut self.single, &mut out)?;
         }
         if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
@@ -224,10 +234,10 @@ impl<'a> Worker<'a> {
 
     /// Finds the composite curve of a closed outline without cuts, and writes it where the outline
     /// is.
-    fn identify_smooth(&mut self, span: &Range<usize>, base: usize, report: &mut Report) -> Result<()> {
+    fn identify_smooth(&mut self, span: &Range<usize>, base: usize, report: &mut Account, job: &Job<'_>) -> Result<()> {
         let placement = self.nodes.placement;
         let (sub, results) = self.nodes.whole(self.options);
-        let mut out = Output { results, report, builder: &mut self.builder };
+        let mut out = Output { results, report, builder: &mut self.builder, job };
         composite::solve(&sub, &mut self.composite, &mut out)?;
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
@@ -311,7 +321,7 @@ impl<'a> Worker<'a> {
     }
 
     /// Adds up the statuses from the `first` on.
-    fn account(&mut self, first: usize, mut report: Report) -> Result<()> {
+    fn account(&mut self, first: usize, mut report: Account) -> Result<()> {
         let done = &mut self.done;
         let mut partial = false;
         for status in &done.statuses[first..] {
@@ -321,7 +331,9 @@ impl<'a> Worker<'a> {
         if partial && report.status == FitStatus::Ok {
             report.status = FitStatus::Partial;
         }
-        alloc::push(&mut done.reports, report)
+        alloc::append(&mut done.cycles, report.history.as_deref().unwrap_or_default())?;
+        alloc::push(&mut done.cycle_ends, done.cycles.len())?;
+        alloc::push(&mut done.reports, report.report)
     }
 }
 
@@ -332,10 +344,14 @@ fn append(
     single: &mut Collocation,
     out: &mut Output<'_>,
 ) -> Result<()> {
+    // Iterations are counted for each part: what counts is the most.
+    let before = std::mem::take(&mut out.report.iterations);
     match sub.options.mode {
         Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, composite.solution(), out),
         Mode::CubicC2 => cubic_spline::append(sub, composite.solution(), out),
         Mode::Single => single::append(sub, single, composite, out),
-        Mode::Composite => composite::append(sub, composite, out),
-    }
+        Mode::Composite | Mode::Chain => composite::append(sub, composite, out),
+    }?;
+    out.report.iterations = out.report.iterations.max(before);
+    Ok(())
 }

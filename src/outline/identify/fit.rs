@@ -1,6 +1,6 @@
 //! The result of an identification: the curves of many outlines, and the account of each.
 
-use super::report::{PointStatus, Report};
+use super::report::{Cycle, PointStatus, Report};
 use crate::alloc;
 use crate::error::Result;
 use crate::outline::curve::{CurveView, Place};
@@ -21,6 +21,9 @@ pub struct Fit {
     pub(super) parameters: Vec<f64>,
     pub(super) statuses: Vec<PointStatus>,
     pub(super) reports: Vec<Report>,
+    /// The cycles of all outlines, and where those of each end.
+    pub(super) cycles: Vec<Cycle>,
+    pub(super) cycle_ends: Vec<usize>,
 }
 
 impl Fit {
@@ -71,6 +74,16 @@ impl Fit {
         &self.reports
     }
 
+    /// The cycles of outline `k`, in their order and subcurve by subcurve; none unless
+    /// [`Options::history`](super::Options) asks for them.
+    ///
+    /// # Panics
+    /// If there is no outline `k`.
+    pub fn history(&self, k: usize) -> &[Cycle] {
+        let from = if k == 0 { 0 } else { self.cycle_ends[k - 1] };
+        &self.cycles[from..self.cycle_ends[k]]
+    }
+
     /// The control points of all curves, one curve after another.
     pub fn points(&self) -> &[DVec3] {
         &self.points
@@ -110,6 +123,9 @@ impl Fit {
         alloc::append(&mut self.parameters, &other.parameters)?;
         alloc::append(&mut self.statuses, &other.statuses)?;
         alloc::append(&mut self.reports, &other.reports)?;
+        let cycles = self.cycles.len();
+        alloc::append(&mut self.cycles, &other.cycles)?;
+        alloc::extend(&mut self.cycle_ends, other.cycle_ends.iter().map(|end| end + cycles))?;
         other.points.clear();
         other.ends.clear();
         other.starts.truncate(1);
@@ -117,6 +133,8 @@ impl Fit {
         other.parameters.clear();
         other.statuses.clear();
         other.reports.clear();
+        other.cycles.clear();
+        other.cycle_ends.clear();
         Ok(())
     }
 }

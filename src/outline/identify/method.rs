@@ -17,6 +17,11 @@ use crate::choice::choices;
 use glam::DVec3;
 
 /// How a section's control point is found.
+///
+/// Of a section by itself ([`sections`](super::sections()), [`Method::section`]) the control point is
+/// on the line that the method names. In a composite curve the [`Lock`](super::Lock) says of which
+/// triangle that is: with the default, [`Lock::Parameter`](super::Lock), the method gives the
+/// parameter of the point alone.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
     /// On the bisector of the angle at P: t by the square roots of the chords, the centripetal
@@ -26,7 +31,8 @@ pub enum Method {
     /// On the median of triangle APC: t = 1/2. For all points.
     Median,
     /// On the normal of the chord AC through P; only for feet between A and C. Elsewhere the
-    /// bisector stands in.
+    /// bisector stands in, but for [`Lock::SelfConsistent`](super::Lock), where the foot counts as
+    /// the nearer end of the chord.
     Normal,
     /// On the symmedian: t by the lengths of the chords. For all points.
     Symmedian,

@@ -39,6 +39,6 @@ pub use fit::Fit;
 pub use method::{Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent};
 pub use options::{Ends, JointParameter, Lock, Mode, Options, Solver};
 pub use outlines::{Constraint, MAX_POINTS, Outlines, PointConstraint, Points};
-pub use report::{FitStatus, PointStatus, Report};
+pub use report::{Cycle, FitStatus, PointStatus, Report};
 pub use sections::{Sections, sections};
 pub use stepping::step_section;

@@ -2,7 +2,7 @@
 //! tangents. O(n log n).
 
 use super::options::{Ends, Options};
-use super::outlines::{Constraint, Outlines, PointConstraint};
+use super::outlines::{Constraint, Outlines};
 use super::report::PointStatus;
 use super::subcurve::{PointResult, Subcurve};
 use crate::alloc;
@@ -130,16 +130,12 @@ impl Nodes {
         self.results.resize(self.points.len(), PointResult::default());
         for constraint in constraints {
             let node = self.node_of[constraint.point as usize - span.start];
-            let tangent = match constraint.kind {
-                PointConstraint::Corner => None,
-                PointConstraint::Tangent(tangent) => match direction(tangent) {
-                    Some(tangent) => Some(tangent),
-                    None => {
-                        self.results[node as usize].status = PointStatus::NoTangent;
-                        continue;
-                    }
-                },
-            };
+            let given = constraint.kind.tangent();
+            let tangent = given.and_then(direction);
+            if given.is_some() && tangent.is_none() {
+                self.results[node as usize].status = PointStatus::NoTangent;
+                continue;
+            }
             alloc::push(&mut self.cuts, Cut { node, tangent })?;
         }
         self.cut_corners(options.corner_angle)?;
@@ -198,9 +194,7 @@ impl Nodes {
         let tangents = [from.tangent, to.tangent];
         let size = self.placement.size;
         let mut sub = Subcurve { points: &self.points[nodes], closed: false, tangents, size, options };
-        if options.ends == Ends::Perpendicular {
-            set_perpendicular_ends(&mut sub, results);
-        }
+        set_free_ends(&mut sub, results);
         (sub, results)
     }
 }
@@ -211,23 +205,39 @@ fn direction(tangent: DVec3) -> Option<DVec3> {
     (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
 }
 
-/// Gives the free ends of a subcurve the directions perpendicular to the first and the last chord,
-/// in the planes of the first and the last three points.
-fn set_perpendicular_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
-    let last = sub.len() - 1;
+/// Gives the free ends of a subcurve the directions of the options.
+fn set_free_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
+    let (ends, last) = (sub.options.ends, sub.len() - 1);
+    if ends == Ends::Free {
+        return;
+    }
     for (end, sign) in [(0, 1.0), (1, -1.0)] {
         if sub.tangents[end].is_some() {
             continue;
         }
-        let perpendicular = (last >= 2).then(|| {
-            let [tip, next, far] = [0, 1, 2].map(|k| sub.points[if end == 0 { k } else { last - k }]);
-            let (leg, chord) = (next - tip, far - tip);
-            let across = leg - chord * (leg.dot(chord) / chord.length_squared());
-            (across.length() > 1e-9 * leg.length()).then(|| across.normalize() * sign)
-        });
-        match perpendicular.flatten() {
-            Some(tangent) => sub.tangents[end] = Some(tangent),
-            None => results[end * last].status = PointStatus::Collinear,
-        }
+        // From the end inwards.
+        let at = |k: usize| sub.points[if end == 0 { k.min(last) } else { last.saturating_sub(k) }];
+        let (leg, chord) = (at(1) - at(0), at(2) - at(0));
+        let across = leg - chord * (leg.dot(chord) / chord.length_squared());
+        let turns = last >= 2 && across.length() > 1e-9 * leg.length();
+        let inwards = match ends {
+            Ends::Perpendicular if !turns => {
+                results[end * last].status = PointStatus::Collinear;
+                continue;
+            }
+            Ends::Free | Ends::Perpendicular => across.normalize(),
+            Ends::Level => along(DVec3::X, leg, chord),
+            Ends::Upright => along(DVec3::Y, leg, chord),
+            // The perpendicular is the nearer to an axis the farther the chord is from it.
+            Ends::LevelOrUpright if chord.x.abs() < chord.y.abs() => along(DVec3::X, leg, chord),
+            Ends::LevelOrUpright => along(DVec3::Y, leg, chord),
+        };
+        sub.tangents[end] = Some(inwards * sign);
     }
+}
+
+/// An axis in the sense of a leg, or of the chord if the leg is across.
+fn along(axis: DVec3, leg: DVec3, chord: DVec3) -> DVec3 {
+    let sense = if leg.dot(axis) == 0.0 { chord.dot(axis) } else { leg.dot(axis) };
+    if sense < 0.0 { -axis } else { axis }
 }

@@ -24,6 +24,10 @@ pub enum Mode {
     BlendC2,
     /// Cubic segments from point to point, C2 in the knots of the method's exponent.
     CubicC2,
+    /// The paper's chain of sections: [`Mode::Composite`] with [`Lock::DataGuide`], whatever the lock
+    /// of the options. The control point of each section lies on the guide, the bisector, median or
+    /// normal of the data's own triangle, that the method names.
+    Chain,
 }
 
 choices! { for Mode:
@@ -32,13 +36,16 @@ choices! { for Mode:
     BlendC1 => "Blend", "Blends of neighbouring sections: each point has local influence only.";
     BlendC2 => "Smooth blend", "Blends of neighbouring sections with continuous curvature.";
     Single => "Single", "One Bezier curve; for few points.";
+    Chain => "Chain", "Quadratic segments with control points on the guides of the points, as the paper draws them.";
 }
 
 /// The condition that ties the section of a point to the data, in composite and single curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Lock {
     /// The parameter of the point is that of the method on the data's own triangle. Always
-    /// solvable.
+    /// solvable. The control point is on the line from the point to the foot that divides the
+    /// section's chord as t^2 to (1 - t)^2, which is near the guide of the data's triangle but not
+    /// on it: for those use [`Lock::DataGuide`].
     #[default]
     Parameter,
     /// The parameter is that of the method on the section's own triangle (its joints and the
@@ -46,8 +53,10 @@ pub enum Lock {
     /// solver. A foot of the normal outside the chord counts as the chord's end. Single curves have
     /// no sections, and take [`Lock::DataGuide`].
     SelfConsistent,
-    /// The control point lies on the guide of the data's triangle; outlines in a plane, any plane,
-    /// only. Points whose section does not cross the guide fall back to [`Lock::Parameter`].
+    /// The control point lies on the guide of the data's triangle, as the paper draws it; outlines
+    /// in a plane, any plane, only. Where no normal meets the chord the guide is the bisector, and
+    /// the status says so. Points whose section does not cross the guide fall back to
+    /// [`Lock::Parameter`].
     DataGuide,
 }
 
@@ -67,9 +76,9 @@ pub enum JointParameter {
     /// By the chords to the power of the method's exponent, as in a quadratic B-spline: C1 in those
     /// knots.
     Knot,
-    /// So that the curvature is continuous where the control polygon turns one way, and changes its
-    /// sign only elsewhere. Slow, and for dense and even points hardly determined
-    /// ([`NotConverged`](super::PointStatus::NotConverged)).
+    /// So that the curvature is continuous (G2). Sections are cubics in the triangles of the
+    /// quadratics, as these have no inflections; where the polygon turns the other way the curvature
+    /// is 0. Outlines in a plane only: in space curvatures agree in magnitude.
     G2,
 }
 
@@ -99,11 +108,21 @@ pub enum Ends {
     /// Perpendicular to the first and the last chord: from the first point to the third, and from
     /// the last but two to the last.
     Perpendicular,
+    /// Along the x-axis, in the sense of the first and the last leg.
+    Level,
+    /// Along the y-axis, in the sense of the first and the last leg.
+    Upright,
+    /// Level or upright, whichever is nearer the perpendicular of the first or the last chord: the
+    /// paper's default.
+    LevelOrUpright,
 }
 
 choices! { for Ends:
     Free => "Free", "As the end sections give.";
     Perpendicular => "Perpendicular", "Perpendicular to the first and the last chord.";
+    Level => "Level", "Along the x-axis.";
+    Upright => "Upright", "Along the y-axis.";
+    LevelOrUpright => "Level or upright", "The one nearer the perpendicular of the first or the last chord.";
 }
 
 /// How outlines are identified.
@@ -132,7 +151,7 @@ pub struct Options {
     /// Iterations end when nothing moves by more than this, times the size of the outline. What is
     /// then left to the solution may be some times as much where an iteration converges slowly.
     pub tolerance: f64,
-    /// The most sweeps or iterations; at least 1.
+    /// The most sweeps or iterations between two corners; at least 1.
     pub max_sweeps: u32,
     /// The most steps of the stepping solver at a point, in one sweep; at least 1.
     pub max_steps: u32,
@@ -140,6 +159,8 @@ pub struct Options {
     pub first_step: f64,
     /// The divisor of a step where the deviation changes its sign; greater than 1.
     pub step_divisor: f64,
+    /// Whether the moves of each cycle are kept: see [`Fit::history`](super::Fit::history).
+    pub history: bool,
 }
 
 impl Default for Options {
@@ -159,11 +180,20 @@ impl Default for Options {
             max_steps: 20_000,
             first_step: 0.1,
             step_divisor: 10.0,
+            history: false,
         }
     }
 }
 
 impl Options {
+    /// The same, with the chain as what it stands for.
+    pub(super) fn resolved(&self) -> Options {
+        match self.mode {
+            Mode::Chain => Options { mode: Mode::Composite, lock: Lock::DataGuide, ..*self },
+            _ => *self,
+        }
+    }
+
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub(crate) fn check(&self) -> Result<()> {

@@ -113,6 +113,23 @@ pub enum PointConstraint {
     Corner,
     /// The curve passes in this direction; of any length but 0.
     Tangent(DVec3),
+    /// The curve passes at this angle, in radians counter-clockwise from the x-axis, in the plane of
+    /// x and y.
+    TangentAngle(f64),
+}
+
+impl PointConstraint {
+    /// The direction in which the curve passes.
+    pub(super) fn tangent(self) -> Option<DVec3> {
+        match self {
+            PointConstraint::Corner => None,
+            PointConstraint::Tangent(tangent) => Some(tangent),
+            PointConstraint::TangentAngle(angle) => {
+                let (sine, cosine) = libm::sincos(angle);
+                Some(DVec3::new(cosine, sine, 0.0))
+            }
+        }
+    }
 }
 
 impl Outlines<'_> {
@@ -137,9 +154,12 @@ impl Outlines<'_> {
             if constraint.point as usize >= count || !follows {
                 return Err(Error::BadConstraint { constraint: k as u32, point: constraint.point });
             }
-            if let PointConstraint::Tangent(tangent) = constraint.kind {
-                Error::check_finite(Element::Constraint, k as u64, tangent)?;
-            }
+            let given = match constraint.kind {
+                PointConstraint::Corner => continue,
+                PointConstraint::Tangent(tangent) => tangent,
+                PointConstraint::TangentAngle(angle) => DVec3::new(angle, 0.0, 0.0),
+            };
+            Error::check_finite(Element::Constraint, k as u64, given)?;
         }
         Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
     }

@@ -1,4 +1,9 @@
-//! The account of an identification: statuses of points and outlines, and measured residuals.
+//! The account of an identification: statuses of points and outlines, measured residuals, and the
+//! history of the cycles.
+
+use crate::alloc;
+use crate::error::Result;
+use std::ops::{Deref, DerefMut};
 
 /// The outcome at a point. The curve passes all points but those marked so.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -28,17 +33,25 @@ pub enum PointStatus {
     TangentBackward = 9,
     /// The tangent cannot be reached by a quadratic: the point is beyond the section's end.
     TangentBeyond = 10,
-    /// The tangent is not in the plane of the section.
+    /// The tangent is not in the plane of the section; or the lock asks for guides, or the joints for
+    /// continuous curvature, and the outline is not plane.
     OutOfPlane = 11,
     /// The tangent has no direction.
     NoTangent = 12,
-    /// The lock could not be kept; the lock by parameter took its place.
+    /// The lock could not be kept: its parameter is that of [`Lock::Parameter`](super::Lock).
     FellBack = 13,
     /// The iteration ended before it was still.
     NotConverged = 14,
     /// The curve misses it: the outline has too few different points, or its equations have no
     /// solution.
     Missed = 15,
+    /// A joint beside it could not be where the option asks for it: it is in the middle between its
+    /// control points, or, for continuous curvature, the curvature there is 0.
+    JointFellBack = 16,
+    /// It is on a composite curve, as the single one failed.
+    CompositeInstead = 17,
+    /// The curve turns back at it: it stands still there, or leaves the way it came.
+    Cusp = 18,
 }
 
 /// The outcome of an outline.
@@ -68,7 +81,8 @@ pub enum FitStatus {
 pub struct Report {
     /// Its outcome.
     pub status: FitStatus,
-    /// Sweeps or iterations; 0 for what needs none.
+    /// Sweeps or iterations, the most of any part between corners; 0 for what needs none. At most
+    /// [`Options::max_sweeps`](super::Options).
     pub iterations: u32,
     /// Steps of the stepping solver.
     pub steps: u64,
@@ -78,9 +92,52 @@ pub struct Report {
     pub max_residual: f64,
     /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
     pub max_joint_sine: f64,
-    /// The farthest move of a control point in the last iteration, or the largest change of a joint
-    /// parameter by curvatures.
+    /// The largest difference of the curvatures on both sides of a joint of a composite curve with
+    /// [`JointParameter::G2`](super::JointParameter), relative to the larger one, or to 1 / size
+    /// where both are less. 0 for other curves.
+    pub max_curvature_gap: f64,
+    /// The farthest move of a control point in the last iteration.
     pub last_move: f64,
     /// How many points have a status other than [`PointStatus::Ok`].
     pub not_ok: u32,
+}
+
+/// One cycle of an iteration: a sweep over the points, or an iteration of Newton's method.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Cycle {
+    /// The farthest move of a control point, relative to the size of the outline.
+    pub moved: f64,
+    /// The steps of the stepping solver up to its end, of all cycles of the outline so far.
+    pub steps: u64,
+}
+
+/// The report of an outline while it grows, and the history of its cycles if that is asked for.
+#[derive(Default)]
+pub(super) struct Account {
+    pub(super) report: Report,
+    pub(super) history: Option<Vec<Cycle>>,
+}
+
+impl Account {
+    /// Enters the farthest move of a cycle at its end.
+    pub(super) fn end_cycle(&mut self, moved: f64) -> Result<()> {
+        self.report.last_move = moved;
+        let cycle = Cycle { moved, steps: self.report.steps };
+        self.history.as_mut().map_or(Ok(()), |history| alloc::push(history, cycle))
+    }
+}
+
+impl Deref for Account {
+    type Target = Report;
+
+    fn deref(&self) -> &Report {
+        &self.report
+    }
+}
+
+impl DerefMut for Account {
+    fn deref_mut(&mut self) -> &mut Report {
+        &mut self.report
+    }
 }

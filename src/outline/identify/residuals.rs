@@ -34,6 +34,46 @@ pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) 
     report.max_joint_sine = report.max_joint_sine.max(angle.sine());
 }
 
+/// Measures the curvatures on both sides of the joints that are to be smooth; points beside a joint
+/// where they differ, be it by rounding, get a status. O(segments).
+pub(super) fn measure_curvatures(nodes: &mut Nodes, curve: &CurveBuilder, report: &mut Report) {
+    let (size, closed) = (nodes.placement.size, nodes.closed);
+    let gap = |joint: usize| curvature_gap(curve, closed, size, joint);
+    report.max_curvature_gap = (0..curve.len()).map(gap).fold(0.0, f64::max);
+    for result in &mut nodes.results {
+        let segment = result.place.segment as usize;
+        if gap(segment).max(gap((segment + 1) % curve.len())) > MAX_CURVATURE_GAP {
+            result.flag(PointStatus::NotConverged);
+        }
+    }
+}
+
+/// A difference of curvatures that is none.
+const MAX_CURVATURE_GAP: f64 = 5e-7;
+
+/// The difference of the curvatures before and after a joint, relative to the larger one, or to 1 /
+/// size; 0 at corners and at the ends of open curves. Joint k is where segment k begins.
+fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) -> f64 {
+    let corner = if joint == 0 { curve.len() } else { joint } as u32;
+    if (joint == 0 && !closed) || curve.corners().binary_search(&corner).is_ok() {
+        return 0.0;
+    }
+    let (before, after) = (curve.segment(corner as usize - 1), curve.segment(joint));
+    let ([.., p, q, r], [s, t, u, ..]) = (before, after) else { return 0.0 };
+    // Backwards, a curve turns the other way.
+    let here = -end_curvature(before.len(), [*r, *q, *p]);
+    let there = end_curvature(after.len(), [*s, *t, *u]);
+    here.distance(there) / here.length().max(there.length()).max(1.0 / size)
+}
+
+/// The curvature where a segment begins, across its plane: of degree d with the first control points
+/// p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
+fn end_curvature(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
+    let (leg, degree) = (q - p, (count - 1) as f64);
+    let length = leg.length();
+    if length > 0.0 { leg.cross(r - q) * ((degree - 1.0) / (degree * length.powi(3))) } else { DVec3::ZERO }
+}
+
 /// The largest sine of the angle between the legs on both sides of a joint.
 #[derive(Default)]
 pub(super) struct MaxJointSine {

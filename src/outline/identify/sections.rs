@@ -3,10 +3,12 @@
 use super::method::{
     Method, Section, power, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through,
 };
-use super::outlines::{Constraint, Outlines, PointConstraint, Points};
+use super::options::{Options, Solver};
+use super::outlines::{Constraint, Outlines, Points};
 use super::report::PointStatus;
+use super::stepping::step_section;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::geom::scale::floor_to_power_of_two;
 use crate::job::Job;
 use crate::outline::curve::check_finite;
@@ -26,6 +28,8 @@ pub struct Sections {
     pub parameters: Vec<f64>,
     /// The outcome at each point.
     pub statuses: Vec<PointStatus>,
+    /// The steps of the stepping solver, of all sections.
+    pub steps: u64,
 }
 
 /// Finds the section of each point with its two neighbours.
@@ -33,22 +37,25 @@ pub struct Sections {
 /// A tangent constraint at a point makes its section pass in that direction; one at the first or
 /// last point of an open outline is that of its neighbour's section there. Where the tangent or the
 /// normal cannot be had, the method (the bisector instead of the normal) takes its place, and the
-/// status says so. Corners mean nothing here. O(n); memory for the result.
+/// status says so. Corners mean nothing here. Of the options the method and the solver are read:
+/// with [`Solver::Step`] sections without a tangent are found by the paper's steps, and one whose
+/// steps are used up is by the closed form, and [`PointStatus::NotConverged`]. O(n), and so many
+/// steps; memory for the result.
 ///
 /// # Errors
 /// Those of [`fit`](super::fit()), but for the constraints' corners.
 ///
 /// Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms.
-pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Result<Sections> {
-    let count = outlines.check()?;
-    let alpha = method.alpha().unwrap_or(0.5);
-    Error::require((0.0..=1.0).contains(&alpha), "alpha", alpha)?;
-    let finder = Finder { points: &outlines.points, method, scale: scale(outlines)? };
+pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Sections> {
+    options.check()?;
+    let (count, method) = (outlines.check()?, options.method);
+    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)? };
     let total = outlines.points.len();
     let mut found = Sections {
         controls: alloc::with_capacity(total)?,
         parameters: alloc::with_capacity(total)?,
         statuses: alloc::with_capacity(total)?,
+        steps: 0,
     };
     let mut constraints = outlines.constraints;
     let mut reported = 0;
@@ -64,10 +71,13 @@ pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Resul
                 job.step(from as f64 / total as f64, STAGE)?;
             }
             let some = from..span.end.min(from + POINTS_PER_REPORT);
-            if let (true, [], Some(_)) = (closed, own, method.alpha()) {
+            if let (true, [], Some(_), Solver::Fast) = (closed, own, method.alpha(), options.solver) {
                 finder.unconstrained(&span, some, &mut found);
             } else {
-                some.for_each(|i| found.push(finder.constrained(&span, own, closed, i)));
+                some.for_each(|i| {
+                    let section = finder.constrained(&span, own, closed, i, &mut found.steps);
+                    found.push(section);
+                });
             }
         }
     }
@@ -89,6 +99,7 @@ impl Sections {
 /// What sections are found by.
 struct Finder<'a> {
     points: &'a Points<'a>,
+    options: &'a Options,
     method: Method,
     scale: f64,
 }
@@ -101,6 +112,7 @@ impl Finder<'_> {
         own: &[Constraint],
         closed: bool,
         i: usize,
+        steps: &mut u64,
     ) -> (Section, PointStatus) {
         let (first, last) = (outline.start, outline.end - 1);
         let p = self.points.get(i);
@@ -118,7 +130,19 @@ impl Finder<'_> {
                 (!closed && i + 1 == last).then(|| tangent(own, last)).flatten(),
             ],
         };
-        let (section, status) = section_or_fallback(triple, tangents, self.method);
+        let (mut section, mut status) = section_or_fallback(triple, tangents, self.method);
+        if self.options.solver == Solver::Step && tangents == [None; 3] {
+            // Where the bisector stands in for the normal it does so here.
+            let method = if status == PointStatus::Ok { self.method } else { Method::Bisector };
+            match step_section(triple[0], triple[1], triple[2], method, self.options) {
+                Ok((stepped, count)) => {
+                    section = stepped;
+                    *steps += count;
+                }
+                Err(failed) if status == PointStatus::Ok => status = failed,
+                Err(_) => {}
+            }
+        }
         (Section { control: section.control / self.scale, ..section }, status)
     }
 
@@ -163,10 +187,7 @@ fn scale(outlines: &Outlines<'_>) -> Result<f64> {
 /// The tangent required at a point.
 fn tangent(constraints: &[Constraint], point: usize) -> Option<DVec3> {
     let at = constraints.binary_search_by_key(&point, |constraint| constraint.point as usize).ok()?;
-    match constraints[at].kind {
-        PointConstraint::Tangent(tangent) => Some(tangent),
-        PointConstraint::Corner => None,
-    }
+    constraints[at].kind.tangent()
 }
 
 /// The section through three points; tangents at the first, the middle and the last one, the middle

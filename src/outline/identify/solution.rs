@@ -16,6 +16,9 @@ pub(super) struct Solution {
     pub(super) data_t: Vec<f64>,
     /// The joint parameter beta_i behind section i; empty if all are 1/2.
     pub(super) beta: Vec<f64>,
+    /// The handles lambda_i and mu_i of each section, if it is a cubic; empty if all are
+    /// quadratics.
+    pub(super) handles: Vec<[f64; 2]>,
     /// The control points B_i.
     pub(super) controls: Vec<DVec3>,
     /// The factors of the elimination.
@@ -81,7 +84,7 @@ impl Solution {
         match (outer, sub.tangents) {
             (true, [None, _]) if i == 0 => 0.0,
             (true, [_, None]) if i > 0 || sub.len() == 2 => 1.0,
-            _ if outer || beta.is_empty() => 0.5,
+            _ if beta.is_empty() => 0.5,
             _ => beta[i],
         }
     }
@@ -98,8 +101,7 @@ impl Solution {
                 return sub.points[last];
             }
         }
-        let half = self.beta.is_empty() || (!sub.closed && (i == 0 || next == last));
-        let beta = if half { 0.5 } else { self.beta[i] };
+        let beta = if self.beta.is_empty() { 0.5 } else { self.beta[i] };
         self.controls[i] + (self.controls[next] - self.controls[i]) * beta
     }
 }

@@ -3,8 +3,9 @@
 
 use super::curve_builder::CurveBuilder;
 use super::options::Options;
-use super::report::{PointStatus, Report};
+use super::report::{Account, PointStatus};
 use crate::error::Result;
+use crate::job::Job;
 use crate::outline::curve::Place;
 use glam::DVec3;
 use std::ops::Range;
@@ -106,9 +107,11 @@ pub(super) struct Output<'a> {
     /// The outcome at each of its points.
     pub(super) results: &'a mut [PointResult],
     /// The account of the outline.
-    pub(super) report: &'a mut Report,
+    pub(super) report: &'a mut Account,
     /// The outline's curve so far.
     pub(super) builder: &'a mut CurveBuilder,
+    /// Whom long computations ask whether to go on.
+    pub(super) job: &'a Job<'a>,
 }
 
 impl Output<'_> {

@@ -45,8 +45,9 @@ fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MA
 
 impl CurveView<'_> {
     /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in
-    /// space its component along any direction is the area of the shadow thrown that way. Exact but
-    /// for rounding. O(sum of degree^2).
+    /// space its component along any direction is the area of the shadow thrown that way. An open
+    /// curve is closed by the chord from its end to its start. Exact but for rounding. O(sum of
+    /// degree^2).
     pub fn area_vector(&self) -> DVec3 {
         let frame = UnitFrame::of(self.points());
         let Some(&start) = self.points().first() else {

@@ -43,28 +43,29 @@ pub(super) fn solve_by_knots(sub: &Subcurve<'_>, workspace: &mut LockWorkspace, 
             workspace.solution.beta[i] = here / (here + there);
         }
     }
-    solve_with_fallback(sub, workspace, out)
+    solve_with_fallback(sub, workspace, out).map(|_| ())
 }
 
 /// Finds the curve for the joint parameters as they are; where it runs away, they fall back to 1/2.
+/// False if only the lock by parameters has a solution.
 pub(super) fn solve_with_fallback(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     out: &mut Output<'_>,
-) -> Result<()> {
+) -> Result<bool> {
     let none_runs_away = |solution: &Solution| !sub.sections().any(|i| runs_away(sub, solution, i));
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let regular = equations::solve(sub, &mut workspace.solution)
             && none_runs_away(&workspace.solution)
             && lock::solve(sub, workspace, out)?;
         if regular && none_runs_away(&workspace.solution) {
-            return Ok(());
+            return Ok(true);
         }
         let solution = &mut workspace.solution;
         let (n, all) = (sub.len(), !regular && round + 1 >= MAX_FALLBACK_ROUNDS);
         let fallen = alloc::gather(sub.sections().filter(|&i| all || runs_away(sub, solution, i)))?;
         for i in fallen {
-            out.results[i].flag(PointStatus::FellBack);
+            out.results[i].flag(PointStatus::JointFellBack);
             solution.beta[i] = 0.5;
             solution.beta[sub.previous(i)] = 0.5;
         }
@@ -73,7 +74,7 @@ pub(super) fn solve_with_fallback(
     // Not even with joints in the middle does the lock have a solution near by: now all is by
     // parameters.
     equations::solve(sub, &mut workspace.solution);
-    Ok(())
+    Ok(false)
 }
 
 /// Whether the control point of a section is farther away than it could be with joints in the
@@ -99,7 +100,7 @@ mod tests {
         let options = Options::default();
         let sub = Subcurve { points: &points, closed: true, tangents: [None, None], size: 6.0, options: &options };
         let mut workspace = LockWorkspace::default();
-        let (mut report, mut builder) = Default::default();
+        let (mut report, mut builder, job) = Default::default();
         let mut results = [PointResult::default(); 9];
         workspace.solution.resize(9).unwrap();
         workspace.solution.t.fill(0.4);
@@ -108,13 +109,13 @@ mod tests {
         let halves = workspace.solution.controls.clone();
         workspace.solution.reset_joints(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;
-        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder };
+        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         solve_with_fallback(&sub, &mut workspace, &mut out).unwrap();
         assert_eq!(workspace.solution.controls, halves);
-        assert!(results.iter().all(|result| result.status == PointStatus::FellBack));
+        assert!(results.iter().all(|result| result.status == PointStatus::JointFellBack));
         // A runaway only before the equations are solved does no harm.
         let mut results = [PointResult::default(); 9];
-        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder };
+        let mut out = Output { results: &mut results, report: &mut report, builder: &mut builder, job: &job };
         workspace.solution.controls[4] = DVec3::splat(1e3);
         // With it its neighbours miss their points.
         assert!((0..9).all(|i| runs_away(&sub, &workspace.solution, i) == (3..6).contains(&i)));

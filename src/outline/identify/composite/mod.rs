@@ -3,7 +3,8 @@
 //! * equations: the linear equations of the control points, which all others stand on.
 //! * self_consistent, sweeps: parameters that depend on the control points. lock: the choice
 //!   between them.
-//! * knot_joints, curvature_joints: joints other than in the middle.
+//! * rounds: the iterations that each may take.
+//! * knot_joints, curvature: joints other than in the middle.
 //! * here: parameters by the data's triangles, and the segments of the solution.
 //!
 //! The first section of an open subcurve begins at the first point. Where a tangent is given there,
@@ -12,10 +13,11 @@
 //!
 //! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
 
-mod curvature_joints;
+mod curvature;
 mod equations;
 mod knot_joints;
 mod lock;
+mod rounds;
 mod self_consistent;
 mod sweeps;
 
@@ -27,7 +29,7 @@ use super::solution::Solution;
 use super::subcurve::{Output, PointResult, Subcurve};
 use crate::error::Result;
 use crate::outline::curve::{Place, segment};
-use curvature_joints::JointNewton;
+use curvature::CurvatureJoints;
 use glam::DVec3;
 use lock::LockWorkspace;
 
@@ -35,7 +37,7 @@ use lock::LockWorkspace;
 #[derive(Default)]
 pub(super) struct CompositeWorkspace {
     lock: LockWorkspace,
-    joints: JointNewton,
+    joints: CurvatureJoints,
 }
 
 impl CompositeWorkspace {
@@ -49,6 +51,9 @@ impl CompositeWorkspace {
 pub(super) fn append(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
     solve(sub, workspace, out)?;
     let solution = workspace.solution();
+    if !solution.handles.is_empty() {
+        return append_cubics(sub, solution, out);
+    }
     if !sub.closed {
         return append_open(sub, solution, out);
     }
@@ -64,6 +69,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out:
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
     solution.resize(n)?;
     solution.beta.clear();
+    solution.handles.clear();
     find_parameters(sub, solution, out.results);
     equations::solve(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
@@ -73,7 +79,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out:
     match options.joint {
         JointParameter::Half => lock::solve(sub, workspace, out).map(|_| ()),
         JointParameter::Knot => knot_joints::solve_by_knots(sub, workspace, out),
-        JointParameter::G2 => curvature_joints::solve_by_curvatures(sub, workspace, joints, out),
+        JointParameter::G2 => curvature::solve_by_curvatures(sub, workspace, joints, out),
     }
 }
 
@@ -159,6 +165,43 @@ fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) ->
         }
     }
     results[last].place = Place { segment: builder.len() as u32 - 1, t: 1.0 };
+    Ok(())
+}
+
+/// Appends the segments of a subcurve of cubic sections, and enters the places of the points.
+fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
+    let Output { results, builder, .. } = out;
+    let (n, ends) = (sub.len(), sub.end_controls());
+    let last = n - 1;
+    let of_section = |i: usize, first: DVec3, joint: DVec3| {
+        let (control, [lambda, mu]) = (solution.controls[i], solution.handles[i]);
+        // Handles of 1 end at the control point, to the bit.
+        let on = |from: DVec3, part: f64| if part == 1.0 { control } else { from + (control - from) * part };
+        [on(first, lambda), on(joint, mu), joint]
+    };
+    let mut from = if sub.closed { solution.joint(sub, last) } else { sub.points[0] };
+    let start = from;
+    builder.begin(from)?;
+    if !sub.closed {
+        results[0].place = Place { segment: builder.len() as u32, t: 0.0 };
+        if ends[0].is_some() {
+            let joint = solution.joint(sub, 0);
+            builder.push(&of_section(0, from, joint))?;
+            from = joint;
+        }
+    }
+    for i in sub.sections() {
+        let joint = if sub.closed && i == last { start } else { solution.joint(sub, i) };
+        results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
+        builder.push(&of_section(i, from, joint))?;
+        from = joint;
+    }
+    if !sub.closed {
+        if ends[1].is_some() {
+            builder.push(&of_section(last, from, sub.points[last]))?;
+        }
+        results[last].place = Place { segment: builder.len() as u32 - 1, t: 1.0 };
+    }
     Ok(())
 }
 

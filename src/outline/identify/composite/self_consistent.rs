@@ -20,11 +20,13 @@
 //! Source: ours.
 
 use super::equations;
+use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::outline::identify::method::{Method, power};
 use crate::outline::identify::options::Options;
-use crate::outline::identify::report::{FitStatus, PointStatus, Report};
+use crate::outline::identify::report::{FitStatus, PointStatus};
 use crate::outline::identify::solution::Solution;
 use crate::outline::identify::subcurve::{Output, Subcurve};
 use glam::DVec3;
@@ -43,8 +45,10 @@ const MAX_LAST_STEP: f64 = 1e-6;
 /// How often a step is halved.
 const MAX_HALVINGS: u32 = 4;
 
-/// Rounds in which points that do not converge fall back, before all do.
-const MAX_FALLBACK_ROUNDS: u32 = 3;
+/// Points between two questions whether to go on.
+const POINTS_PER_REPORT: usize = 1 << 14;
+
+const STAGE: &str = "making parameters self-consistent";
 
 /// One row of the linear equations of Newton's step.
 #[derive(Clone, Copy)]
@@ -87,7 +91,7 @@ impl<const D: usize> Newton<D> {
         alloc::grow(&mut self.step, n, [0.0; D])?;
         let mut regular = true;
         for round in 0..=MAX_FALLBACK_ROUNDS {
-            if self.converge(sub, solution, out.report) {
+            if self.converge(sub, solution, out, max_iterations(sub, out.report, round))? {
                 break;
             }
             // Points that still move fall back; in the last round all do.
@@ -114,20 +118,27 @@ impl<const D: usize> Newton<D> {
 
     /// Iterates until the control points rest. At the end they solve the linear equations for the
     /// parameters.
-    fn converge(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, report: &mut Report) -> bool {
+    fn converge(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut Solution,
+        out: &mut Output<'_>,
+        count: u32,
+    ) -> Result<bool> {
+        let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
-        for sweep in 0..sub.options.max_sweeps {
+        for sweep in 0..count {
             let overlap = (MIN_OVERLAP << (sweep / 4).min(8)).min(MAX_OVERLAP);
-            let mut sum = self.evaluate(sub, solution);
+            let mut sum = self.evaluate(sub, solution, job)?;
             while sum > smallest && halvings < MAX_HALVINGS {
                 halvings += 1;
                 scale *= 0.5;
                 self.add_step(sub, solution, -scale);
-                sum = self.evaluate(sub, solution);
+                sum = self.evaluate(sub, solution, job)?;
             }
             report.iterations += 1;
-            if sum > smallest || !self.eliminate(sub, overlap) {
+            if sum > smallest || !self.eliminate(sub, overlap, job)? {
                 // The map itself; it need not make F smaller.
                 equations::solve(sub, solution);
                 (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
@@ -135,25 +146,27 @@ impl<const D: usize> Newton<D> {
             }
             (smallest, scale, halvings) = (sum, 1.0, 0);
             let farthest = self.add_step(sub, solution, 1.0);
+            report.end_cycle(farthest / sub.size)?;
             if farthest <= MAX_LAST_STEP * sub.size {
                 solution.remember();
                 apply_map(sub, solution);
                 let moves = sub.sections().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
                 report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
                 if report.last_move * sub.size <= tolerance {
-                    return true;
+                    return Ok(true);
                 }
                 smallest = f64::INFINITY;
             }
         }
         apply_map(sub, solution);
-        false
+        Ok(false)
     }
 
     /// Enters all rows; the sum of the squares of the F_i.
-    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) -> f64 {
+    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, job: &Job<'_>) -> Result<f64> {
         let mut sum = 0.0;
         for i in sub.sections() {
+            job.step_every(POINTS_PER_REPORT, i, sub.len(), STAGE)?;
             let [b, u, v] = solution.legs(sub, i);
             let (t, gradients) = match solution.fell_back[i] {
                 true => (solution.data_t[i], [DVec3::ZERO; 2]),
@@ -175,11 +188,11 @@ impl<const D: usize> Newton<D> {
                 value: truncate(value),
             };
         }
-        sum
+        Ok(sum)
     }
 
     /// Finds Newton's step. False if the equations are singular.
-    fn eliminate(&mut self, sub: &Subcurve<'_>, overlap: usize) -> bool {
+    fn eliminate(&mut self, sub: &Subcurve<'_>, overlap: usize, job: &Job<'_>) -> Result<bool> {
         let n = sub.len();
         // The rows in their order; those of a closed subcurve with its overlap.
         let (count, from) = match sub.closed {
@@ -189,6 +202,7 @@ impl<const D: usize> Newton<D> {
         let mut at = from;
         let (mut above, mut right) = ([[0.0; D]; D], [0.0; D]);
         for k in 0..count {
+            job.step_every(POINTS_PER_REPORT, k, count, STAGE)?;
             let row = &self.rows[at];
             at = sub.next(at);
             // D_k - L_k U_(k-1), and the right side -F_k - L_k y_(k-1), with L = a + q g^T.
@@ -206,7 +220,7 @@ impl<const D: usize> Newton<D> {
                 block[r][r] += middle;
                 value[r] = -row.value[r] - lower * right[r] - q[r] * across;
             }
-            let Some(inverse) = inverse(&block) else { return false };
+            let Some(inverse) = inverse(&block) else { return Ok(false) };
             let coupling: [[f64; D]; D] =
                 std::array::from_fn(|r| std::array::from_fn(|c| q[r] * l[c] + if r == c { upper } else { 0.0 }));
             for r in 0..D {
@@ -232,7 +246,7 @@ impl<const D: usize> Newton<D> {
             }
             finite &= next.iter().all(|x| x.is_finite());
         }
-        finite
+        Ok(finite)
     }
 
     /// Adds the step, times `scale`, to the control points; the farthest move.

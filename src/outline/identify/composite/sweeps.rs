@@ -17,12 +17,14 @@
 //! are on one side there is no crossing. O(n) for each sweep.
 
 use super::equations;
+use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
 use super::self_consistent;
 use crate::alloc;
 use crate::error::Result;
 use crate::outline::identify::guide::{guide, plane_normal};
+use crate::outline::identify::method::Method;
 use crate::outline::identify::options::{Lock, Solver};
-use crate::outline::identify::report::{FitStatus, PointStatus, Report};
+use crate::outline::identify::report::{Account, FitStatus, PointStatus};
 use crate::outline::identify::solution::Solution;
 use crate::outline::identify::stepping;
 use crate::outline::identify::subcurve::{Output, PointResult, Subcurve};
@@ -35,8 +37,10 @@ const MIN_CROSSING_PARAMETER: f64 = 0.01;
 /// Sweeps after which a point whose section does not cross its guide falls back for good.
 const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
 
-/// Rounds in which points that do not converge fall back, before all do.
-const MAX_FALLBACK_ROUNDS: u32 = 3;
+/// Points between two questions whether to go on.
+const POINTS_PER_REPORT: usize = 1 << 14;
+
+const STAGE: &str = "placing control points";
 
 /// Solves by sweeps, from control points that solve the linear equations. False if these have
 /// become singular, which takes joint parameters other than 1/2.
@@ -44,7 +48,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
     start(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let rests = converge(sub, solution, out.report);
+        let rests = converge(sub, solution, out, max_iterations(sub, out.report, round))?;
         for i in sub.sections() {
             let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
             let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
@@ -98,33 +102,35 @@ fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult
 
 /// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r /
 /// (1 - r) of the last one. The control points before the last sweep remain known.
-fn converge(sub: &Subcurve<'_>, solution: &mut Solution, report: &mut Report) -> bool {
+fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, count: u32) -> Result<bool> {
+    let (report, n) = (&mut *out.report, sub.len());
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
     let rounding = 16.0 * f64::EPSILON * sub.size;
     let mut last = f64::INFINITY;
-    for sweep in 0..sub.options.max_sweeps {
+    for sweep in 0..count {
         report.iterations += 1;
         solution.remember();
         let (mut farthest, mut all_placed) = (0.0f64, true);
         for i in sub.sections() {
+            out.job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
             let before = solution.controls[i];
             all_placed &= place(sub, solution, sweep, i, report);
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
-        report.last_move = farthest / sub.size;
+        report.end_cycle(farthest / sub.size)?;
         let ratio = farthest / last;
         last = farthest;
         let rests = farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio);
         if all_placed && farthest <= tolerance && rests {
-            return true;
+            return Ok(true);
         }
     }
-    false
+    Ok(false)
 }
 
 /// Places one control point. False if the steps are used up.
-fn place(sub: &Subcurve<'_>, solution: &mut Solution, sweep: u32, i: usize, report: &mut Report) -> bool {
+fn place(sub: &Subcurve<'_>, solution: &mut Solution, sweep: u32, i: usize, report: &mut Account) -> bool {
     let [b, u, v] = solution.legs(sub, i);
     let mut guide = None;
     let t = match sub.options.lock {
@@ -192,8 +198,14 @@ fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [Point
     let normal = plane_normal(sub);
     for i in sub.sections() {
         let [a, p, c] = sub.triple(i);
-        let found = normal.ok_or(PointStatus::OutOfPlane);
-        match found.and_then(|normal| guide(sub.options.method, a - p, c - p, normal)) {
+        let found = normal.ok_or(PointStatus::OutOfPlane).and_then(|normal| {
+            guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
+                // No normal meets the chord: the bisector stands in.
+                results[i].flag(status);
+                guide(Method::Bisector, a - p, c - p, normal)
+            })
+        });
+        match found {
             Ok(guide) => solution.guides[i] = guide,
             Err(status) => {
                 solution.fell_back[i] = true;

@@ -19,7 +19,7 @@ use crate::error::Result;
 use crate::geom::bernstein;
 use crate::outline::curve::segment;
 use crate::outline::identify::options::Solver;
-use crate::outline::identify::report::{FitStatus, PointStatus, Report};
+use crate::outline::identify::report::{Account, FitStatus, PointStatus};
 use crate::outline::identify::stepping;
 use crate::outline::identify::subcurve::{Output, Subcurve};
 use glam::DVec3;
@@ -41,7 +41,8 @@ impl Collocation {
     pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut Output<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
             self.start_at_points();
-            if !self.sweep(sub, None, sub.options.max_sweeps, out.report) {
+            let left = sub.options.max_sweeps.saturating_sub(out.report.iterations);
+            if !self.sweep(sub, None, left, out.report)? {
                 flag_unconverged(out);
             }
         }
@@ -52,11 +53,12 @@ impl Collocation {
     pub(super) fn solve_on_guides(&mut self, sub: &Subcurve<'_>, normal: DVec3, out: &mut Output<'_>) -> Result<bool> {
         self.start_at_points();
         if sub.options.solver == Solver::Fast {
-            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out.report);
+            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out.report)?;
+            // They are the start of Newton's method, not part of it.
             out.report.iterations = 0;
             return self.newton(sub, normal, out.report);
         }
-        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps, out.report);
+        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps.div_ceil(2), out.report)?;
         if !self.is_in_order() {
             return Ok(false);
         }
@@ -75,7 +77,7 @@ impl Collocation {
 
     /// The paper's sweeps: with the normal of the plane along the guides, else for the parameters
     /// as they are, along the deviations. True if they come to rest.
-    fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, report: &mut Report) -> bool {
+    fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, report: &mut Account) -> Result<bool> {
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         let first = self.own().start;
         for _ in 0..count {
@@ -103,17 +105,17 @@ impl Collocation {
                 // Diverged, or the steps are used up; Newton's method or the lock by parameters may
                 // do better.
                 if along.is_nan() || along.abs() >= MAX_MOVE * sub.size {
-                    return false;
+                    return Ok(false);
                 }
                 self.controls[own] += direction * along;
                 farthest = farthest.max(along.abs());
             }
-            report.last_move = farthest / sub.size;
+            report.end_cycle(farthest / sub.size)?;
             if farthest <= tolerance {
-                return true;
+                return Ok(true);
             }
         }
-        false
+        Ok(false)
     }
 
     /// The place nearest `from` where the curve crosses the line through a point with a normal.
@@ -143,7 +145,7 @@ impl Collocation {
     }
 
     /// Newton's method for the places on the guides and the parameters together.
-    fn newton(&mut self, sub: &Subcurve<'_>, normal: DVec3, report: &mut Report) -> Result<bool> {
+    fn newton(&mut self, sub: &Subcurve<'_>, normal: DVec3, report: &mut Account) -> Result<bool> {
         let inner = self.inner();
         let tolerance = sub.options.tolerance.max(2.0 * f64::EPSILON) * sub.size;
         let mut residual = self.residual();
@@ -164,7 +166,7 @@ impl Collocation {
             };
             residual = next;
             let moved = (1..=inner).map(|i| self.right[i - 1].x.abs()).fold(0.0, f64::max);
-            report.last_move = fraction * moved / sub.size;
+            report.end_cycle(fraction * moved / sub.size)?;
             // Once the points are passed within the tolerance, one more step takes the rest away.
             if near || (residual.0 <= tolerance && moved <= tolerance) {
                 return Ok(residual.0 <= tolerance);

@@ -42,7 +42,7 @@ pub(super) fn append(
 ) -> Result<()> {
     if let Some(status) = solve(sub, collocation, out)? {
         out.report.status = status;
-        out.flag_all(PointStatus::FellBack);
+        out.flag_all(PointStatus::CompositeInstead);
         let options = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*sub.options };
         return composite::append(&Subcurve { options: &options, ..*sub }, composite, out);
     }
