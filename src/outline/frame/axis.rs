@@ -22,7 +22,7 @@ pub(super) fn places(axis: Axis<'_>, reference: DVec3, sections: usize) -> Resul
         Axis::Points(points) => points,
     };
     Error::require(points.len() == sections && sections >= 2, "axis", points.len() as f64)?;
-    let bad = points.iter().flat_map(|p| p.to_array()).find(|x| !x.is_finite());
+    let bad = points.iter().flat_map(DVec3::to_array).find(|x| !x.is_finite());
     bad.map_or(Ok(()), |x| Error::require(false, "axis", x))?;
     let mut chords = alloc::with_capacity(sections - 1)?;
     for pair in points.windows(2) {
