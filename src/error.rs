@@ -120,15 +120,6 @@ impl fmt::Display for Number<'_> {
     }
 }
 
-fn bad_line(line: u64, value: &f64) -> String {
-    match *value {
-        0.0 => format!("line {line} has no direction"),
-        value if !value.is_finite() => format!("line {line} has a coordinate or an end that is {value}"),
-        value if value.abs() > 1e150 => format!("line {line} begins beyond 1e150, at {}", Number(&value)),
-        value => format!("line {line} has no points between its ends: {}", Number(&value)),
-    }
-}
-
 /// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
 #[allow(missing_docs, reason = "the texts say what the fields are")]
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -383,9 +374,11 @@ pub enum Error {
     #[error("the net is glued elsewhere than along whole sides, or has bridges")]
     GluedInside,
     /// A line has an origin beyond 1e150, has no direction, or has no points between its ends.
-    #[error("{}", bad_line(*.line, .value))]
+    #[error("line {line} {why}{}", if *.value == 0.0 { String::new() } else { format!(": {}", Number(.value)) })]
     BadLine {
         line: u64,
+        /// What is wrong with it, as the line's predicate.
+        why: &'static str,
         /// The number that is wrong.
         value: f64,
     },

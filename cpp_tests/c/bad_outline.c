@@ -264,6 +264,7 @@ static void frames(void) {
     const double points[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     const uint32_t offsets[3] = {0, 4, 8}, uneven[3] = {0, 3, 8}, landmarks[4] = {0, 2, 1, 3};
     const double middle[3] = {0, 0, 0.5}, up[3] = {0, 0, 2}, nothing[3] = {0, 0, 0}, nan[3] = {0, NAN, 0};
+    const double axis[6] = {0.5, 0.5, 0, 0.5, 0.5, 1};
     gusset_outlines sections = given(points, 8);
     gusset_frame_options options;
     gusset_outline_options curves;
@@ -312,6 +313,16 @@ static void frames(void) {
     EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_create(context, &sections, &options, &frame));
     options.axis_point[0] = NAN;
     EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_points = axis, options.axis_point_count = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_point_count = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_points = NULL, options.axis_point_count = 2;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_points = axis;
+    EXPECT(GUSSET_OK, gusset_frame_create(context, &sections, &options, &frame));
+    gusset_frame_destroy(frame);
+    options.axis_points = NULL, options.axis_point_count = 0;
     options.correspondence = GUSSET_CORRESPONDENCE_LANDMARKS, options.columns = 2;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
     options.landmarks.count = 4;

@@ -33,21 +33,24 @@ public:
         }
         return made;
     }
-    /// Equal angles round a bent axis, of which each section has a point: x, y, z. The points must
-    /// outlive the call.
+    /// Equal angles round a bent axis, of which each section has a point: x, y, z. The points must live
+    /// until the Frame is made.
     static Correspondence angle(uint32_t columns, Points axis, const Point3 &reference) {
         Correspondence made;
         made.options_.correspondence = GUSSET_CORRESPONDENCE_ANGLE;
         made.options_.columns = columns;
-        made.options_.axis_points = axis.empty() ? nullptr : axis[0].data();
+        // Not NULL, which is a straight axis.
+        made.options_.axis_points = axis.empty() ? made.options_.axis_point : axis[0].data();
         made.options_.axis_point_count = axis.size();
         for (std::size_t k = 0; k < 3; ++k) {
             made.options_.reference[k] = reference[k];
         }
         return made;
     }
+    /// Points that are gone with the expression cannot be borrowed.
+    static Correspondence angle(uint32_t columns, std::vector<Point3> &&axis, const Point3 &reference) = delete;
     /// Landmarks of each section, and equal parts of the arc length between them. The landmarks
-    /// must outlive the call.
+    /// must live until the Frame is made.
     static Correspondence landmarks(Indices landmarks, uint32_t parts) {
         Correspondence made;
         made.options_.correspondence = GUSSET_CORRESPONDENCE_LANDMARKS;

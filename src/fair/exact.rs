@@ -22,9 +22,10 @@ use glam::DVec3;
 const SLACK: f64 = 1e-3;
 /// Vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
-/// x, y, (x^2 + y^2) / 2, (x^2 - y^2) / 2, x y.
+/// A ring is at least this part as wide as it is long, or counts as being so.
+const MIN_WIDTH: f64 = 1e-3;
+/// x, y, x^2 / 2, y^2 / 2, x y.
 const CONDITIONS: usize = 5;
-const LAPLACIANS: [f64; CONDITIONS] = [0.0, 0.0, 2.0, 0.0, 0.0];
 
 /// The rows and the columns of the Laplacian, for the neighbours of rings.
 pub(super) struct Exact {
@@ -74,26 +75,29 @@ impl Exact {
 fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     let squared = |w: u32| leg(w).length_squared();
     let area = ring.iter().map(|&(w, weight)| weight * squared(w)).sum::<f64>() / 4.0;
-    let unit = (ring.iter().map(|&(w, _)| squared(w)).sum::<f64>() / ring.len().max(1) as f64).sqrt();
     // Exact for the squared distance as it is.
     let scale = if area > 0.0 { 1.0 / area } else { 0.0 };
     ring.iter_mut().for_each(|(_, weight)| *weight *= scale);
-    let (x, y) = normal.any_orthonormal_pair();
-    if normal == DVec3::ZERO || unit == 0.0 {
+    if normal == DVec3::ZERO {
         return;
     }
-    let conditions = |w: u32| {
-        let leg = leg(w) / unit;
-        let flat = leg.reject_from_normalized(normal).normalize_or_zero() * leg.length();
-        let (x, y) = (flat.dot(x), flat.dot(y));
-        [x, y, (x * x + y * y) / 2.0, (x * x - y * y) / 2.0, x * y]
+    let flat = |w: u32| leg(w).reject_from_normalized(normal).normalize_or_zero() * leg(w).length();
+    let Some([x, y]) = axes(ring, normal, flat) else {
+        return;
     };
+    // Along its own axes, each in a unit of its own, a ring of needles is a round one.
+    let conditions = |w: u32| {
+        let (x, y) = (flat(w).dot(x.0) / x.1, flat(w).dot(y.0) / y.1);
+        [x, y, x * x / 2.0, y * y / 2.0, x * y]
+    };
+    let unit = x.1 * x.1;
+    let laplacians = [0.0, 0.0, 1.0, unit / (y.1 * y.1), 0.0];
     let mut lower = [[0.0; CONDITIONS]; CONDITIONS];
-    let mut missing = LAPLACIANS.map(|laplacian| DVec3::new(laplacian, 0.0, 0.0));
+    let mut missing = laplacians.map(|laplacian| DVec3::new(laplacian, 0.0, 0.0));
     for &(w, weight) in &*ring {
         let values = conditions(w);
         for i in 0..CONDITIONS {
-            missing[i].x -= values[i] * weight * unit * unit;
+            missing[i].x -= values[i] * weight * unit;
             (0..=i).for_each(|j| lower[i][j] += values[i] * values[j]);
         }
     }
@@ -102,6 +106,19 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     for (w, weight) in ring {
         let values = conditions(*w);
         let change: f64 = values.iter().zip(&missing).map(|(value, missing)| value * missing.x).sum();
-        *weight += change / (unit * unit);
+        *weight += change / unit;
     }
+}
+
+/// The directions in which a ring is longest and shortest, and its root mean square there; `None` if it
+/// has no size.
+fn axes(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVec3) -> Option<[(DVec3, f64); 2]> {
+    let (x, y) = normal.any_orthonormal_pair();
+    let mean = |u: DVec3, v: DVec3| {
+        ring.iter().map(|&(w, _)| flat(w)).map(|leg| leg.dot(u) * leg.dot(v)).sum::<f64>() / ring.len().max(1) as f64
+    };
+    let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * mean(x, y), mean(x, x) - mean(y, y)));
+    let (long, short) = (x * cos + y * sin, y * cos - x * sin);
+    let [length, width] = [long, short].map(|axis| mean(axis, axis).sqrt());
+    (length > 0.0).then(|| [(long, length), (short, width.max(MIN_WIDTH * length))])
 }

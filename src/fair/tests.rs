@@ -1,5 +1,7 @@
 //! Thin-plate fairing against known shapes and equations.
 
+use super::exact::Exact;
+use super::rings::Rings;
 use super::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
 use crate::Job;
 use glam::{DQuat, DVec3};
@@ -406,6 +408,35 @@ fn triharmonic_functions_are_found() {
     let errors = [8, 16, 32].map(|rings| error(rings, Continuity::C2));
     assert!(errors[0] < 0.2 && errors[1] < errors[0] / 2.0 && errors[2] < errors[1] / 2.0, "{errors:?}");
     assert!(errors[2] < error(32, Continuity::C1) / 10.0, "{errors:?} {}", error(32, Continuity::C1));
+}
+
+/// Quadratic functions have their Laplacians, on triangles many times as long as they are wide, too.
+#[test]
+fn laplacians_of_quadratic_functions() {
+    type Function = fn(DVec3) -> f64;
+    let functions: [(Function, f64); 3] = [(|p| p.x * p.x, 2.0), (|p| p.y * p.y, 2.0), (|p| p.x * p.y, 0.0)];
+    for (stretch, most) in [(1.0, 0.01), (3.0, 0.02), (10.0, 0.05), (0.05, 0.25)] {
+        let mut patch = disk(12);
+        for (v, p) in patch.points.iter_mut().enumerate() {
+            *p = 12.0 * *p + DVec3::new(noise(v), noise(v + 1000), 0.0) * 0.25;
+            p.y *= stretch;
+        }
+        let (points, triangles) = (&patch.points, &patch.triangles);
+        let rings = Rings::new(points, triangles, Weights::Cotangent, &Job::default()).unwrap();
+        let exact = Exact::new(points, triangles, &rings, &Job::default()).unwrap();
+        let inner: Vec<usize> = (0..points.len()).filter(|&v| patch.free[v]).collect();
+        for (k, (f, expected)) in functions.iter().enumerate() {
+            // In the plane of each vertex.
+            let laplacian = |&v: &usize| {
+                let row = exact.rows(&rings).row(v);
+                row.map(|(w, weight)| weight * f(points[w] - points[v])).sum::<f64>() - expected
+            };
+            let square: f64 = inner.iter().map(laplacian).map(|error| error * error).sum();
+            // The mixed one is of the size of both.
+            let error = (square / inner.len() as f64).sqrt() * if k == 2 { stretch.min(1.0 / stretch) } else { 1.0 };
+            assert!(error < most, "{k}, stretched {stretch} times: {error}");
+        }
+    }
 }
 
 /// Where nothing bends nothing will, however irregular the triangles.

@@ -312,7 +312,7 @@ impl From<Error> for Failure {
             EmptyScene => plain(GUSSET_ERROR_EMPTY_SCENE, 0.0),
             FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
             GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
-            BadLine { line: item, value } | SheetOutOfRange { sheet: item, value } => {
+            BadLine { line: item, value, .. } | SheetOutOfRange { sheet: item, value } => {
                 Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
             }
             InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),

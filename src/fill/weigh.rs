@@ -230,7 +230,7 @@ impl<'a> Scale<'a> {
     pub(super) fn seam(&self, [i, m, k]: [usize; 3], [left, right]: [DVec3; 2]) -> Option<(DVec3, Cost)> {
         let squared = |a: usize, b: usize| self.polygon.points[a].distance_squared(self.polygon.points[b]);
         let [first, second, third] = [squared(i, m), squared(m, k), squared(k, i)];
-        let none = CLOSED * CLOSED * first.max(second).max(third);
+        let none = CLOSED * CLOSED * (first + second + third);
         if !self.bridges.is_empty() {
             None
         } else if third <= none {
@@ -253,6 +253,9 @@ impl<'a> Scale<'a> {
         let sides = p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
         let flat = double_area <= FLAT * sides;
         let normal = if flat { DVec3::ZERO } else { cross / double_area };
+        // A seam between two sides that coincide is nothing bad, see `seam`.
+        let shortest = p.distance_squared(q).min(q.distance_squared(r)).min(r.distance_squared(p));
+        let flat = flat && shortest > CLOSED * CLOSED * sides;
         let [x, y, z] = bulges;
         let value = match self.weight {
             Weight::Continuation => (x * x + y * y + z * z + x * y + y * z + z * x) / (6.0 * self.measure.triangles),

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use gusset::outline::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, frame, slice};
-use gusset::outline::{Mode, Options, Outlines, Points};
+use gusset::outline::{Constraint, Mode, Options, Outlines, PointConstraint, Points};
 use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
 
@@ -199,7 +199,7 @@ fn landmarks_belong_together() {
             let t = 0.2 * k as f64 + TAU * i as f64 / 4.0;
             let (corner, middle) = (made.grid.nodes[8 * k + 2 * i], made.grid.nodes[8 * k + 2 * i + 1]);
             assert!(corner.distance(DVec3::new(t.cos(), t.sin(), k as f64)) < 1e-14);
-            assert!(middle.truncate().length() - (0.5f64).sqrt() < 1e-14, "{middle}");
+            assert!((middle.truncate().length() - (0.5f64).sqrt()).abs() < 1e-14, "{middle}");
         }
     }
     // Not in order; not there; not as many for each.
@@ -494,12 +494,105 @@ fn angles_about_a_bent_axis() {
         let Error::OptionOutOfRange { option, .. } = error else { panic!("{error}") };
         option
     };
-    assert_eq!(refused(&axis[1..], DVec3::Z), "axis");
+    assert_eq!(refused(&axis[1..], DVec3::Z), "axis_points");
     let mut wrong = axis.clone();
     wrong[3] = wrong[2];
-    assert_eq!(refused(&wrong, DVec3::Z), "axis");
+    assert_eq!(refused(&wrong, DVec3::Z), "axis_points");
     wrong[3].x = f64::NAN;
-    assert_eq!(refused(&wrong, DVec3::Z), "axis");
+    assert_eq!(refused(&wrong, DVec3::Z), "axis_points");
     let straight: Vec<DVec3> = (0..count).map(|k| DVec3::Z * k as f64).collect();
     assert_eq!(refused(&straight, DVec3::Z), "reference");
+}
+
+/// The torus of [`a_ring_goes_round`], or a part of it, by arc length: no section is backwards.
+#[test]
+fn bent_bodies_keep_their_direction() {
+    let torus = |count: u32, part: f64, random: &mut fastrand::Rng| {
+        Sections::of((0..count).map(|k| {
+            let (sin, cos) = (part * f64::from(k) / f64::from(count)).sin_cos();
+            let on = |i: u32| {
+                let t = TAU * f64::from(i) / 20.0;
+                let r = 3.0 + t.cos();
+                [r * cos, r * sin, 0.7 * t.sin()]
+            };
+            let mut points: Vec<[f64; 3]> = (0..20).map(on).collect();
+            points.rotate_left(random.usize(..20));
+            points
+        }))
+    };
+    let mut random = fastrand::Rng::with_seed(2);
+    for (count, part, ring) in [(16, TAU, true), (9, 3.0, false), (30, 2.0 * TAU, false)] {
+        let way = FrameOptions { ring, ..options(Correspondence::ArcLength { columns: 24 }) };
+        let grid = torus(count, part, &mut random).make(true, &way).unwrap().grid;
+        assert!(grid.turned.iter().all(|&turned| turned == 0), "{:?}", grid.turned);
+        assert!(grid.max_twist < 0.05, "{}", grid.max_twist);
+        // Each column stays at its own height.
+        for i in 0..24 {
+            let z = grid.nodes[i].z;
+            assert!((0..grid.rows).all(|k| (grid.nodes[24 * k + i].z - z).abs() < 1e-9), "{i}");
+        }
+    }
+}
+
+#[test]
+fn a_point_that_is_repeated_but_for_round_off_is_no_corner() {
+    let mut random = fastrand::Rng::with_seed(6);
+    for case in 0..200 {
+        let sections = Sections::of((0..4).map(|k| {
+            let n = 24 + 8 * (case % 4);
+            let mut points = circle(0.2 * f64::from(k), n, 0.4 + random.f64(), false);
+            let noise = || 1e-14 * (2.0 * fastrand::Rng::with_seed(case as u64).f64() - 1.0);
+            points.push(points[0].map(|x| x + noise()));
+            points
+        }));
+        let made = sections.make(true, &options(Correspondence::ArcLength { columns: 16 })).unwrap();
+        assert!(made.grid.corners.is_empty() && made.grid.max_twist < 0.1, "{case}: {}", made.grid.max_twist);
+        // Once round.
+        for k in 0..4 {
+            let row = &made.grid.nodes[16 * k..16 * (k + 1)];
+            assert!((0..16).all(|i| row[i].distance(row[(i + 8) % 16]) > 1.0), "{case}");
+        }
+    }
+}
+
+#[test]
+fn corners_belong_together_at_any_scale() {
+    for scale in [1e-300, 1e-170, 1e-20, 1.0, 1e100, 1e150] {
+        let mut random = fastrand::Rng::with_seed(3);
+        let mut sections = ship(15, 5, &mut random);
+        sections.points.iter_mut().flatten().for_each(|x| *x *= scale);
+        let made = sections.make(true, &options(Correspondence::ArcLength { columns: 20 })).unwrap();
+        assert_eq!(made.grid.corners.len(), 22, "{scale:e}");
+        assert!(made.grid.max_twist < 0.1, "{scale:e} {}", made.grid.max_twist);
+    }
+}
+
+#[test]
+fn corners_that_the_caller_knows() {
+    let square = |z: f64| {
+        (0..16).map(move |i| {
+            let t = f64::from(i % 4) / 4.0;
+            let [x, y] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][i as usize / 4];
+            [x, y, z]
+        })
+    };
+    let points: Vec<[f64; 3]> = (0..3).flat_map(|k| square(f64::from(k))).collect();
+    let make = |constraints: &[Constraint], options: &FrameOptions<'_>| {
+        let offsets = [0, 16, 32, 48];
+        let points = Points::from(&points[..]);
+        let outlines = Outlines { points, offsets: Some(&offsets), closed: true, constraints };
+        frame(&outlines, options, &Job::default()).unwrap().grid.corners
+    };
+    let given = options(Correspondence::Given);
+    assert_eq!(make(&[], &given).len(), 12);
+    // A tangent there says that it is none.
+    let tangent = Constraint { point: 16, kind: PointConstraint::Tangent(DVec3::X) };
+    assert_eq!(make(&[tangent], &given).len(), 11);
+    let smooth = FrameOptions { smooth_corners: true, ..given };
+    assert!(make(&[], &smooth).is_empty());
+    let sharp = Options { corner_angle: 0.6, ..CUBIC };
+    assert!(make(&[], &FrameOptions { across: sharp, ..smooth }).is_empty());
+    let corner = Constraint { point: 20, kind: PointConstraint::Corner };
+    assert_eq!(make(&[corner], &smooth), [20]);
+    assert_eq!(make(&[], &FrameOptions { across: sharp, ..given }).len(), 12);
 }

@@ -2,7 +2,7 @@
 
 #![allow(unsafe_code, reason = "the functions are those of C")]
 
-use gusset::Error;
+use glam::DVec3;
 use gusset::ffi::context::*;
 use gusset::ffi::curve::frame::*;
 use gusset::ffi::curve::outline::gusset_outlines;
@@ -13,6 +13,9 @@ use gusset::ffi::mesh::stitch_options::gusset_stitch_options;
 use gusset::ffi::mesh::weld::gusset_weld_options;
 use gusset::ffi::status::gusset_status::{self, GUSSET_ERROR_UNKNOWN_VALUE};
 use gusset::net::stream::StreamInfo;
+use gusset::surface::line_intersection::Line;
+use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
+use gusset::{Error, Job};
 use std::ffi::CStr;
 use std::ptr;
 
@@ -85,11 +88,22 @@ fn the_curves_across_and_along_a_frame_have_options_each() {
 
 #[test]
 fn sentences_say_what_is_wrong() {
-    let line = |value: f64| Error::BadLine { line: 3, value }.to_string();
-    assert_eq!(line(0.0), "line 3 has no direction");
-    assert_eq!(line(f64::NAN), "line 3 has a coordinate or an end that is NaN");
-    assert_eq!(line(-1e200), "line 3 begins beyond 1e150, at -1e200");
-    assert_eq!(line(2.5), "line 3 has no points between its ends: 2.5");
+    let z = [[0.0, 0.0], [0.0, 1.0]];
+    let node = |i: usize| [(i / 2) as f64, (i % 2) as f64, z[i / 2][i % 2]];
+    let nodes: Vec<f64> = (0..4).flat_map(node).collect();
+    let nodes = Nodes::strided(nodes, 2, 2, 0, 0).unwrap();
+    let sheet = Sheet::Grid(Grid::new(nodes, [false; 2], Scheme::FourPoint).unwrap());
+    let surface = Surface::new(vec![sheet], None, &Job::default()).unwrap();
+    let said = |line: Line| surface.first_hits(&[line], &Job::default()).unwrap_err().to_string();
+    let (origin, up) = (DVec3::ZERO, DVec3::Z);
+    assert_eq!(said(Line::ray(origin, DVec3::ZERO)), "line 0 has no direction");
+    assert_eq!(said(Line::ray(origin, DVec3::X * 1e-170)), "line 0 has no direction: 1e-170");
+    assert_eq!(said(Line::ray(DVec3::Y * -1e200, up)), "line 0 begins beyond 1e150: -1e200");
+    assert_eq!(said(Line { to: -1.0, ..Line::ray(origin, up) }), "line 0 has no points between its ends");
+    assert_eq!(
+        said(Line { from: 2.5, to: 1.0, ..Line::new(origin, up) }),
+        "line 0 has no points between its ends: 2.5"
+    );
     let offsets = Error::BadOffsets { entry: 2, value: 4 }.to_string();
     assert_eq!(offsets, "offset 2 is 4: offsets must not fall, and the last is the number of elements");
     // Short texts and long ones.

@@ -88,6 +88,37 @@ fn no_weight_cuts_less_than_the_default() {
     }
 }
 
+/// Cuts a sheet of so many columns of quads along x = `column` from y = 1 to y = 8: the quads to the
+/// right get vertices of their own there, which come last.
+fn slit(soup: &mut Soup, columns: u32, column: u32) -> std::ops::Range<usize> {
+    let first = soup.points.len();
+    for j in 2..8 {
+        let v = j * (columns + 1) + column;
+        let own = soup.points.len() as u32;
+        soup.points.push(soup.points[v as usize]);
+        for corners in soup.corners.chunks_exact_mut(4) {
+            if corners.iter().any(|&w| w < first as u32 && w % (columns + 1) > column) {
+                corners.iter_mut().filter(|w| **w == v).for_each(|w| *w = own);
+            }
+        }
+    }
+    first..soup.points.len()
+}
+
+/// Nothing is gained by a band between two slits, on faces that are there.
+#[test]
+fn slits_are_not_joined_with_each_other() {
+    let mut soup = sheet(9, 9);
+    slit(&mut soup, 9, 3);
+    slit(&mut soup, 9, 6);
+    for options in [Options::default(), FAIR] {
+        let filled = fill(&soup, &Options { keep: Keep::Longest, together: Together::Cheapest, ..options });
+        let patches: Vec<u32> = filled.holes.iter().map(|hole| hole.patch).filter(|&patch| patch != u32::MAX).collect();
+        assert_eq!(patches, [0, 1]);
+        assert_eq!(filled.intersections.as_deref(), Some(&[][..]));
+    }
+}
+
 /// A sheet that was cut along a line inside it and not moved, as texture seams do, or opened a little
 /// here and there: what closes it has no area but where it is open, and lies back to back nowhere.
 #[test]
@@ -96,23 +127,11 @@ fn slits_whose_sides_coincide_are_closed_without_area() {
     for (case, opened) in [0, 1, 2, 4].into_iter().enumerate() {
         for bent in [0.0, 0.3] {
             let mut soup = sheet(9, 9);
-            let at = |i: u32, j: u32| j * 10 + i;
-            // Quads to the right of x = 4 get vertices of their own there.
-            let slit: Vec<u32> = (2..8).map(|j| at(4, j)).collect();
-            let own = |v: u32| slit.iter().position(|&w| w == v).map(|k| 100 + k as u32);
-            for corners in soup.corners.chunks_exact_mut(4) {
-                if corners.iter().any(|&v| v % 10 > 4) {
-                    corners.iter_mut().for_each(|v| *v = own(*v).unwrap_or(*v));
-                }
-            }
-            for &v in &slit {
-                let p = soup.points[v as usize];
-                soup.points.push(p);
-            }
+            let slit = slit(&mut soup, 9, 4);
             soup.points.iter_mut().for_each(|p| p[2] += bent * (0.7 * p[0]).sin() * (0.9 * p[1]).cos());
             let width = 0.2;
             for _ in 0..opened {
-                soup.points[100 + random.usize(0..slit.len())][0] += width;
+                soup.points[slit.start + random.usize(0..slit.len())][0] += width;
             }
             for options in [Options::default(), FAIR] {
                 let filled = fill(&soup, &Options { keep: Keep::Longest, ..options });

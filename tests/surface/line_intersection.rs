@@ -416,7 +416,7 @@ fn directions_whose_squares_vanish_or_overflow() {
         assert!(surface.line(&along(length), HitSelection::First).is_err(), "{length}");
         let lines = [along(1.0), along(length)];
         let refused = surface.first_hits(&lines, &job).unwrap_err();
-        assert!(matches!(refused, Error::BadLine { line: 1, value } if value == length), "{refused:?}");
+        assert!(matches!(refused, Error::BadLine { line: 1, value, .. } if value == length), "{refused:?}");
     }
     for length in [1e-150, 1e150] {
         let hit = surface.line(&along(length), HitSelection::First).unwrap();

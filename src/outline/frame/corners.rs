@@ -8,7 +8,9 @@
 use super::options::FrameOptions;
 use crate::alloc;
 use crate::error::Result;
-use crate::outline::identify::{Constraint, Outlines, PointConstraint};
+use crate::geom::{Aabb, scale::distance};
+use crate::job::Job;
+use crate::outline::identify::{Constraint, Options, Outlines, PointConstraint};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -20,25 +22,35 @@ const MIN_CONTRAST: f64 = 3.0;
 /// edges of a deck without points between them.
 const MIN_LEAD: f64 = 2.0;
 const SHARP: f64 = 1.2;
+/// A section with more corners than this is jagged: it has none in common with others.
+const MAX_SHARED: usize = 128;
 /// Of one part, when parts are apportioned.
 const STEPS: f64 = (1 << 30) as f64;
 
 /// Of each section the numbers of its corners among its points, ascending: those that the caller
-/// has, and those by [`FrameOptions::across`] or, if that has none, by the rule above.
+/// has, and those by [`FrameOptions::across`] or, if that has none, by the rule above; but for points
+/// with another constraint, and the ends of open sections.
 pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptions<'_>) -> Result<Vec<Vec<u32>>> {
     let mut all = alloc::with_capacity(rows)?;
     for k in 0..rows {
         let span = sections.span(k);
+        let place = |point: usize| sections.constraints.partition_point(|c| (c.point as usize) < point);
+        let constraints = &sections.constraints[place(span.start)..place(span.end)];
         let mut own = Vec::new();
         if !options.smooth_corners {
-            let turns = turns(span.clone().map(|i| sections.points.get(i)), sections.closed)?;
-            let angle = options.across.corner_angle;
-            let found = if angle < PI { sharper(&turns, angle)? } else { outstanding(&turns, sections.closed)? };
-            own = alloc::collect(found.into_iter().map(|at| turns[at].0))?;
+            let points = span.clone().map(|i| sections.points.get(i));
+            let turns = turns(points, sections.closed, options.across.repeat_tolerance)?;
+            let found = of_turns(&turns, sections.closed, options.across.corner_angle)?;
+            let is_free = |i: &u32| constraints.iter().all(|c| c.point as usize != span.start + *i as usize);
+            own = alloc::gather(found.into_iter().filter(is_free))?;
         }
-        let given = sections.constraints.iter().filter(|c| c.kind == PointConstraint::Corner);
-        let given = given.map(|c| c.point as usize).filter(|point| span.contains(point));
-        alloc::extend(&mut own, alloc::gather(given)?.iter().map(|&point| (point - span.start) as u32))?;
+        let given = constraints.iter().filter(|c| c.kind == PointConstraint::Corner);
+        let given = alloc::gather(given.map(|c| (c.point as usize - span.start) as u32))?;
+        alloc::append(&mut own, &given)?;
+        if !sections.closed {
+            let at = |i: usize| sections.points.get(span.start + i);
+            own.retain(|&i| ![0, span.len() - 1].iter().any(|&end| at(end) == at(i as usize)));
+        }
         own.sort_unstable();
         own.dedup();
         all.push(own);
@@ -46,16 +58,30 @@ pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptio
     Ok(all)
 }
 
-/// Of each inner point that is not at the place of the one before: its number, and the angle by
-/// which the polygon turns.
-fn turns(points: impl Iterator<Item = DVec3>, closed: bool) -> Result<Vec<(u32, f64)>> {
+/// The corners among the points of a row of nodes by an angle.
+pub(super) fn sharp_nodes(row: &[DVec3], closed: bool, options: &Options) -> Result<Vec<u32>> {
+    let turns = turns(row.iter().copied(), closed, options.repeat_tolerance)?;
+    if options.corner_angle < PI { of_turns(&turns, closed, options.corner_angle) } else { Ok(Vec::new()) }
+}
+
+/// The points that turn by more than an angle, or, if it is pi, that stand out.
+fn of_turns(turns: &[(u32, f64)], closed: bool, angle: f64) -> Result<Vec<u32>> {
+    let found = if angle < PI { sharper(turns, angle)? } else { outstanding(turns, closed)? };
+    alloc::collect(found.into_iter().map(|at| turns[at].0))
+}
+
+/// Of each inner point that is not at the place of the one before, within `tolerance` parts of the
+/// section's size: its number, and the angle by which the polygon turns.
+fn turns(points: impl Iterator<Item = DVec3> + Clone, closed: bool, tolerance: f64) -> Result<Vec<(u32, f64)>> {
+    let near = tolerance * Aabb::of(points.clone()).diagonal();
+    let is_same = |p: DVec3, q: DVec3| p == q || distance(p, q) <= near;
     let mut distinct: Vec<(u32, DVec3)> = Vec::new();
     for (i, p) in (0..).zip(points) {
-        if distinct.last().is_none_or(|&(_, last)| last != p) {
+        if distinct.last().is_none_or(|&(_, last)| !is_same(last, p)) {
             alloc::push(&mut distinct, (i, p))?;
         }
     }
-    if closed && distinct.len() > 1 && distinct.first().map(|&(_, p)| p) == distinct.last().map(|&(_, p)| p) {
+    while closed && distinct.len() > 1 && is_same(distinct[0].1, distinct[distinct.len() - 1].1) {
         distinct.pop();
     }
     let n = distinct.len();
@@ -115,23 +141,34 @@ pub(super) fn constrained(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Resu
 /// at the same places of the lists; empty if a section has none.
 ///
 /// The section with the fewest corners keeps all of them; from there on each next one keeps those
-/// that are nearest to its neighbour's, in the same order round the body. `at`: where a corner of a
-/// section is, from the section's own centre. `closed`: any corner may be the first.
-pub(super) fn matched(corners: &[Vec<u32>], closed: bool, at: impl Fn(usize, u32) -> DVec3) -> Result<Vec<Vec<u32>>> {
+/// that are nearest to its neighbour's, in the same order round the body. None are kept where that
+/// would be more than `most`. `at`: where a corner of a section is, from the section's own centre, in
+/// a unit that keeps squares in range. `closed`: any corner may be the first.
+pub(super) fn matched(
+    corners: &[Vec<u32>],
+    closed: bool,
+    most: usize,
+    at: impl Fn(usize, u32) -> DVec3,
+    job: &Job<'_>,
+) -> Result<Vec<Vec<u32>>> {
     let mut chosen = alloc::collect(corners.iter().map(|_| Vec::new()))?;
-    let Some(fewest) = (0..corners.len()).min_by_key(|&k| corners[k].len()) else {
+    let fewest = (0..corners.len()).min_by_key(|&k| corners[k].len());
+    let is_jagged = corners.iter().any(|own| own.len() > MAX_SHARED);
+    let Some(fewest) = fewest.filter(|&k| corners[k].len() <= most && !is_jagged) else {
         return Ok(chosen);
     };
     chosen[fewest] = alloc::copied(&corners[fewest])?;
     let ways = (fewest + 1..corners.len()).map(|k| (k, k - 1)).chain((0..fewest).rev().map(|k| (k, k + 1)));
-    for (k, neighbour) in ways {
+    for (done, (k, neighbour)) in ways.enumerate() {
+        job.step(done as f64 / corners.len() as f64, "finding nodes")?;
         let distance = |i: usize, c: u32| at(neighbour, chosen[neighbour][i]).distance_squared(at(k, c));
         chosen[k] = nearest(&corners[k], chosen[neighbour].len(), closed, distance)?;
     }
     Ok(chosen)
 }
 
-/// So many of a section's corners in order, the sum of their distances being least.
+/// So many of a section's corners in order, the sum of their squared distances being least. O(n^2
+/// count) for a closed section of n.
 fn nearest(own: &[u32], count: usize, closed: bool, distance: impl Fn(usize, u32) -> f64) -> Result<Vec<u32>> {
     let n = own.len();
     let mut best = (f64::INFINITY, Vec::new());

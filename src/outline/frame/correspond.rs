@@ -9,15 +9,16 @@ use crate::outline::curve::{CurveView, Place};
 
 use super::align::{Ring, anchor, starts};
 use super::axis::places;
-use super::corners::{apportioned, constrained, corners, matched};
+use super::corners::{apportioned, constrained, corners, matched, sharp_nodes};
 use super::options::{Correspondence, FrameOptions};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::outline::identify::{Fit, Outlines, fit};
+use crate::outline::identify::{Fit, Options, Outlines, fit};
 use crate::outline::ops::Lengths;
 use glam::DVec3;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// The nodes of all sections, row by row.
 pub(super) struct SectionNodes {
@@ -34,7 +35,9 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
     let rows = sections.check()?;
     let corners = corners(sections, rows, options)?;
     let constraints = constrained(sections, &corners)?;
-    let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &options.across, &job.part(0.0, 0.5))?;
+    // They say where the corners are.
+    let across = Options { corner_angle: PI, ..options.across };
+    let curves = fit(&Outlines { constraints: &constraints, ..*sections }, &across, &job.part(0.0, 0.5))?;
     let job = job.part(0.5, 1.0);
     let mut found = SectionNodes {
         rows,
@@ -55,7 +58,7 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
             }
         }
         Correspondence::Angle { columns, axis, reference } => {
-            let places = places(axis, reference, rows)?;
+            let places = places(axis, reference, rows, options.ring)?;
             found.reserve(columns)?;
             for (k, &(point, [along, first, second])) in places.iter().enumerate() {
                 job.step(k as f64 / rows as f64, "finding nodes")?;
@@ -64,6 +67,10 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
                     let angle = TAU * i as f64 / columns as f64;
                     let ray = first * libm::cos(angle) + second * libm::sin(angle);
                     found.add_farthest(&curve, k, point, ray, along.cross(ray))?;
+                }
+                if !options.smooth_corners {
+                    let own = sharp_nodes(&found.nodes[k * columns..], sections.closed, &options.across)?;
+                    alloc::extend(&mut found.corners, own.iter().map(|&i| (k * columns) as u32 + i))?;
                 }
             }
         }
@@ -141,12 +148,16 @@ fn add_round(
     let point = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize);
     let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
     let mut rings = alloc::with_capacity(rows)?;
-    let (mut all, mut first_turn) = (alloc::with_capacity(rows)?, None);
+    let (mut all, mut turned) = (alloc::with_capacity(rows)?, DVec3::ZERO);
     for (k, own) in corners.iter().enumerate() {
-        job.step(0.5 * k as f64 / rows as f64, "finding nodes")?;
+        job.step(0.4 * k as f64 / rows as f64, "finding nodes")?;
         let curve = curve_of(curves, k)?;
+        // As the one before it, not as the first: a body may be bent.
         let turn = turn_of(sections, k);
-        let backwards = turn.dot(*first_turn.get_or_insert(turn)) < 0.0;
+        let backwards = turn.dot(turned) < 0.0;
+        if turn != DVec3::ZERO {
+            turned = if backwards { -turn } else { turn };
+        }
         found.turned[k] = backwards.into();
         let lengths = curve.lengths(&Job::default())?;
         let start = if options.given_starts { 0 } else { anchor(points(k)) };
@@ -159,9 +170,19 @@ fn add_round(
         all.push(own);
     }
     let centre = alloc::collect((0..rows).map(|k| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>()))?;
-    let mut marks = matched(&all, true, |k, i| point(k, i) - centre[k])?;
-    let count = marks.first().map_or(0, Vec::len);
-    if count == 0 || count > columns {
+    let unit = unit_of(sections, corners, &centre)?;
+    let at = |k: usize, i: u32| point(k, i) / unit - centre[k] / unit;
+    let mut marks = matched(&all, true, columns, at, &job.part(0.4, 0.5))?;
+    // Two at one place are one corner; where they are of some sections, nothing is in common.
+    let place = |k: usize, mark: u32| curves.place(sections.span(k).start + mark as usize);
+    for (k, marks) in marks.iter_mut().enumerate() {
+        marks.dedup_by_key(|&mut mark| place(k, mark));
+        if marks.len() > 1 && place(k, marks[0]) == place(k, marks[marks.len() - 1]) {
+            marks.pop();
+        }
+    }
+    let count = marks.iter().map(Vec::len).min().unwrap_or(0);
+    if count == 0 || marks.iter().any(|marks| marks.len() != count) {
         let starts = if options.given_starts { alloc::filled(0.0, rows)? } else { starts(&rings, options.ring)? };
         for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
@@ -189,7 +210,7 @@ fn add_round(
     // Of the section from each corner to the next.
     let span = |k: usize, i: usize| -> Result<f64> {
         let by = along(k, marks[k][(i + 1) % count])? - along(k, marks[k][i])?;
-        Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
+        Ok(if by > 0.0 || count > 1 && by == 0.0 { by } else { by + rings[k].lengths.total() })
     };
     add_parts(&marks, &rings, curves, sections, columns, span, found)
 }
@@ -206,17 +227,16 @@ fn add_across(
     let (rows, columns) = (found.rows, found.columns);
     let mut rings = alloc::with_capacity(rows)?;
     for k in 0..rows {
-        job.step(k as f64 / rows as f64, "finding nodes")?;
+        job.step(0.8 * k as f64 / rows as f64, "finding nodes")?;
         let lengths = curve_of(curves, k)?.lengths(&Job::default())?;
         rings.push(Ring { lengths, anchor: 0.0, backwards: false });
     }
     let point = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize);
     let centre = |k: usize| sections.span(k).map(|i| sections.points.get(i) / sections.span(k).len() as f64).sum();
     let centres: Vec<DVec3> = alloc::collect((0..rows).map(centre))?;
-    let mut marks = matched(corners, false, |k, i| point(k, i) - centres[k])?;
-    if marks.first().is_some_and(|marks| marks.len() + 2 > columns) {
-        marks.iter_mut().for_each(Vec::clear);
-    }
+    let unit = unit_of(sections, corners, &centres)?;
+    let at = |k: usize, i: u32| point(k, i) / unit - centres[k] / unit;
+    let mut marks = matched(corners, false, columns.saturating_sub(2), at, &job.part(0.8, 1.0))?;
     for (k, marks) in marks.iter_mut().enumerate() {
         alloc::push(marks, sections.span(k).len() as u32 - 1)?;
         marks.insert(0, 0);
@@ -226,6 +246,17 @@ fn add_across(
     add_parts(&marks, &rings, curves, sections, columns, span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
     Ok(())
+}
+
+/// A unit in which squares of what corners and centres are apart are in range.
+fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
+    let of = |(k, own): (usize, &'_ Vec<u32>)| {
+        let first = sections.span(k).start;
+        own.iter().fold(DVec3::ZERO, move |most, &i| most.max(sections.points.get(first + i as usize).abs()))
+    };
+    let mut most = alloc::collect(corners.iter().enumerate().map(of))?;
+    alloc::append(&mut most, centres)?;
+    Ok(common_unit(&most))
 }
 
 /// Adds the nodes between landmarks: as many parts for each interval as its mean share of the lengths

@@ -90,7 +90,8 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     }
     let kind = PointConstraint::Corner;
     let corners = alloc::collect(found.corners.iter().map(|&point| Constraint { point, kind }))?;
-    let across = curves(&found.nodes, columns, sections.closed, &corners, &options.across, &job.part(0.4, 0.6))?;
+    let smooth = Options { corner_angle: std::f64::consts::PI, ..options.across };
+    let across = curves(&found.nodes, columns, sections.closed, &corners, &smooth, &job.part(0.4, 0.6))?;
     let turned_back = |point: usize| (point % rows) * columns + point / rows;
     let turned_about = alloc::collect((0..found.nodes.len()).map(|point| found.nodes[turned_back(point)]))?;
     let along = curves(&turned_about, rows, options.ring, &[], &options.along, &job.part(0.6, 0.8))?;

@@ -81,7 +81,14 @@ fn batches<R: Send>(
     job.step(0.0, "lines")?;
     for (k, line) in lines.iter().enumerate() {
         line.check().map_err(|error| match error {
-            Error::OptionOutOfRange { value, .. } => Error::BadLine { line: k as u64, value },
+            Error::OptionOutOfRange { option, value } => {
+                let why = match option {
+                    "origin" => "begins beyond 1e150",
+                    "direction" => "has no direction",
+                    _ => "has no points between its ends",
+                };
+                Error::BadLine { line: k as u64, why, value }
+            }
             other => other,
         })?;
     }
