@@ -118,7 +118,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
         }
         mesh.settle(rim, &taken, SETTLE[0], &job.part(0.8, 1.0))?;
         let closed = |v: usize| v >= rim;
-        sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, closed, SMOOTHING, &job.part(1.0, 1.0))?;
+        sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, &closed, SMOOTHING, &job.part(1.0, 1.0))?;
         Ok(Some(Plan { ring, taken, mesh, sizing, min_cosine, creased }))
     }
 

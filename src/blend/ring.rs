@@ -154,7 +154,7 @@ impl OldRing {
     pub(super) fn solved_curvature(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let (rim, old) = (self.centred.len(), self.points.len());
         let (points, triangles) = self.with(mesh)?;
-        let all = mean_curvature(&points, &triangles, |v| v >= old || v < rim && self.centred[v], passes, job)?;
+        let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;
         let mut own = alloc::copied(&all[..rim])?;
         alloc::append(&mut own, &all[old..])?;
         Ok(own)

@@ -32,7 +32,7 @@ struct Sum {
 pub(crate) fn mean_curvature(
     points: &[DVec3],
     triangles: &[[u32; 3]],
-    closed: impl Fn(usize) -> bool,
+    closed: &dyn Fn(usize) -> bool,
     passes: u32,
     job: &Job<'_>,
 ) -> Result<Vec<DVec3>> {

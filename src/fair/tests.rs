@@ -368,7 +368,7 @@ fn mean_curvature_of_a_ball() {
     let last = patch.points.len() as u32 - 1;
     patch.triangles.iter_mut().flatten().for_each(|v| *v = last - *v);
     let off = |passes: u32, patch: &Patch| {
-        let curvature = mean_curvature(&patch.points, &patch.triangles, |v| v >= 72, passes, &Job::default()).unwrap();
+        let curvature = mean_curvature(&patch.points, &patch.triangles, &|v| v >= 72, passes, &Job::default()).unwrap();
         let off = curvature.iter().zip(&patch.points).map(|(bend, &p)| bend.distance(-p / 2.0));
         off.fold(0.0, f64::max)
     };

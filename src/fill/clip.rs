@@ -31,7 +31,7 @@ const REPORT_INTERVAL: usize = 1 << 10;
 /// memory, about 150 bytes a point.
 pub(super) fn clip_ears(
     points: &[DVec3],
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let n = points.len();

@@ -229,7 +229,7 @@ pub(super) fn neighbourhood(rim: &[DVec3]) -> Aabb {
 pub(super) fn triangulate(
     rim: &Rim,
     weight: Weight,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let polygons = rim.polygons()?;
@@ -263,10 +263,10 @@ pub(super) fn triangulate(
 fn relaxed(
     points: &[DVec3],
     triangles: Vec<[u32; 3]>,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 3]>> {
     let mut mesh = PatchMesh::new(alloc::copied(points)?, triangles)?;
-    mesh.relax(points.len(), taken, job)?;
+    mesh.relax(points.len(), &taken, job)?;
     Ok(mesh.triangles)
 }

@@ -11,8 +11,9 @@ use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use glam::DVec3;
-use rustfft::FftPlanner;
+use rustfft::algorithm::Radix4;
 use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftDirection};
 
 /// Which first meridians are tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -77,12 +78,11 @@ pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges) -> Result<Option<
 /// How far along `q`, as a part of its length, the point lies that belongs to the start of `p`.
 ///
 /// The sum of |p_k - q_(k + s)|^2 is least where the correlation sum of p_k . q_(k + s) is
-/// greatest, and that is for all s at once the inverse transform of conj(P) Q. The planner is told
-/// to use no vector instructions of its own: the same bits anywhere.
+/// greatest, and that is for all s at once the inverse transform of conj(P) Q. A power of two of
+/// samples; without vector instructions of its own: the same bits anywhere.
 fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
     let n = p.len();
-    let mut planner = FftPlanner::new();
-    let (forward, inverse) = (planner.plan_fft_forward(n), planner.plan_fft_inverse(n));
+    let [forward, inverse] = [FftDirection::Forward, FftDirection::Inverse].map(|way| Radix4::new(n, way));
     let mut product = vec![Complex::new(0.0, 0.0); n];
     for axis in 0..3 {
         let transformed = |points: &[DVec3]| {

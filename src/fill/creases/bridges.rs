@@ -66,7 +66,7 @@ impl<'a> Bridges<'a> {
     pub(super) fn join(
         &mut self,
         [i, j]: [usize; 2],
-        taken: &impl Fn(u32, u32) -> bool,
+        taken: &dyn Fn(u32, u32) -> bool,
         limit: Option<usize>,
     ) -> Result<()> {
         let pair = [i, j].map(|end| &self.ends[end]);

@@ -50,7 +50,7 @@ pub(super) struct Division {
 /// how many new vertices the curves may have, `None` for none.
 ///
 /// O(n) for n old triangles round the rim and O(m^6) for its m ends, few on any shape.
-pub(super) fn divide(rim: &Rim, taken: &impl Fn(u32, u32) -> bool, limit: Option<u32>) -> Result<Option<Division>> {
+pub(super) fn divide(rim: &Rim, taken: &dyn Fn(u32, u32) -> bool, limit: Option<u32>) -> Result<Option<Division>> {
     if rim.lengths.len() > 1 {
         return Ok(None);
     }

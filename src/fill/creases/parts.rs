@@ -28,7 +28,7 @@ pub(in super::super) struct Part {
 impl Part {
     /// True of two vertices of its rim that must not get an edge: `taken` ones of the hole's rim, and
     /// those of one curve, as the part beyond it has them, too.
-    pub(in super::super) fn is_taken(&self, u: u32, v: u32, taken: &impl Fn(u32, u32) -> bool) -> bool {
+    pub(in super::super) fn is_taken(&self, u: u32, v: u32, taken: &dyn Fn(u32, u32) -> bool) -> bool {
         let [of_u, of_v] = [u, v].map(|v| self.curves[v as usize]);
         let on_one = of_u.iter().any(|curve| *curve != NONE && of_v.contains(curve));
         let [u, v] = [u, v].map(|v| self.names[v as usize]);

@@ -148,7 +148,7 @@ pub(super) fn matched(
     corners: &[Vec<u32>],
     closed: bool,
     most: usize,
-    at: impl Fn(usize, u32) -> DVec3,
+    at: &dyn Fn(usize, u32) -> DVec3,
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u32>>> {
     let mut chosen = alloc::collect(corners.iter().map(|_| Vec::new()))?;
@@ -162,14 +162,14 @@ pub(super) fn matched(
     for (done, (k, neighbour)) in ways.enumerate() {
         job.step(done as f64 / corners.len() as f64, "finding nodes")?;
         let distance = |i: usize, c: u32| at(neighbour, chosen[neighbour][i]).distance_squared(at(k, c));
-        chosen[k] = nearest(&corners[k], chosen[neighbour].len(), closed, distance)?;
+        chosen[k] = nearest(&corners[k], chosen[neighbour].len(), closed, &distance)?;
     }
     Ok(chosen)
 }
 
 /// So many of a section's corners in order, the sum of their squared distances being least. O(n^2
 /// count) for a closed section of n.
-fn nearest(own: &[u32], count: usize, closed: bool, distance: impl Fn(usize, u32) -> f64) -> Result<Vec<u32>> {
+fn nearest(own: &[u32], count: usize, closed: bool, distance: &dyn Fn(usize, u32) -> f64) -> Result<Vec<u32>> {
     let n = own.len();
     let mut best = (f64::INFINITY, Vec::new());
     if count == 0 {

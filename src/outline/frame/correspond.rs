@@ -172,7 +172,7 @@ fn add_round(
     let centre = alloc::collect((0..rows).map(|k| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>()))?;
     let unit = unit_of(sections, corners, &centre)?;
     let at = |k: usize, i: u32| point(k, i) / unit - centre[k] / unit;
-    let mut marks = matched(&all, true, columns, at, &job.part(0.4, 0.5))?;
+    let mut marks = matched(&all, true, columns, &at, &job.part(0.4, 0.5))?;
     // Two at one place are one corner; where they are of some sections, nothing is in common.
     let place = |k: usize, mark: u32| curves.place(sections.span(k).start + mark as usize);
     for (k, marks) in marks.iter_mut().enumerate() {
@@ -212,7 +212,7 @@ fn add_round(
         let by = along(k, marks[k][(i + 1) % count])? - along(k, marks[k][i])?;
         Ok(if by > 0.0 || count > 1 && by == 0.0 { by } else { by + rings[k].lengths.total() })
     };
-    add_parts(&marks, &rings, curves, sections, columns, span, found)
+    add_parts(&marks, &rings, curves, sections, columns, &span, found)
 }
 
 /// Adds the nodes of open sections at equal parts of their lengths, or of those between the corners
@@ -236,14 +236,14 @@ fn add_across(
     let centres: Vec<DVec3> = alloc::collect((0..rows).map(centre))?;
     let unit = unit_of(sections, corners, &centres)?;
     let at = |k: usize, i: u32| point(k, i) / unit - centres[k] / unit;
-    let mut marks = matched(corners, false, columns.saturating_sub(2), at, &job.part(0.8, 1.0))?;
+    let mut marks = matched(corners, false, columns.saturating_sub(2), &at, &job.part(0.8, 1.0))?;
     for (k, marks) in marks.iter_mut().enumerate() {
         alloc::push(marks, sections.span(k).len() as u32 - 1)?;
         marks.insert(0, 0);
     }
     let at = |k: usize, i: usize| rings[k].lengths.up_to(curves.place(sections.span(k).start + marks[k][i] as usize));
     let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
-    add_parts(&marks, &rings, curves, sections, columns, span, found)?;
+    add_parts(&marks, &rings, curves, sections, columns, &span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
     Ok(())
 }
@@ -267,7 +267,7 @@ fn add_parts(
     curves: &Fit,
     sections: &Outlines<'_>,
     columns: usize,
-    span: impl Fn(usize, usize) -> Result<f64>,
+    span: &dyn Fn(usize, usize) -> Result<f64>,
     found: &mut SectionNodes,
 ) -> Result<()> {
     let Some(count) = marks.first().map(Vec::len).filter(|_| columns > 1) else {
