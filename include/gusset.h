@@ -7186,10 +7186,10 @@ gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
  * @param[out] frame receives the result, for gusset_frame_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (too few sections
  *     or columns; landmarks that are not as many for each section, or not in order; an axis
- *     without direction, or points of it that are not as many as sections), SECTIONS_DIFFER, NO_NODE (a section that a half-plane does not meet, or
- *     that is no curve).
- * @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <= 128 of
- *     them, none are shared by sections with more.
+ *     without direction, or points of it that are not as many as sections), SECTIONS_DIFFER,
+ *     NO_NODE (a section that a half-plane does not meet, or that is no curve).
+ * @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <= 128
+ *     of them, none are shared by sections with more.
  * @source Nadopta, introduction; the correspondences are ours.
  * @since 0.1
  */

@@ -110,8 +110,8 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     }
 }
 
-/// The directions in which a ring is longest and shortest, and its root mean square there; `None` if it
-/// has no size.
+/// The directions in which a ring is longest and shortest, and its root mean square there; `None` if
+/// it has no size.
 fn axes(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVec3) -> Option<[(DVec3, f64); 2]> {
     let (x, y) = normal.any_orthonormal_pair();
     let mean = |u: DVec3, v: DVec3| {

@@ -96,15 +96,7 @@ impl<'a> Surroundings<'a> {
         let mut across = alloc::filled(DVec3::ZERO, n)?;
         let mut own = Vec::new();
         for &f in &faces {
-            own.clear();
-            for v in mesh.face(f as usize) {
-                let name = &mut self.names[v as usize];
-                if *name == NONE {
-                    *name = names.len() as u32;
-                    alloc::push(&mut names, v)?;
-                }
-                alloc::push(&mut own, *name)?;
-            }
+            self.name(f, &mut names, &mut own)?;
             let point = |name: u32| mesh.positions().get(names[name as usize]);
             let area = direction(&own, point);
             alloc::extend(&mut around, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
@@ -121,15 +113,7 @@ impl<'a> Surroundings<'a> {
         sort_distinct(&mut next_to);
         let mut beyond = Vec::new();
         for &f in &next_to {
-            own.clear();
-            for v in mesh.face(f as usize) {
-                let name = &mut self.names[v as usize];
-                if *name == NONE {
-                    *name = names.len() as u32;
-                    alloc::push(&mut names, v)?;
-                }
-                alloc::push(&mut own, *name)?;
-            }
+            self.name(f, &mut names, &mut own)?;
             alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
         }
         let points = alloc::collect(names.iter().map(|&v| mesh.positions().get(v)))?;
@@ -160,6 +144,22 @@ fn beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<
     }
     sort_distinct(&mut found);
     Ok(found)
+}
+
+impl Surroundings<'_> {
+    /// The corners of a face by name; vertices that have none get the next ones.
+    fn name(&mut self, face: u32, names: &mut Vec<u32>, corners: &mut Vec<u32>) -> Result<()> {
+        corners.clear();
+        for v in self.mesh.face(face as usize) {
+            let name = &mut self.names[v as usize];
+            if *name == NONE {
+                *name = names.len() as u32;
+                alloc::push(names, v)?;
+            }
+            alloc::push(corners, *name)?;
+        }
+        Ok(())
+    }
 }
 
 /// A loop against its direction. It ends with its longest side, of equals that at the first vertex,

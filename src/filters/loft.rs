@@ -2,7 +2,7 @@ use super::curve::REFERENCE;
 use super::prelude::*;
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::outline::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
-use crate::outline::{Options, Outlines, Points};
+use crate::outline::{Outlines, Points};
 use crate::surface::construct::FrameSurface;
 use crate::surface::{Sheet, Surface};
 
@@ -76,7 +76,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             reference: direction.any_orthonormal_vector(),
         },
     };
-    let (across, along, ring) = (Options::default(), Options::default(), values.is_set("ring"));
+    let ring = values.is_set("ring");
     let offsets = alloc::copied(&given.offsets)?;
     let outlines =
         Outlines { points: Points::from(&given.points[..]), offsets: Some(&offsets), closed, constraints: &[] };
@@ -84,7 +84,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     if sections.is_empty() {
         return Err(too_few);
     }
-    let options = FrameOptions { correspondence, across, along, ring, given_starts: false, smooth_corners: false };
+    let options = FrameOptions { ring, ..FrameOptions::new(correspondence) };
     let made = frame(&outlines, &options, &job.part(0.0, 0.4)).map_err(|error| match error {
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,

@@ -49,14 +49,7 @@ impl Sections {
 }
 
 fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
-    FrameOptions {
-        correspondence,
-        across: CUBIC,
-        along: CUBIC,
-        ring: false,
-        given_starts: false,
-        smooth_corners: false,
-    }
+    FrameOptions { across: CUBIC, along: CUBIC, ..FrameOptions::new(correspondence) }
 }
 
 fn straight(point: DVec3, direction: DVec3) -> Axis<'static> {
@@ -180,17 +173,7 @@ fn landmarks_belong_together() {
     let polygon = Options { corner_angle: 0.5, ..Options::default() };
     let correspondence = Correspondence::Landmarks { points: &landmarks, parts: 2 };
     let made = sections
-        .make(
-            true,
-            &FrameOptions {
-                correspondence,
-                across: polygon,
-                along: CUBIC,
-                ring: false,
-                given_starts: false,
-                smooth_corners: false,
-            },
-        )
+        .make(true, &FrameOptions { across: polygon, along: CUBIC, ..FrameOptions::new(correspondence) })
         .unwrap();
     assert_meets(&made);
     assert_eq!((made.grid.rows, made.grid.columns), (5, 8));

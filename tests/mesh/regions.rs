@@ -54,6 +54,7 @@ fn closed_meshes() -> Vec<(&'static str, Soup)> {
             continue;
         };
         let filled = fill_holes(&soup.view(), Selection::All, &Options::default(), &Job::default()).unwrap();
+        assert_eq!(filled.intersections.as_deref(), Some(&[][..]), "{name}: its own holes by default");
         let whole = soup_of(&filled.mesh);
         if edge_counts(whole.faces()).values().all(|&counts| counts == (1, 1)) && has_single_fans(&whole) {
             found.push((name, whole));

@@ -464,14 +464,7 @@ fn frames_and_their_curves() {
         Outlines { points: Points::from(&sections[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
     for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2] {
         let curves = Options { mode, ..Options::default() };
-        let options = FrameOptions {
-            correspondence: Correspondence::Given,
-            across: curves,
-            along: curves,
-            ring: false,
-            given_starts: false,
-            smooth_corners: false,
-        };
+        let options = FrameOptions { across: curves, along: curves, ..FrameOptions::new(Correspondence::Given) };
         let made = frame(&outlines, &options, &job).unwrap();
         let grid = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
         assert_eq!((grid.cells(), grid.is_closed(), grid.poles()[0]), ([7, 12], [false, true], [false, true]));
@@ -527,14 +520,7 @@ fn hulls_with_decks_have_their_volumes() {
             .sum();
         for correspondence in [Correspondence::Given, Correspondence::ArcLength { columns: 24 }] {
             let curves = Options::default();
-            let options = FrameOptions {
-                correspondence,
-                across: curves,
-                along: curves,
-                ring: false,
-                given_starts: false,
-                smooth_corners: false,
-            };
+            let options = FrameOptions { across: curves, along: curves, ..FrameOptions::new(correspondence) };
             let made = frame(&outlines, &options, &job).unwrap();
             let sheet = Sheet::from_frame(&made, [false, true], FrameSurface::Nodes, &job).unwrap();
             let off = volume_below(&sheet) / exact - 1.0;

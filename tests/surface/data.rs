@@ -252,14 +252,8 @@ fn a_foot_from_its_frame() {
     let sections =
         Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
     let curves = Options { mode: Mode::CubicC2, ..Options::default() };
-    let options = FrameOptions {
-        correspondence: Correspondence::ArcLength { columns: 32 },
-        across: curves,
-        along: curves,
-        ring: false,
-        given_starts: false,
-        smooth_corners: false,
-    };
+    let options =
+        FrameOptions { across: curves, along: curves, ..FrameOptions::new(Correspondence::ArcLength { columns: 32 }) };
     let made = frame(&sections, &options, &Job::default()).unwrap();
     for kind in [FrameSurface::Nodes, FrameSurface::Curves] {
         let sheet = Sheet::from_frame(&made, [false, true], kind, &Job::default()).unwrap();

@@ -14,7 +14,6 @@ use crate::error::Result;
 use crate::outline::curve::Place;
 use crate::outline::ops::Lengths;
 use glam::DVec3;
-use std::f64::consts::TAU;
 
 /// Points of a section that are compared.
 const SAMPLES: usize = 128;
@@ -37,6 +36,13 @@ impl Ring<'_> {
         let at = self.anchor + if self.backwards { -by } else { by };
         let at = if at < 0.0 { at + total } else { at };
         self.lengths.place(if at >= total { at - total } else { at })
+    }
+
+    /// How far a place is along the way from the anchor on: at least 0, less than the length.
+    pub(super) fn along(&self, place: Place) -> Result<f64> {
+        let by = self.lengths.up_to(place)? - self.anchor;
+        let by = if self.backwards { -by } else { by };
+        Ok(if by < 0.0 { by + self.lengths.total() } else { by })
     }
 
     /// Points at equal parts of the length, from the mean of all.
@@ -125,5 +131,5 @@ fn angle(p: &[DVec3], q: &[DVec3]) -> f64 {
         cross += u.cross(v);
         dot += u.dot(v);
     }
-    libm::atan2(cross.dot(axis.normalize_or_zero()), dot).clamp(-TAU / 2.0, TAU / 2.0)
+    libm::atan2(cross.dot(axis.normalize_or_zero()), dot)
 }

@@ -2,8 +2,8 @@
 //!
 //! Each correspondence gives every section the same number of nodes: the points themselves, equal
 //! parts of the arc length, the intersections with half-planes through an axis, or equal parts
-//! between landmarks, as common corners are. One fit and, but for the points themselves, one length of each section;
-//! O(columns log segments) more, with angles O(columns x segments).
+//! between landmarks, as common corners are. One fit and, but for the points themselves, one length
+//! of each section; O(columns log segments) more, with angles O(columns x segments).
 
 use crate::outline::curve::{CurveView, Place};
 
@@ -145,44 +145,23 @@ fn add_round(
     job: &Job<'_>,
 ) -> Result<()> {
     let (rows, columns) = (found.rows, found.columns);
-    let point = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize);
-    let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
-    let mut rings = alloc::with_capacity(rows)?;
-    let (mut all, mut turned) = (alloc::with_capacity(rows)?, DVec3::ZERO);
-    for (k, own) in corners.iter().enumerate() {
-        job.step(0.4 * k as f64 / rows as f64, "finding nodes")?;
-        let curve = curve_of(curves, k)?;
-        // As the one before it, not as the first: a body may be bent.
-        let turn = turn_of(sections, k);
-        let backwards = turn.dot(turned) < 0.0;
-        if turn != DVec3::ZERO {
-            turned = if backwards { -turn } else { turn };
-        }
-        found.turned[k] = backwards.into();
-        let lengths = curve.lengths(&Job::default())?;
-        let start = if options.given_starts { 0 } else { anchor(points(k)) };
-        let anchor = lengths.up_to(curves.place(sections.span(k).start + start))?;
-        rings.push(Ring { lengths, anchor, backwards });
-        let mut own = alloc::copied(own)?;
-        if backwards {
-            own.reverse();
-        }
-        all.push(own);
-    }
-    let centre = alloc::collect((0..rows).map(|k| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>()))?;
-    let unit = unit_of(sections, corners, &centre)?;
-    let at = |k: usize, i: u32| point(k, i) / unit - centre[k] / unit;
-    let mut marks = matched(&all, true, columns, &at, &job.part(0.4, 0.5))?;
-    // Two at one place are one corner; where they are of some sections, nothing is in common.
+    let rings = rings(sections, curves, options, found, &job.part(0.0, 0.4))?;
     let place = |k: usize, mark: u32| curves.place(sections.span(k).start + mark as usize);
-    for (k, marks) in marks.iter_mut().enumerate() {
-        marks.dedup_by_key(|&mut mark| place(k, mark));
-        if marks.len() > 1 && place(k, marks[0]) == place(k, marks[marks.len() - 1]) {
-            marks.pop();
+    let mut along = alloc::collect(corners.iter().map(|_| Vec::new()))?;
+    for (k, (along, own)) in along.iter_mut().zip(corners).enumerate() {
+        alloc::append(along, own)?;
+        // Two at one place are one corner.
+        along.dedup_by_key(|&mut mark| place(k, mark));
+        if along.len() > 1 && place(k, along[0]) == place(k, along[along.len() - 1]) {
+            along.pop();
+        }
+        if rings[k].backwards {
+            along.reverse();
         }
     }
-    let count = marks.iter().map(Vec::len).min().unwrap_or(0);
-    if count == 0 || marks.iter().any(|marks| marks.len() != count) {
+    let mut marks = in_common(sections, &along, columns, &job.part(0.4, 0.5))?;
+    let count = marks.first().map_or(0, Vec::len);
+    if count == 0 {
         let starts = if options.given_starts { alloc::filled(0.0, rows)? } else { starts(&rings, options.ring)? };
         for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
@@ -192,27 +171,49 @@ fn add_round(
         }
         return Ok(());
     }
-    // As far along the way of the section as the corner is.
-    let along = |k: usize, mark: u32| -> Result<f64> {
-        let ring = &rings[k];
-        let by = ring.lengths.up_to(curves.place(sections.span(k).start + mark as usize))? - ring.anchor;
-        let by = if ring.backwards { -by } else { by };
-        Ok(if by < 0.0 { by + ring.lengths.total() } else { by })
-    };
     let first = match options.given_starts {
         true => {
-            let far = alloc::try_collect(marks[0].iter().map(|&mark| along(0, mark)))?;
+            let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].along(place(0, mark))))?;
             (0..count).min_by(|&i, &j| far[i].total_cmp(&far[j])).unwrap_or(0)
         }
-        false => anchor(marks[0].iter().map(|&mark| point(0, mark))),
+        false => anchor(marks[0].iter().map(|&mark| sections.points.get(sections.span(0).start + mark as usize))),
     };
     marks.iter_mut().for_each(|marks| marks.rotate_left(first));
     // Of the section from each corner to the next.
-    let span = |k: usize, i: usize| -> Result<f64> {
-        let by = along(k, marks[k][(i + 1) % count])? - along(k, marks[k][i])?;
-        Ok(if by > 0.0 || count > 1 && by == 0.0 { by } else { by + rings[k].lengths.total() })
+    let span = |k: usize, i: usize| {
+        let [from, to] = [i, (i + 1) % count].map(|i| rings[k].along(place(k, marks[k][i])));
+        let by = to? - from?;
+        Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
     };
     add_parts(&marks, &rings, curves, sections, columns, &span, found)
+}
+
+/// The closed sections, each in the direction of the one before it, not of the first: a body may be
+/// bent.
+fn rings<'a>(
+    sections: &Outlines<'_>,
+    curves: &'a Fit,
+    options: &FrameOptions<'_>,
+    found: &mut SectionNodes,
+    job: &Job<'_>,
+) -> Result<Vec<Ring<'a>>> {
+    let mut rings = alloc::with_capacity(found.rows)?;
+    let mut before = DVec3::ZERO;
+    for k in 0..found.rows {
+        job.step(k as f64 / found.rows as f64, "finding nodes")?;
+        let lengths = curve_of(curves, k)?.lengths(&Job::default())?;
+        let turn = turn_of(sections, k);
+        let backwards = turn.dot(before) < 0.0;
+        if turn != DVec3::ZERO {
+            before = if backwards { -turn } else { turn };
+        }
+        found.turned[k] = backwards.into();
+        let span = sections.span(k);
+        let start = if options.given_starts { 0 } else { anchor(span.clone().map(|i| sections.points.get(i))) };
+        let anchor = lengths.up_to(curves.place(span.start + start))?;
+        rings.push(Ring { lengths, anchor, backwards });
+    }
+    Ok(rings)
 }
 
 /// Adds the nodes of open sections at equal parts of their lengths, or of those between the corners
@@ -231,12 +232,7 @@ fn add_across(
         let lengths = curve_of(curves, k)?.lengths(&Job::default())?;
         rings.push(Ring { lengths, anchor: 0.0, backwards: false });
     }
-    let point = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize);
-    let centre = |k: usize| sections.span(k).map(|i| sections.points.get(i) / sections.span(k).len() as f64).sum();
-    let centres: Vec<DVec3> = alloc::collect((0..rows).map(centre))?;
-    let unit = unit_of(sections, corners, &centres)?;
-    let at = |k: usize, i: u32| point(k, i) / unit - centres[k] / unit;
-    let mut marks = matched(corners, false, columns.saturating_sub(2), &at, &job.part(0.8, 1.0))?;
+    let mut marks = in_common(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
     for (k, marks) in marks.iter_mut().enumerate() {
         alloc::push(marks, sections.span(k).len() as u32 - 1)?;
         marks.insert(0, 0);
@@ -246,6 +242,16 @@ fn add_across(
     add_parts(&marks, &rings, curves, sections, columns, &span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
     Ok(())
+}
+
+/// The corners that all sections have, at most so many; see [`matched`].
+fn in_common(sections: &Outlines<'_>, corners: &[Vec<u32>], most: usize, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+    let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
+    let centre = |k: usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
+    let centres = alloc::collect((0..corners.len()).map(centre))?;
+    let unit = unit_of(sections, corners, &centres)?;
+    let at = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize) / unit - centres[k] / unit;
+    matched(corners, sections.closed, most, &at, job)
 }
 
 /// A unit in which squares of what corners and centres are apart are in range.

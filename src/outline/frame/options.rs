@@ -67,8 +67,23 @@ pub struct FrameOptions<'a> {
     /// Closed sections start at their first points, or at the corner after the first section's;
     /// read by [`Correspondence::ArcLength`].
     pub given_starts: bool,
-    /// Corners that only the points' polygon has are drawn smooth. Otherwise a point is a corner where
-    /// that turns by 40 degrees and far more than usual, or by [`Options::corner_angle`] if that is less
-    /// than pi: curves across turn sharply there.
+    /// Corners that only the points' polygon has are drawn smooth. Otherwise a point is a corner
+    /// where that turns by 40 degrees and far more than usual, or by [`Options::corner_angle`] if
+    /// that is less than pi: curves across turn sharply there.
     pub smooth_corners: bool,
+}
+
+impl<'a> FrameOptions<'a> {
+    /// With the defaults of all else.
+    pub fn new(correspondence: Correspondence<'a>) -> Self {
+        let curves = Options::default();
+        FrameOptions {
+            correspondence,
+            across: curves,
+            along: curves,
+            ring: false,
+            given_starts: false,
+            smooth_corners: false,
+        }
+    }
 }
