@@ -1240,6 +1240,10 @@ enum gusset_status
      */
     GUSSET_ERROR_MIXED_SCALARS = 1007,
     /**
+     * A record of a winged-edge table fits no mesh.
+     */
+    GUSSET_ERROR_BAD_WINGS = 1008,
+    /**
      * There is no boundary loop that can be stitched, or of one mesh there are no two.
      */
     GUSSET_ERROR_NO_LOOP = 1100,
@@ -1558,6 +1562,11 @@ typedef struct gusset_weld gusset_weld;
  * The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_winged gusset_winged;
+
+/**
+ * The faces of a winged-edge table. Opaque and immutable; it keeps nothing of the table.
+ */
+typedef struct gusset_winged_faces gusset_winged_faces;
 
 /**
  * Called now and then during long work, on the thread that made the call. fraction: part done, 0
@@ -3554,6 +3563,22 @@ typedef struct gusset_strip_options {
      * 1: the polylines are closed; 0: they are open.
      */
     uint32_t closed;
+    /**
+     * GUSSET_ROWS_...; the mean edge is the mean segment of both polylines.
+     */
+    uint32_t rows;
+    /**
+     * Interior rows, read for GUSSET_ROWS_COUNT.
+     */
+    uint32_t row_count;
+    /**
+     * GUSSET_CELLS_...
+     */
+    uint32_t cells;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_strip_options;
 
 /**
@@ -3575,11 +3600,27 @@ typedef struct gusset_strip_view {
      */
     struct gusset_indices meridians;
     /**
-     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow.
-     * They run A_i+1, A_i, B_j: against polyline A, and along B. Where both sides advance at once
-     * a quad is split by its shorter diagonal.
+     * The paper's matrix P, row by row from A to B, one column for each meridian: vertices of the
+     * mesh.
      */
-    struct gusset_indices triangles;
+    struct gusset_indices matrix;
+    /**
+     * Of each new vertex (they are the last ones of the mesh), the two that it lies between, on A
+     * and on B, by turns: the ends of its meridian.
+     */
+    struct gusset_indices parents;
+    /**
+     * Of each new vertex, the weight of its second parent, 0 to 1: in row k of r rows k / (r + 1).
+     */
+    const double *weights;
+    /**
+     * Interior rows; the matrix has two rows more.
+     */
+    uint32_t row_count;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_strip_view;
 
 /**
@@ -3633,7 +3674,7 @@ typedef struct gusset_weld_view {
 } gusset_weld_view;
 
 /**
- * How tables are made; all zero is the default.
+ * How tables are made, and read; all zero is the default.
  */
 typedef struct gusset_winged_options {
     /**
@@ -3736,6 +3777,28 @@ typedef struct gusset_winged_view {
      */
     struct gusset_indices loop_offsets;
 } gusset_winged_view;
+
+/**
+ * The faces of a table. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_winged_faces_view {
+    /**
+     * sizeof(gusset_winged_faces_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * For face_offsets of a gusset_mesh_view: one entry more than there are faces.
+     */
+    struct gusset_indices face_offsets;
+    /**
+     * For face_corners: the vertices of each face in order.
+     */
+    struct gusset_indices face_corners;
+    /**
+     * Per corner, the edge that leaves it.
+     */
+    struct gusset_indices edge_of_half_edge;
+} gusset_winged_faces_view;
 
 /**
  * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and
@@ -6671,6 +6734,11 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_ELEMENT_ROW 31
 
 /**
+ * An edge of a winged-edge table.
+ */
+#define GUSSET_ELEMENT_EDGE 32
+
+/**
  * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
  * box.
  */
@@ -8378,8 +8446,8 @@ gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
                                         struct gusset_quality_report *quality);
 
 /**
- * Makes a strip of triangles between two polylines that run side by side: meridians and faces,
- * without any mesh.
+ * Makes a strip of faces between two polylines that run side by side, as gusset_stitch_create does
+ * between two rims: the third, intermediate mesh alone.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
@@ -8391,8 +8459,8 @@ gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
  * @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
  *     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
- * @complexity Time and memory of the meridians of gusset_stitch_create, and O(N + M).
- * @source Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+ * @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
+ * @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best strips.
  * @since 0.1
  */
 GUSSET_API
@@ -8414,7 +8482,23 @@ gusset_status gusset_strip_create(const struct gusset_context *context,
 GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
 
 /**
- * Lends the meridians and triangles, valid until the strip is destroyed.
+ * Lends the mesh, valid until the strip is destroyed: the points of A, 0 to N - 1, those of B, then
+ * the new ones row by row. Faces run A_i+1, A_i, B_j: against polyline A, and along B. Where both
+ * sides advance at once triangles split a quad by its shorter diagonal.
+ *
+ * @param strip the strip.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_get_mesh(const struct gusset_strip *strip,
+                                    struct gusset_mesh_view *view);
+
+/**
+ * Lends the meridians and the matrix, valid until the strip is destroyed.
  *
  * @param strip the strip.
  * @param[out] parts receives the parts; struct_size is set by the caller.
@@ -8543,6 +8627,63 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
                                      struct gusset_winged_view *view);
+
+/**
+ * Reads the faces off a winged-edge table: the way back from gusset_winged_create to a polygon
+ * mesh, whose positions the caller has.
+ *
+ * The records are held against each other and nothing is put right: each face must be one cycle of
+ * three sides or more from wing to wing, wings and faces exist, and a side without a face has no
+ * wings. The marks are not read. From the edges and edge_of_face of gusset_winged_create come the
+ * faces that it was given, corner for corner.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param edges the records, edge_count of them, packed.
+ * @param edge_count see edges; 0 is a table without faces.
+ * @param vertex_count how many vertices there are; those of edges are below it.
+ * @param first_edges per face the edge at which it begins, of two such places the one where it runs
+ *     M to N; NULL: the one of the smallest number.
+ * @param options the winding of the faces to be made; NULL for the defaults.
+ * @param[out] faces receives the result, for gusset_winged_faces_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, BAD_WINGS with the edge, FACE_TOO_SMALL (a number below the largest that no
+ *     side has, too), OUT_OF_RANGE (not one first edge for each face), TOO_LARGE, SIZE_OVERFLOW,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity Linear time and memory.
+ * @source Nesterenko, equation 2, read backwards.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_winged_faces_create(const struct gusset_context *context,
+                                         const struct gusset_winged_edge *edges,
+                                         size_t edge_count,
+                                         size_t vertex_count,
+                                         const struct gusset_indices *first_edges,
+                                         const struct gusset_winged_options *options,
+                                         struct gusset_winged_faces **faces);
+
+/**
+ * Destroys faces; NULL is allowed.
+ *
+ * @param[in,out] faces the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_winged_faces_destroy(struct gusset_winged_faces *faces);
+
+/**
+ * Lends the faces.
+ *
+ * @param faces the faces.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_winged_faces_get_view(const struct gusset_winged_faces *faces,
+                                           struct gusset_winged_faces_view *view);
 
 /**
  * Makes a net of a copy of the caller's coordinates.

@@ -382,6 +382,13 @@ pub enum Error {
         /// The number that is wrong.
         value: f64,
     },
+    /// A record of a winged-edge table fits no mesh.
+    #[error("edge {edge}: {why}")]
+    BadWings {
+        edge: u64,
+        /// What is wrong with it, as a sentence about the edge.
+        why: &'static str,
+    },
     /// The greatest absolute coordinate of a sheet is too large or too small for a surface.
     #[error("sheet {sheet}: its greatest coordinate, {}, is not 0 nor from 1e-30 to 1e37", Number(.value))]
     SheetOutOfRange {

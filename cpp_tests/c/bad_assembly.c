@@ -37,7 +37,7 @@ static const double square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 static const double above[4][3] = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 static void strips_refused(void) {
-    gusset_strip_options options = {sizeof options, 0, 0, 0, 1};
+    gusset_strip_options options = {.struct_size = sizeof options, .closed = 1};
     gusset_strip_view parts = {0};
     gusset_strip *strip = NULL;
     const double *a = square[0], *b = above[0];
@@ -51,7 +51,7 @@ static void strips_refused(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_create(context, a, 4, b, 4, NULL, misaligned()));
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, strip, gusset_strip_create(misaligned(), a, 4, b, 4, NULL, &strip));
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, strip, gusset_strip_create(context, a, 4, b, 4, misaligned(), &strip));
-    for (options.struct_size = 0; options.struct_size < 24; ++options.struct_size) {
+    for (options.struct_size = 0; options.struct_size < 40; ++options.struct_size) {
         FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
     }
     options.struct_size = SIZE_MAX;
@@ -65,7 +65,15 @@ static void strips_refused(void) {
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
     options.start = 0, options.closed = 2;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
-    options.closed = 1;
+    options.closed = 1, options.rows = 3;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.rows = 0, options.cells = 2;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.cells = 0, options.reserved = 1;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.reserved = 0, options.rows = GUSSET_ROWS_COUNT, options.row_count = UINT32_MAX;
+    FAILS(GUSSET_ERROR_TOO_LARGE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.rows = 0, options.row_count = 0;
 
     /* Too few points, closed and open, and too many. */
     FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, a, 2, b, 4, &options, &strip));
@@ -96,6 +104,11 @@ static void strips_refused(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_get_view(NULL, &parts));
     CHECK(parts.start[0] == 0 && parts.meridians.count == 0 && parts.struct_size == sizeof parts);
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_get_view(misaligned(), &parts));
+    gusset_mesh_view mesh = {0};
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_strip_get_mesh(NULL, &mesh));
+    mesh.struct_size = sizeof mesh;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_get_mesh(NULL, &mesh));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_get_mesh(misaligned(), &mesh));
     gusset_strip_destroy(NULL);
 }
 
@@ -103,8 +116,9 @@ static void strips_made(void) {
     struct {
         gusset_strip_options known;
         uint64_t tail[2];
-    } larger = {{sizeof larger, 0, 0, GUSSET_START_GIVEN, 1}, {0, 0}};
-    gusset_strip_view parts = {sizeof parts, {0, 0}, {NULL, 0}, {NULL, 0}};
+    } larger = {{.struct_size = sizeof larger, .start = GUSSET_START_GIVEN, .closed = 1}, {0, 0}};
+    gusset_strip_view parts = {.struct_size = sizeof parts};
+    gusset_mesh_view mesh = {.struct_size = sizeof mesh};
     gusset_strip *strip = NULL;
     char bytes[1 + sizeof square];
 
@@ -118,14 +132,18 @@ static void strips_made(void) {
                                           &larger.known, &strip));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_get_view(strip, NULL));
     EXPECT(GUSSET_OK, gusset_strip_get_view(strip, &parts));
-    CHECK(parts.start[0] == 0 && parts.start[1] == 0 && parts.triangles.count == 3 * 7);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_get_mesh(strip, NULL));
+    EXPECT(GUSSET_OK, gusset_strip_get_mesh(strip, &mesh));
+    CHECK(mesh.vertex_count == 7 && mesh.face_count == 7);
+    CHECK(parts.start[0] == 0 && parts.start[1] == 0 && parts.matrix.count == 2 * 8 && parts.row_count == 0);
     CHECK(parts.meridians.count == 2 * 8 && parts.meridians.data[14] == 4 && parts.meridians.data[15] == 3);
     gusset_strip_destroy(strip);
 
     /* Open by default; two single points are one meridian and no triangle. Without a context. */
     EXPECT(GUSSET_OK, gusset_strip_create(NULL, square[0], 1, above[0], 1, NULL, &strip));
     EXPECT(GUSSET_OK, gusset_strip_get_view(strip, &parts));
-    CHECK(parts.triangles.count == 0 && parts.triangles.data == NULL && parts.meridians.count == 2);
+    EXPECT(GUSSET_OK, gusset_strip_get_mesh(strip, &mesh));
+    CHECK(mesh.face_count == 0 && mesh.vertex_count == 2 && parts.weights == NULL && parts.meridians.count == 2);
     gusset_strip_destroy(strip);
 }
 

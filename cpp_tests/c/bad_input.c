@@ -286,6 +286,71 @@ static void stitch_pointers(void) {
     gusset_stitch_destroy(NULL);
 }
 
+/* Tables of edges that are those of no mesh. */
+static void bad_faces_of_tables(const gusset_winged_view *tables, size_t vertices) {
+    enum { MOST = 64 };
+    gusset_winged_edge edges[MOST];
+    gusset_winged_options options = {0};
+    gusset_winged_faces *faces = (gusset_winged_faces *)misaligned();
+    gusset_winged_faces_view view = {0};
+    gusset_indices first = tables->edge_of_face;
+    gusset_error_report report = {.struct_size = sizeof report};
+    const size_t count = tables->edge_count;
+    CHECK(count <= MOST);
+    memcpy(edges, tables->edges, count * sizeof *edges);
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_faces_create(context, NULL, count, vertices, NULL, NULL, &faces));
+    CHECK(faces == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_faces_create(context, edges, count, vertices, NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_winged_faces_create(misaligned(), edges, count, vertices, NULL, NULL, &faces));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_winged_faces_create(context, edges, count, vertices, misaligned(), NULL, &faces));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_winged_faces_create(context, edges, count, vertices, NULL, misaligned(), &faces));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_winged_faces_create(context, edges, count, vertices, NULL, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE,
+           gusset_winged_faces_create(context, edges, count, vertices, NULL, &options, &faces));
+    options.struct_size = sizeof options, options.winding = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
+           gusset_winged_faces_create(context, edges, count, vertices, NULL, &options, &faces));
+    EXPECT(GUSSET_ERROR_TOO_LARGE,
+           gusset_winged_faces_create(context, edges, SIZE_MAX, vertices, NULL, NULL, &faces));
+    first.count = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
+           gusset_winged_faces_create(context, edges, count, vertices, &first, NULL, &faces));
+    first = (gusset_indices){NULL, 2};
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT,
+           gusset_winged_faces_create(context, edges, count, vertices, &first, NULL, &faces));
+
+    /* Each number that a record can have, one too large. */
+    for (size_t edge = 0; edge < count; ++edge) {
+        uint32_t *fields[] = {&edges[edge].m, &edges[edge].n, &edges[edge].left, &edges[edge].right, &edges[edge].b, &edges[edge].c};
+        for (size_t k = 0; k < sizeof fields / sizeof *fields; ++k) {
+            const uint32_t was = *fields[k];
+            *fields[k] = UINT32_MAX - 1;
+            EXPECT(GUSSET_ERROR_BAD_WINGS,
+                   gusset_winged_faces_create(context, edges, count, vertices, NULL, NULL, &faces));
+            EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+            CHECK(report.element == GUSSET_ELEMENT_EDGE && report.index == edge);
+            *fields[k] = was;
+        }
+    }
+    EXPECT(GUSSET_ERROR_BAD_WINGS, gusset_winged_faces_create(context, edges, count, 1, NULL, NULL, &faces));
+    CHECK(faces == NULL);
+    EXPECT(GUSSET_OK, gusset_winged_faces_create(context, NULL, 0, 0, NULL, NULL, &faces));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_winged_faces_get_view(faces, &view));
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_faces_get_view(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_faces_get_view(faces, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_faces_get_view(misaligned(), &view));
+    EXPECT(GUSSET_OK, gusset_winged_faces_get_view(faces, &view));
+    CHECK(view.face_offsets.count == 1 && view.face_corners.count == 0);
+    gusset_winged_faces_destroy(faces);
+    gusset_winged_faces_destroy(NULL);
+}
+
 /* Pointers of winged-edge tables and of the check. */
 static void table_pointers(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
@@ -317,6 +382,8 @@ static void table_pointers(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_get_view(winged, misaligned()));
     tables.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_winged_get_view(winged, &tables));
+    EXPECT(GUSSET_OK, gusset_winged_get_view(winged, (tables.struct_size = sizeof tables, &tables)));
+    bad_faces_of_tables(&tables, mesh.vertex_count);
     gusset_winged_destroy(winged);
     gusset_winged_destroy(NULL);
 

@@ -18,8 +18,8 @@ static void layouts(void) {
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
         CHECK(sizeof(gusset_facing_options) == 32 && offsetof(gusset_facing_options, tolerance) == 16);
         CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
-        CHECK(sizeof(gusset_winged_options) == 16);
-        CHECK(sizeof(gusset_strip_options) == 24 && sizeof(gusset_strip_view) == 48);
+        CHECK(sizeof(gusset_winged_options) == 16 && sizeof(gusset_winged_faces_view) == 56);
+        CHECK(sizeof(gusset_strip_options) == 40 && sizeof(gusset_strip_view) == 80);
         CHECK(sizeof(gusset_assembly_options) == 104 && offsetof(gusset_assembly_options, max_gap) == 32);
         CHECK(sizeof(gusset_assembly_view) == 160 && offsetof(gusset_assembly_view, loops_left) == 144);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);

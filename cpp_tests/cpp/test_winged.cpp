@@ -46,6 +46,14 @@ std::vector<uint32_t> from_smallest(std::vector<uint32_t> list) {
 
 void check_tables(const Soup &soup, gusset::Winding winding) {
     const gusset::Winged winged(soup.view(), winding);
+    // And back, corner for corner.
+    const gusset_mesh_view mesh = soup.view().get();
+    const gusset::WingedFaces faces(winged.edges(), mesh.vertex_count, winged.edge_of_face(), winding);
+    REQUIRE(faces.offsets().size() == mesh.face_count + 1);
+    for (std::size_t f = 0; mesh.face_size == 0 && f <= mesh.face_count; ++f) {
+        REQUIRE(faces.offsets()[f] == static_cast<const uint32_t *>(mesh.face_offsets)[f]);
+    }
+    CHECK(std::equal(faces.corners().begin(), faces.corners().end(), static_cast<const uint32_t *>(mesh.face_corners)));
     std::vector<std::size_t> sides(soup.face_count());
     bool slots = true, marks = true;
     for (const gusset_winged_edge &e : winged.edges()) {

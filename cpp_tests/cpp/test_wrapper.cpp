@@ -240,12 +240,24 @@ TEST_CASE("strips that belong to no mesh, and arcs that are given") {
     CHECK(strip.meridians()[6] == 2);
     CHECK(strip.meridians()[7] == 1);
     double area = 0;
-    for (std::size_t k = 0; k < strip.triangles().size(); k += 3) {
-        const auto at = [&](std::size_t c) { const uint32_t v = strip.triangles()[k + c]; return v < 3 ? a[v] : b[v - 3]; };
+    const gusset_mesh_view mesh = strip.mesh().get();
+    CHECK(mesh.face_count == 3);
+    const auto *corners = static_cast<const uint32_t *>(mesh.face_corners);
+    for (std::size_t k = 0; k < 3 * mesh.face_count; k += 3) {
+        const auto at = [&](std::size_t c) { const uint32_t v = corners[k + c]; return v < 3 ? a[v] : b[v - 3]; };
         const gusset::Point3 p = at(0), q = at(1), r = at(2);
         area += 0.5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
     }
     CHECK(area == doctest::Approx(2.0));
+    gusset::StripOptions quads;
+    quads.rows = gusset::StripRows::exactly(2);
+    quads.cells = gusset::StripCells::quads;
+    quads.meridians = gusset::Meridians::index;
+    const gusset::Strip rows(a, a, false, quads);
+    CHECK(rows.mesh().face_count() == 6);
+    CHECK(rows.matrix().size() == 4 * 3);
+    CHECK(rows.parents().size() == 2 * 6);
+    CHECK(rows.weights()[5] == doctest::Approx(2.0 / 3.0));
 
     // The right side of one square and the left side of another, and no more of either.
     Soup left = square(), right = square();

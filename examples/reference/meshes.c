@@ -90,6 +90,8 @@ static void loops(void) {
 static void tables(void) {
     gusset_winged *winged = NULL;
     gusset_winged_view view = {.struct_size = sizeof view};
+    gusset_winged_faces *faces = NULL;
+    gusset_winged_faces_view read = {.struct_size = sizeof read};
     size_t i;
 
     MUST(gusset_winged_create(NULL, &pyramid, NULL, &winged));
@@ -99,6 +101,13 @@ static void tables(void) {
         const gusset_winged_edge *edge = &view.edges[view.loop_edges.data[i]];
         HOLDS((edge->left == UINT32_MAX) != (edge->right == UINT32_MAX));
     }
+    /* And back: what a mesh view needs beside its positions. */
+    MUST(gusset_winged_faces_create(NULL, view.edges, view.edge_count, pyramid.vertex_count, &view.edge_of_face, NULL,
+                                    &faces));
+    MUST(gusset_winged_faces_get_view(faces, &read));
+    HOLDS(read.face_offsets.count == pyramid.face_count + 1);
+    HOLDS(memcmp(read.face_corners.data, pyramid.face_corners, read.face_corners.count * sizeof(uint32_t)) == 0);
+    gusset_winged_faces_destroy(faces);
     gusset_winged_destroy(winged);
 }
 //! [winged]

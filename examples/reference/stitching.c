@@ -76,10 +76,22 @@ static void a_strip_of_no_mesh(void) {
     const double b[2][3] = {{0, 1, 0}, {2, 1, 0}};
     gusset_strip *strip = NULL;
     gusset_strip_view parts = {.struct_size = sizeof parts};
+    gusset_mesh_view mesh = {.struct_size = sizeof mesh};
+    const gusset_strip_options rows = {
+        .struct_size = sizeof rows, .rows = GUSSET_ROWS_COUNT, .row_count = 2, .cells = GUSSET_CELLS_QUADS};
 
     MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, NULL, &strip));
     MUST(gusset_strip_get_view(strip, &parts));
-    HOLDS(parts.triangles.count == 3 * 3 && parts.meridians.count == 2 * 4);
+    MUST(gusset_strip_get_mesh(strip, &mesh));
+    HOLDS(mesh.vertex_count == 5 && mesh.face_count == 3 && parts.meridians.count == 2 * 4);
+    gusset_strip_destroy(strip);
+
+    /* The paper's intermediate mesh: P has a row for each polyline and two between them. */
+    MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, &rows, &strip));
+    MUST(gusset_strip_get_view(strip, &parts));
+    MUST(gusset_strip_get_mesh(strip, &mesh));
+    const size_t columns = parts.meridians.count / 2;
+    HOLDS(parts.row_count == 2 && parts.matrix.count == 4 * columns && mesh.vertex_count == 5 + 2 * columns);
     gusset_strip_destroy(strip);
 }
 //! [strip]

@@ -30,22 +30,6 @@ enum class StitchExtent : uint32_t {
 };
 /// What lies between the rims in the end; the blend is the best-looking joint.
 enum class Finish : uint32_t { strip = GUSSET_FINISH_STRIP, blend = GUSSET_FINISH_BLEND };
-/// The faces of strips.
-enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
-
-/// Interior rows: none, by the mean edge, or a number.
-struct StripRows {
-    uint32_t mode = GUSSET_ROWS_NONE;
-    /// Their number, for GUSSET_ROWS_COUNT.
-    uint32_t count = 0;
-    /// No interior rows.
-    static StripRows none() { return {}; }
-    /// As many as make edges across the strip about as long as those along it.
-    static StripRows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
-    /// A given number of rows.
-    static StripRows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
-};
-
 /// The options of stitching; see gusset_stitch_options.
 struct StitchOptions {
     Meridians meridians = Meridians::continuation;

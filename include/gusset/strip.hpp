@@ -2,7 +2,7 @@
 #ifndef GUSSET_STRIP_HPP
 #define GUSSET_STRIP_HPP
 
-#include <gusset/context.hpp>
+#include <gusset/mesh.hpp>
 
 namespace gusset {
 
@@ -34,28 +34,68 @@ inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
     });
 }
 
-/// A strip of triangles between two polylines that belong to no mesh; see gusset_strip_create.
+/// The faces of strips.
+enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
+
+/// Interior rows: none, by the mean edge, or a number.
+struct StripRows {
+    uint32_t mode = GUSSET_ROWS_NONE;
+    /// Their number, for GUSSET_ROWS_COUNT.
+    uint32_t count = 0;
+    /// No interior rows.
+    static StripRows none() { return {}; }
+    /// As many as make edges across the strip about as long as those along it.
+    static StripRows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
+    /// A given number of rows.
+    static StripRows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
+};
+
+/// The options of strips between polylines; see gusset_strip_options.
+struct StripOptions {
+    Meridians meridians = Meridians::continuation;
+    StripSearch search = StripSearch::automatic;
+    StripStart start = StripStart::automatic;
+    StripRows rows;
+    StripCells cells = StripCells::triangles;
+};
+
+/// A strip between two polylines that belong to no mesh; see gusset_strip_create.
 class Strip {
 public:
-    Strip(Points a, Points b, bool closed, Meridians meridians = Meridians::continuation,
-          StripStart start = StripStart::automatic, StripSearch search = StripSearch::automatic,
-          const Context &context = Context()) {
+    Strip(Points a, Points b, bool closed, const StripOptions &options = {}, const Context &context = Context()) {
         auto given = detail::sized<gusset_strip_options>();
-        given.meridians = static_cast<uint32_t>(meridians);
-        given.search = static_cast<uint32_t>(search);
-        given.start = static_cast<uint32_t>(start);
+        given.meridians = static_cast<uint32_t>(options.meridians);
+        given.search = static_cast<uint32_t>(options.search);
+        given.start = static_cast<uint32_t>(options.start);
         given.closed = closed ? 1 : 0;
+        given.rows = options.rows.mode;
+        given.row_count = options.rows.count;
+        given.cells = static_cast<uint32_t>(options.cells);
         strip_.reset(context.result(gusset_strip_create, detail::numbers(a.data()), a.size(),
                                     detail::numbers(b.data()), b.size(), &given));
     }
+    /// The points of a, those of b, then the new ones row by row, and the faces between them.
+    MeshView mesh() const & { return MeshView(detail::lent(gusset_strip_get_mesh, strip_.get())); }
+    MeshView mesh() const && = delete;
     /// The points that the first meridian joins.
     std::array<uint32_t, 2> start() const { return {view().start[0], view().start[1]}; }
     /// Pairs of places counted from there, interleaved.
     Indices meridians() const & { return detail::indices(view().meridians); }
     Indices meridians() const && = delete;
-    /// Three corners each: points of a, then points of b.
-    Indices triangles() const & { return detail::indices(view().triangles); }
-    Indices triangles() const && = delete;
+    /// The paper's matrix P, row by row: row_count() + 2 rows with one vertex for each meridian.
+    Indices matrix() const & { return detail::indices(view().matrix); }
+    Indices matrix() const && = delete;
+    /// The number of interior rows.
+    uint32_t row_count() const { return view().row_count; }
+    /// Of each new vertex its two parents, interleaved.
+    Indices parents() const & { return detail::indices(view().parents); }
+    Indices parents() const && = delete;
+    /// Of each new vertex the weight of its second parent.
+    Span<const double> weights() const & {
+        const gusset_strip_view found = view();
+        return {found.weights, found.parents.count / 2};
+    }
+    Span<const double> weights() const && = delete;
 
 private:
     gusset_strip_view view() const { return detail::lent(gusset_strip_get_view, strip_.get()); }

@@ -52,6 +52,35 @@ private:
     detail::Handle<gusset_winged, gusset_winged_destroy> winged_;
 };
 
+/// The faces of a table of edges, for meshes whose positions are elsewhere; see
+/// gusset_winged_faces_create.
+class WingedFaces {
+public:
+    /// Of a table of the caller's. `first_edges`: per face where it begins; empty for its edge of the
+    /// smallest number.
+    WingedFaces(Span<const gusset_winged_edge> edges, std::size_t vertex_count, Indices first_edges = {},
+                Winding winding = Winding::counter_clockwise, const Context &context = Context()) {
+        auto given = detail::sized<gusset_winged_options>();
+        given.winding = static_cast<uint32_t>(winding);
+        const gusset_indices first = {first_edges.data(), first_edges.size()};
+        faces_.reset(context.result(gusset_winged_faces_create, edges.data(), edges.size(), vertex_count,
+                                    first_edges.size() != 0 ? &first : nullptr, &given));
+    }
+    /// The first corner of each face, then the number of corners.
+    Indices offsets() const & { return detail::indices(view().face_offsets); }
+    Indices offsets() const && = delete;
+    /// The vertices of each face in order.
+    Indices corners() const & { return detail::indices(view().face_corners); }
+    Indices corners() const && = delete;
+    /// Of each corner the edge that leaves it.
+    Indices edge_of_half_edge() const & { return detail::indices(view().edge_of_half_edge); }
+    Indices edge_of_half_edge() const && = delete;
+
+private:
+    gusset_winged_faces_view view() const { return detail::lent(gusset_winged_faces_get_view, faces_.get()); }
+    detail::Handle<gusset_winged_faces, gusset_winged_faces_destroy> faces_;
+};
+
 } // namespace gusset
 
 #endif // GUSSET_WINGED_HPP

@@ -55,6 +55,8 @@ pub enum gusset_status {
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// The second mesh, or a later piece, has f64 positions and the first f32.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
+    /// A record of a winged-edge table fits no mesh.
+    GUSSET_ERROR_BAD_WINGS = 1008,
     /// There is no boundary loop that can be stitched, or of one mesh there are no two.
     GUSSET_ERROR_NO_LOOP = 1100,
     /// A loop of fewer than three vertices.
@@ -166,6 +168,9 @@ pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
 pub const GUSSET_ELEMENT_KNOT: gusset_element = 30;
 /// A row of a net of curves; the message has the column, the value is how far they are apart.
 pub const GUSSET_ELEMENT_ROW: gusset_element = 31;
+
+/// An edge of a winged-edge table.
+pub const GUSSET_ELEMENT_EDGE: gusset_element = 32;
 
 /// A failure on its way to the host.
 #[derive(Debug)]
@@ -312,6 +317,7 @@ impl From<Error> for Failure {
             EmptyScene => plain(GUSSET_ERROR_EMPTY_SCENE, 0.0),
             FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
             GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
+            BadWings { edge, .. } => Failure::at(GUSSET_ERROR_BAD_WINGS, GUSSET_ELEMENT_EDGE, edge, 0.0),
             BadLine { line: item, value, .. } | SheetOutOfRange { sheet: item, value } => {
                 Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
             }

@@ -37,10 +37,9 @@ pub(super) const FILTER: Filter = Filter {
             "The smallest distance from the plane through its loop's centre at which a vertex faces the other loop; -1 takes \
              the bound on rounding.",
         ),
-        Param::choice("rows", "Rows", ROWS).with_help("The rows of new vertices between the rims."),
-        Param::int("row_count", "Number of rows", [0.0, 10_000.0], &[1.0])
-            .with_help("The number of rows of new vertices, if given."),
-        Param::choice("cells", "Faces", Cells::CHOICES.texts).with_help("The faces of the strip."),
+        ROWS,
+        ROW_COUNT,
+        CELLS,
         Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
         Param::choice("finish", "Finish", Finish::CHOICES.texts).with_help(FINISH_HELP),
         Param::choice("intersections", "Intersections", Intersections::CHOICES.texts)
@@ -60,11 +59,30 @@ choices! {
         Extent::Auto => "Automatic", "Whole loops if they face each other squarely, otherwise facing arcs.";
 }
 
-const ROWS: &[Choice] = &[
-    Choice::new("None", "Every meridian is one edge."),
-    Choice::new("By mean edge", "New edges are about as long as the mean edge of both pieces."),
-    Choice::new("Given number", "The number of rows below."),
-];
+/// The rows and the faces of a strip, of polylines too.
+pub(super) const ROWS: Param = Param::choice(
+    "rows",
+    "Rows",
+    &[
+        Choice::new("None", "Every meridian is one edge."),
+        Choice::new("By mean edge", "New edges are about as long as the mean edge of both sides."),
+        Choice::new("Given number", "The number of rows below."),
+    ],
+)
+.with_help("The rows of new vertices between the rims.");
+pub(super) const ROW_COUNT: Param = Param::int("row_count", "Number of rows", [0.0, 10_000.0], &[1.0])
+    .with_help("The number of rows of new vertices, if given.");
+pub(super) const CELLS: Param =
+    Param::choice("cells", "Faces", Cells::CHOICES.texts).with_help("The faces of the strip.");
+
+/// What [`ROWS`] and [`ROW_COUNT`] say.
+pub(super) fn rows(values: &Values<'_>) -> Rows {
+    match values.place("rows") {
+        0 => Rows::None,
+        1 => Rows::MeanEdge,
+        _ => Rows::Count(values.number("row_count") as u32),
+    }
+}
 
 const fn loop_number(id: &'static str, label: &'static str) -> Param {
     Param::int(id, label, [-1.0, MAX_COUNT], &[-1.0]).with_help(
@@ -85,11 +103,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         extent: values.choice("extent", EXTENTS),
         run: values.choice("run", Run::CHOICES),
         tolerance: Some(values.number("tolerance")).filter(|&t| t >= 0.0),
-        rows: match values.place("rows") {
-            0 => Rows::None,
-            1 => Rows::MeanEdge,
-            _ => Rows::Count(values.number("row_count") as u32),
-        },
+        rows: rows(values),
         cells: values.choice("cells", Cells::CHOICES),
         fairing: values.choice("fairing", Fairing::CHOICES),
         finish: values.choice("finish", Finish::CHOICES),

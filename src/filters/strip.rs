@@ -1,13 +1,13 @@
 use super::prelude::*;
-use super::report::TRIANGLE;
-use crate::mesh::{Mesh, PositionBuffer, Scalar};
-use crate::stitch::{Meridians, RuledOptions, Start, ruled};
+use super::report::FACE;
+use super::stitch::{CELLS, ROW_COUNT, ROWS, rows};
+use crate::stitch::{Cells, Meridians, RuledOptions, Start, ruled};
 
 pub(super) const FILTER: Filter = Filter {
     id: "strip",
     name: "Strip between two curves",
     category: "Stitching",
-    help: "Spans a strip of triangles between two polylines of one direction that run side by side, both closed or both open.",
+    help: "Spans a strip of faces between two polylines of one direction that run side by side, both closed or both open.",
     reference: "H. Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for the rule \
                 by index",
     params: &[
@@ -16,6 +16,9 @@ pub(super) const FILTER: Filter = Filter {
         Param::choice("start", "First meridian", STARTS.texts)
             .with_help("The start of the strip between closed curves; between open ones it is at their first points."),
         Param::flag("reversed", "Reversed").with_help("Reverses the second curve."),
+        ROWS,
+        ROW_COUNT,
+        CELLS,
     ],
     ..Filter::new(CURVES, TO_MESH_TEXT, run)
 };
@@ -44,22 +47,16 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let options = RuledOptions {
         meridians: values.choice("meridians", Meridians::CHOICES),
         start: values.choice("start", STARTS),
+        rows: rows(values),
+        cells: values.choice("cells", Cells::CHOICES),
         ..RuledOptions::default()
     };
     let made = ruled(&a, &b, closed, &options, job)?;
-    let mut positions = PositionBuffer::with_capacity(Scalar::F64, a.len() + b.len())?;
-    positions.extend(a.into_iter().chain(b))?;
-    let count = made.triangles.len();
-    let mesh = Mesh {
-        positions,
-        face_offsets: alloc::collect((0..count + 1).map(|f| 3 * f as u32))?,
-        face_corners: alloc::copied(made.triangles.as_flattened())?,
-    };
     let text = format!(
         "{}, the first meridian from point {} to point {}\n",
-        counted(count, TRIANGLE),
+        counted(made.mesh.face_count(), FACE),
         made.start[0],
         made.start[1]
     );
-    Ok(vec![Output::Mesh(mesh), Output::Text(text.into())])
+    Ok(vec![Output::Mesh(made.mesh), Output::Text(text.into())])
 }

@@ -62,6 +62,21 @@ impl Strip {
         } else {
             from_given_start(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
         };
+        Strip::on(a, b, meridians, bridges, options, mean_side)
+    }
+
+    /// Hangs a strip on two rims by meridians that are known.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`], [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub(super) fn on(
+        a: Rim,
+        b: Rim,
+        meridians: Vec<Pair>,
+        bridges: &Bridges,
+        options: &Options,
+        mean_side: impl Fn() -> f64,
+    ) -> Result<Strip> {
         let rows = match options.rows {
             Rows::None => 0,
             Rows::Count(count) => count,

@@ -23,7 +23,7 @@ pub enum Winding {
 /// which leaves M.
 #[allow(missing_docs, reason = "the paper's letters, explained above")]
 #[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct WingedEdge {
     pub m: u32,
     pub n: u32,

@@ -2,11 +2,14 @@
 //! valid and oriented meshes.
 
 use crate::common::{Soup, cap, edge_counts, euler, sheet, some_of};
+use glam::DVec3;
 use gusset::boundary::{Options as BoundaryOptions, boundary_loops};
 use gusset::check::check;
 use gusset::mesh::{Faces, Mesh, MeshView, PositionBuffer, Positions};
 use gusset::stitch::facing::Arc;
-use gusset::stitch::{Cells, Extent, Meridians, Options, Request, Rows, Stitch, stitch};
+use gusset::stitch::{
+    Cells, Extent, Meridians, Options, Request, Rows, Ruled, RuledOptions, Start, Stitch, ruled, stitch,
+};
 use gusset::winged::{Winding, WingedEdges};
 use gusset::{Error, Job};
 
@@ -278,4 +281,106 @@ fn quads_are_split_and_measured_by_their_shorter_diagonals() {
         assert!((quads.max_aspect - triangles.max_aspect).abs() < 1e-12);
         assert!((quads.area - 6.0).abs() < 1e-12 && (triangles.area - 6.0).abs() < 1e-12);
     }
+}
+
+/// What every strip between polylines must be: the points as they were, rows that divide their
+/// meridians evenly, P over them, and faces whose free edges are the polylines, and the two end
+/// meridians of an open one.
+fn assert_ruled(made: &Ruled, a: &[DVec3], b: &[DVec3], closed: bool) {
+    let (n, m) = (a.len(), b.len());
+    let columns = made.meridians.len();
+    let distinct = columns - usize::from(closed);
+    let PositionBuffer::F64(points) = &made.mesh.positions else { panic!("f64 in, f64 out") };
+    let point = |v: u32| DVec3::from(points[v as usize]);
+    assert!(a.iter().chain(b).zip(points).all(|(p, &q)| p.to_array() == q));
+    assert_eq!(points.len(), n + m + made.rows as usize * distinct);
+    assert_eq!((made.parents.len(), made.weights.len()), (points.len() - n - m, points.len() - n - m));
+    for (k, (&[i, j], &t)) in made.parents.iter().zip(&made.weights).enumerate() {
+        assert_eq!(t, (k / distinct + 1) as f64 / f64::from(made.rows + 1));
+        let (i, j) = (i as usize, j as usize);
+        assert!(i < n && (n..n + m).contains(&j));
+        let there = a[i].lerp(b[j - n], t);
+        assert!(point((n + m + k) as u32).distance(there) <= 1e-15 * there.length().max(1.0));
+    }
+    let at = |row: usize, column: usize| made.matrix[row * columns + column];
+    for (column, &[i, j]) in made.meridians.iter().enumerate() {
+        assert_eq!(at(0, column) as usize, (made.start[0] + i) as usize % n);
+        assert_eq!(at(made.rows as usize + 1, column) as usize, n + (made.start[1] + j) as usize % m);
+        for row in 1..=made.rows as usize {
+            let [from, to] = made.parents[at(row, column) as usize - n - m];
+            assert_eq!([from, to], [at(0, column), at(made.rows as usize + 1, column)]);
+        }
+    }
+    let edges = edge_counts(faces(&made.mesh));
+    assert!(edges.values().all(|&(forward, backward)| forward <= 1 && backward <= 1));
+    let free = edges.values().filter(|&&(forward, backward)| forward + backward == 1).count();
+    let sides = if closed { n + m } else { n + m - 2 + 2 * (made.rows as usize + 1) };
+    assert_eq!(free, sides);
+    // Against polyline A and along B.
+    let runs = |u: usize, v: usize| {
+        faces(&made.mesh).any(|f| (0..f.len()).any(|k| f[k] as usize == u && f[(k + 1) % f.len()] as usize == v))
+    };
+    for i in 0..if closed { n } else { n - 1 } {
+        assert!(runs((i + 1) % n, i));
+    }
+    for j in 0..if closed { m } else { m - 1 } {
+        assert!(runs(n + j, n + (j + 1) % m));
+    }
+}
+
+#[test]
+fn strips_of_polylines_have_rows_quads_and_p() {
+    let ring = |count: usize, radius: f64, z: f64, turn: f64| -> Vec<DVec3> {
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / count as f64 + turn;
+        (0..count).map(|i| DVec3::new(radius * angle(i).cos(), radius * angle(i).sin(), z)).collect()
+    };
+    for (n, m) in [(6, 4), (12, 12), (7, 31), (3, 3)] {
+        for closed in [true, false] {
+            let (a, b) = (ring(n, 1.0, 0.0, 0.0), ring(m, 1.3, 2.0, 0.3));
+            for meridians in [Meridians::Continuation, Meridians::Index, Meridians::Quad] {
+                for (rows, start) in [
+                    (Rows::None, Some(Start::Auto)),
+                    (Rows::Count(1), Some(Start::Closest)),
+                    (Rows::Count(5), None),
+                    (Rows::MeanEdge, None),
+                ] {
+                    for cells in [Cells::Triangles, Cells::Quads] {
+                        let options = RuledOptions { meridians, rows, start, cells, ..RuledOptions::default() };
+                        let made = ruled(&a, &b, closed, &options, &Job::default()).unwrap();
+                        assert_ruled(&made, &a, &b, closed);
+                        let four = faces(&made.mesh).filter(|face| face.len() == 4).count();
+                        assert!(cells == Cells::Quads || four == 0);
+                        assert!(cells == Cells::Triangles || made.rows < 3 || four > 0);
+                        assert!(rows != Rows::Count(5) || made.rows == 5);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_by_the_mean_edge_of_the_polylines() {
+    // Segments of length 1, meridians of length 6: five rows make edges of length 1.
+    let line = |y: f64| (0..9).map(|i| DVec3::new(f64::from(i), y, 0.0)).collect::<Vec<_>>();
+    let options = RuledOptions {
+        rows: Rows::MeanEdge,
+        cells: Cells::Quads,
+        meridians: Meridians::Index,
+        ..RuledOptions::default()
+    };
+    let made = ruled(&line(0.0), &line(6.0), false, &options, &Job::default()).unwrap();
+    assert_eq!((made.rows, made.mesh.face_count()), (5, 48));
+    // Two points alone have one meridian, no face, and no rows on it.
+    let one = ruled(&[DVec3::ZERO], &[DVec3::X], false, &options, &Job::default()).unwrap();
+    assert_eq!((one.rows, one.mesh.face_count(), one.meridians.len(), one.matrix.len()), (0, 0, 1, 2));
+    let many = RuledOptions { rows: Rows::Count(u32::MAX), ..options };
+    let refused = ruled(&line(0.0), &line(6.0), false, &many, &Job::default());
+    assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
+    // Points of the largest numbers that there are.
+    let far = |y: f64| line(y).into_iter().map(|p| p * 1e307).collect::<Vec<_>>();
+    let made = ruled(&far(-6.0), &far(6.0), false, &options, &Job::default()).unwrap();
+    assert_eq!(made.rows, 11);
+    let PositionBuffer::F64(points) = &made.mesh.positions else { panic!("f64 in, f64 out") };
+    assert!(points.iter().flatten().all(|x| x.is_finite()));
 }

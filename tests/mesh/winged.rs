@@ -2,10 +2,10 @@
 //! of the fast path.
 
 use crate::common::{Soup, cap, edge_counts, sheet};
-use gusset::Job;
 use gusset::boundary::{Options, boundary_loops};
 use gusset::mesh::NONE;
-use gusset::winged::{EdgeMarks, Winding, WingedEdge, WingedEdges, free_loops};
+use gusset::winged::{EdgeMarks, Winding, WingedEdge, WingedEdges, WingedFaces, faces, free_loops};
+use gusset::{Error, Job, Result};
 use proptest::prelude::*;
 
 fn tables(soup: &Soup, winding: Winding) -> WingedEdges {
@@ -81,7 +81,23 @@ fn check_invariants(soup: &Soup, winding: Winding) -> WingedEdges {
         let edge = &tables.edges()[edge as usize];
         assert!([edge.m, edge.n].contains(&soup.corners[h]));
     }
+    // And back: corner for corner, and without the first edges as the same cycles.
+    let back = read(tables.edges(), soup.points.len(), Some(tables.edge_of_face()), winding).unwrap();
+    assert_eq!(back.offsets, soup.offsets);
+    assert_eq!(back.corners, soup.corners);
+    assert_eq!(back.edges, tables.edge_of_half_edge());
+    let turned = read(tables.edges(), soup.points.len(), None, winding).unwrap();
+    assert_eq!(turned.offsets, soup.offsets);
+    for face in 0..soup.offsets.len() - 1 {
+        let range = soup.offsets[face] as usize..soup.offsets[face + 1] as usize;
+        let doubled = soup.corners[range.clone()].repeat(2);
+        assert!(doubled.windows(range.len()).any(|w| w == &turned.corners[range.clone()]), "face {face}");
+    }
     tables
+}
+
+fn read(edges: &[WingedEdge], vertices: usize, first: Option<&[u32]>, winding: Winding) -> Result<WingedFaces> {
+    faces(edges, vertices, first, winding, &Job::default())
 }
 
 /// Both ways to the loops give the same ones.
@@ -162,7 +178,74 @@ fn stored_clockwise_is_the_turned_mesh() {
     assert_eq!(right(&a), right(&b));
 }
 
+#[test]
+fn faces_of_a_table_by_hand() {
+    // A tetrahedron, clockwise faces 0 1 2, 0 3 1, 1 3 2, 2 3 0, as Baumgart writes it down.
+    let edge = |m, n, left, right, [b, c, d, e]: [u32; 4]| WingedEdge { m, n, b, c, d, e, left, right, marks: 0 };
+    let table = [
+        edge(0, 1, 1, 0, [1, 4, 2, 3]),
+        edge(1, 2, 2, 0, [2, 5, 0, 4]),
+        edge(2, 0, 3, 0, [0, 3, 1, 5]),
+        edge(0, 3, 3, 1, [4, 5, 0, 2]),
+        edge(1, 3, 1, 2, [5, 3, 1, 0]),
+        edge(2, 3, 2, 3, [3, 4, 2, 1]),
+    ];
+    let made = read(&table, 4, None, Winding::Clockwise).unwrap();
+    assert_eq!(made.offsets, [0, 3, 6, 9, 12]);
+    // Face 1 runs edge 0 backwards: from its end 1 to 0.
+    assert_eq!(made.corners, [0, 1, 2, 1, 0, 3, 2, 1, 3, 0, 2, 3]);
+    let other = read(&table, 4, None, Winding::CounterClockwise).unwrap();
+    assert_eq!(other.corners[..3], [1, 0, 2]);
+    assert_eq!(read(&[], 0, None, Winding::Clockwise).unwrap().offsets, [0]);
+
+    let refused = |change: &dyn Fn(&mut [WingedEdge; 6])| {
+        let mut wrong = table;
+        change(&mut wrong);
+        read(&wrong, 4, None, Winding::Clockwise).unwrap_err()
+    };
+    let wings = |edge| move |error: Error| matches!(error, Error::BadWings { edge: e, .. } if e == edge);
+    assert!(wings(3)(refused(&|t| t[3].n = 4)));
+    assert!(wings(2)(refused(&|t| t[2].b = 6)));
+    assert!(wings(1)(refused(&|t| (t[1].left, t[1].right) = (NONE, NONE))));
+    assert!(wings(5)(refused(&|t| t[5].left = NONE)));
+    assert!(wings(4)(refused(&|t| t[4].right = 6)));
+    // A wing of another face; a record that runs the other way than its sides say.
+    assert!(wings(0)(refused(&|t| t[0].b = 4)));
+    assert!(matches!(refused(&|t| t[5] = WingedEdge { m: 3, n: 2, ..t[5] }), Error::BadWings { .. }));
+    // A number without sides, and a face of two.
+    let gap =
+        refused(&|t| t.iter_mut().flat_map(|e| [&mut e.left, &mut e.right]).for_each(|f| *f += u32::from(*f == 3)));
+    assert_eq!(gap, Error::FaceTooSmall { face: 3, corners: 0 });
+    let first = |given: &[u32]| read(&table, 4, Some(given), Winding::Clockwise).map(|made| made.corners);
+    assert_eq!(first(&[1, 4, 5, 5]).unwrap()[..6], [1, 2, 0, 3, 1, 0]);
+    assert!(matches!(first(&[0, 0, 1]), Err(Error::OptionOutOfRange { value: 3.0, .. })));
+    assert!(matches!(first(&[0, 0, 0, 2]), Err(Error::BadWings { edge: 0, .. })));
+    assert!(matches!(first(&[0, 0, 1, 6]), Err(Error::BadWings { edge: 6, .. })));
+}
+
+#[test]
+fn two_cycles_of_one_face_are_refused() {
+    // Two triangles whose records name the same face.
+    let soup = Soup::flat(6, &[&[0, 1, 2], &[3, 4, 5]]);
+    let mut edges = tables(&soup, Winding::CounterClockwise).edges().to_vec();
+    edges.iter_mut().for_each(|e| e.left = 0);
+    let refused = read(&edges, 6, None, Winding::CounterClockwise);
+    assert!(matches!(refused, Err(Error::BadWings { .. })), "{refused:?}");
+}
+
 proptest! {
+    /// One number of a good table changed: refused, or still faces of which each wing is true.
+    #[test]
+    fn damage_is_seen(record in 0usize..17, field in 0usize..8, to in prop::sample::select(vec![0, 1, 3, 7, 11, 16, 40, NONE])) {
+        let soup = sheet(3, 2);
+        let mut edges = tables(&soup, Winding::CounterClockwise).edges().to_vec();
+        let e = &mut edges[record];
+        let fields = [&mut e.m, &mut e.n, &mut e.b, &mut e.c, &mut e.d, &mut e.e, &mut e.left, &mut e.right];
+        let before = std::mem::replace(fields.into_iter().nth(field).unwrap(), to);
+        let made = read(&edges, soup.points.len(), None, Winding::CounterClockwise);
+        prop_assert_eq!(made.is_ok(), to == before, "{:?}", made);
+    }
+
     #[test]
     fn any_soup_of_faces(faces in prop::collection::vec(prop::collection::vec(0u32..9, 3..6), 1..25)) {
         let list: Vec<&[u32]> = faces.iter().map(Vec::as_slice).collect();

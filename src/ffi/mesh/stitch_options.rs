@@ -233,12 +233,7 @@ impl gusset_stitch_options {
             ),
             other => return Err(Failure::unknown("extent", other.into())),
         };
-        let rows = match self.rows {
-            GUSSET_ROWS_NONE => Rows::None,
-            GUSSET_ROWS_MEAN_EDGE => Rows::MeanEdge,
-            GUSSET_ROWS_COUNT => Rows::Count(self.row_count),
-            other => return Err(Failure::unknown("rows", other.into())),
-        };
+        let rows = rows(self.rows, self.row_count)?;
         Ok(Options {
             meridians: choice(self.meridians)?,
             search: choice(self.search)?,
@@ -256,6 +251,16 @@ impl gusset_stitch_options {
             intersections: choice(self.intersections)?,
             outward: choice(self.outward)?,
         })
+    }
+}
+
+/// The interior rows of a mode.
+pub(crate) fn rows(mode: u32, count: u32) -> Result<Rows, Failure> {
+    match mode {
+        GUSSET_ROWS_NONE => Ok(Rows::None),
+        GUSSET_ROWS_MEAN_EDGE => Ok(Rows::MeanEdge),
+        GUSSET_ROWS_COUNT => Ok(Rows::Count(count)),
+        other => Err(Failure::unknown("rows", other.into())),
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::ffi::mesh::facing::points;
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::mesh::stitch_options::{GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN};
+use crate::ffi::mesh::stitch_options::{GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, rows};
+use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::stitch::{Ruled, RuledOptions, Start, ruled};
 
@@ -23,6 +24,14 @@ pub struct gusset_strip_options {
     pub start: u32,
     /// 1: the polylines are closed; 0: they are open.
     pub closed: u32,
+    /// GUSSET_ROWS_...; the mean edge is the mean segment of both polylines.
+    pub rows: u32,
+    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    pub row_count: u32,
+    /// GUSSET_CELLS_...
+    pub cells: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// The parts of a strip. Pointers are valid until it is destroyed.
@@ -37,13 +46,21 @@ pub struct gusset_strip_view {
     /// closed polylines of N and M points, where place N is place 0 again, and to (N - 1, M - 1)
     /// for open ones; count is twice the number of meridians.
     pub meridians: gusset_indices,
-    /// The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow.
-    /// They run A_i+1, A_i, B_j: against polyline A, and along B. Where both sides advance at once
-    /// a quad is split by its shorter diagonal.
-    pub triangles: gusset_indices,
+    /// The paper's matrix P, row by row from A to B, one column for each meridian: vertices of the
+    /// mesh.
+    pub matrix: gusset_indices,
+    /// Of each new vertex (they are the last ones of the mesh), the two that it lies between, on A
+    /// and on B, by turns: the ends of its meridian.
+    pub parents: gusset_indices,
+    /// Of each new vertex, the weight of its second parent, 0 to 1: in row k of r rows k / (r + 1).
+    pub weights: *const f64,
+    /// Interior rows; the matrix has two rows more.
+    pub row_count: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_strip_options: 24, gusset_strip_view: 48 }
+versioned! { gusset_strip_options: 40 reserved, gusset_strip_view: 80 }
 
 impl gusset_strip_options {
     fn checked(self) -> Result<(bool, RuledOptions), Failure> {
@@ -55,12 +72,13 @@ impl gusset_strip_options {
         };
         let closed = flag(self.closed, "closed")?;
         let (meridians, search) = (choice(self.meridians)?, choice(self.search)?);
-        Ok((closed, RuledOptions { meridians, search, start }))
+        let (rows, cells) = (rows(self.rows, self.row_count)?, choice(self.cells)?);
+        Ok((closed, RuledOptions { meridians, search, start, rows, cells }))
     }
 }
 
-/// Makes a strip of triangles between two polylines that run side by side: meridians and faces,
-/// without any mesh.
+/// Makes a strip of faces between two polylines that run side by side, as gusset_stitch_create does
+/// between two rims: the third, intermediate mesh alone.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param points_a x, y, z of the points in order, packed, count_a and count_b of them: at least 1
@@ -72,8 +90,8 @@ impl gusset_strip_options {
 /// @param[out] strip receives the result, for gusset_strip_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
 ///     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
-/// @complexity Time and memory of the meridians of gusset_stitch_create, and O(N + M).
-/// @source Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+/// @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
+/// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best strips.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
@@ -103,7 +121,25 @@ pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
     input::destroy(strip);
 }
 
-/// Lends the meridians and triangles, valid until the strip is destroyed.
+/// Lends the mesh, valid until the strip is destroyed: the points of A, 0 to N - 1, those of B, then
+/// the new ones row by row. Faces run A_i+1, A_i, B_j: against polyline A, and along B. Where both
+/// sides advance at once triangles split a quad by its shorter diagonal.
+///
+/// @param strip the strip.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_strip_get_mesh(
+    strip: *const gusset_strip,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    lend!(strip, view, |strip| mesh::lend(&strip.0.mesh))
+}
+
+/// Lends the meridians and the matrix, valid until the strip is destroyed.
 ///
 /// @param strip the strip.
 /// @param[out] parts receives the parts; struct_size is set by the caller.
@@ -120,6 +156,10 @@ pub unsafe extern "C" fn gusset_strip_get_view(
         struct_size: size_of::<gusset_strip_view>(),
         start: done.start,
         meridians: gusset_indices::lend(done.meridians.as_flattened()),
-        triangles: gusset_indices::lend(done.triangles.as_flattened()),
+        matrix: gusset_indices::lend(&done.matrix),
+        parents: gusset_indices::lend(done.parents.as_flattened()),
+        weights: lent(&done.weights),
+        row_count: done.rows,
+        reserved: 0,
     })
 }

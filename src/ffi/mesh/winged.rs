@@ -2,7 +2,8 @@
 
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
-use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, free_loops};
+use crate::mesh::MAX_ELEMENTS;
+use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, WingedFaces, faces, free_loops};
 
 /// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables
 /// take them backwards.
@@ -29,7 +30,10 @@ pub struct gusset_winged {
     loops: FreeLoops,
 }
 
-/// How tables are made; all zero is the default.
+/// The faces of a winged-edge table. Opaque and immutable; it keeps nothing of the table.
+pub struct gusset_winged_faces(WingedFaces);
+
+/// How tables are made, and read; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_winged_options {
@@ -92,7 +96,21 @@ pub struct gusset_winged_view {
     pub loop_offsets: gusset_indices,
 }
 
-versioned! { gusset_winged_options: 16 reserved, gusset_winged_view: 120 }
+/// The faces of a table. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_winged_faces_view {
+    /// sizeof(gusset_winged_faces_view), set by the caller.
+    pub struct_size: usize,
+    /// For face_offsets of a gusset_mesh_view: one entry more than there are faces.
+    pub face_offsets: gusset_indices,
+    /// For face_corners: the vertices of each face in order.
+    pub face_corners: gusset_indices,
+    /// Per corner, the edge that leaves it.
+    pub edge_of_half_edge: gusset_indices,
+}
+
+versioned! { gusset_winged_options: 16 reserved, gusset_winged_view: 120, gusset_winged_faces_view: 56 }
 laid_out_like! { gusset_winged_edge: WingedEdge { m, n, b, c, d, e, left, right, marks } }
 c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise, GUSSET_FACES_CLOCKWISE => Clockwise } }
 
@@ -162,5 +180,78 @@ pub unsafe extern "C" fn gusset_winged_get_view(
         loop_vertices: gusset_indices::lend(&loops.vertices),
         loop_edges: gusset_indices::lend(&loops.edges),
         loop_offsets: gusset_indices::lend(&loops.offsets),
+    })
+}
+
+/// Reads the faces off a winged-edge table: the way back from gusset_winged_create to a polygon
+/// mesh, whose positions the caller has.
+///
+/// The records are held against each other and nothing is put right: each face must be one cycle of
+/// three sides or more from wing to wing, wings and faces exist, and a side without a face has no
+/// wings. The marks are not read. From the edges and edge_of_face of gusset_winged_create come the
+/// faces that it was given, corner for corner.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param edges the records, edge_count of them, packed.
+/// @param edge_count see edges; 0 is a table without faces.
+/// @param vertex_count how many vertices there are; those of edges are below it.
+/// @param first_edges per face the edge at which it begins, of two such places the one where it runs
+///     M to N; NULL: the one of the smallest number.
+/// @param options the winding of the faces to be made; NULL for the defaults.
+/// @param[out] faces receives the result, for gusset_winged_faces_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, BAD_WINGS with the edge, FACE_TOO_SMALL (a number below the largest that no
+///     side has, too), OUT_OF_RANGE (not one first edge for each face), TOO_LARGE, SIZE_OVERFLOW,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity Linear time and memory.
+/// @source Nesterenko, equation 2, read backwards.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_winged_faces_create(
+    context: *const gusset_context,
+    edges: *const gusset_winged_edge,
+    edge_count: usize,
+    vertex_count: usize,
+    first_edges: *const gusset_indices,
+    options: *const gusset_winged_options,
+    faces: *mut *mut gusset_winged_faces,
+) -> gusset_status {
+    create(context, faces, "faces", |job| {
+        let winding = choice(input::read(options, true, "options")?.winding)?;
+        Error::check_count("edges", edge_count as u64, MAX_ELEMENTS)?;
+        let edges: Vec<WingedEdge> = input::list(edges.cast(), edge_count, "edges")?;
+        let first_edges = mesh::indices(first_edges, "first_edges")?;
+        Ok(gusset_winged_faces(self::faces(&edges, vertex_count, first_edges.as_deref(), winding, job)?))
+    })
+}
+
+/// Destroys faces; NULL is allowed.
+///
+/// @param[in,out] faces the handle; NULL is allowed.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_winged_faces_destroy(faces: *mut gusset_winged_faces) {
+    input::destroy(faces);
+}
+
+/// Lends the faces.
+///
+/// @param faces the faces.
+/// @param[out] view receives the view; struct_size is set by the caller.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// @complexity O(1).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_winged_faces_get_view(
+    faces: *const gusset_winged_faces,
+    view: *mut gusset_winged_faces_view,
+) -> gusset_status {
+    lend!(faces, view, |gusset_winged_faces(found)| gusset_winged_faces_view {
+        struct_size: size_of::<gusset_winged_faces_view>(),
+        face_offsets: gusset_indices::lend(&found.offsets),
+        face_corners: gusset_indices::lend(&found.corners),
+        edge_of_half_edge: gusset_indices::lend(&found.edges),
     })
 }
