@@ -49,7 +49,8 @@ pub struct Check {
     pub non_manifold_edges: Vec<u32>,
     /// The ends of those edges, and the bow-ties.
     pub non_manifold_vertices: Vec<u32>,
-    /// Vertices whose faces form more than one fan.
+    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
+    /// own ends are therefore among them, as a rule.
     pub bow_ties: Vec<u32>,
     /// The first half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: Vec<u32>,

@@ -63,7 +63,8 @@ pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: u32 = 2;
 /// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first
 /// half-edge is index.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: u32 = 3;
-/// A vertex (index) where the surface touches itself: its faces form more than one fan.
+/// A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at
+/// edges with three or more faces, whose own ends are therefore listed too where a loop passes them.
 pub const GUSSET_DEFECT_BOW_TIE: u32 = 4;
 
 /// The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.

@@ -47,7 +47,8 @@ pub struct gusset_check_view {
     pub non_manifold_edges: gusset_indices,
     /// The ends of those edges, and the bow-ties.
     pub non_manifold_vertices: gusset_indices,
-    /// Vertices whose faces form more than one fan.
+    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
+    /// own ends are therefore among them, as a rule.
     pub bow_ties: gusset_indices,
     /// The first half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: gusset_indices,
