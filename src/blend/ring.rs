@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::fair::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
 use crate::job::Job;
 use crate::remesh::{PatchMesh, Sizing};
+use crate::sort;
 use glam::DVec3;
 
 /// New triangles that bend by more than this against each other, and than twice what is usual
@@ -65,7 +66,7 @@ impl OldRing {
                 edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
             }
         }
-        edges.sort_by_key(|&(u, v, _)| (u, v));
+        sort::stable(&mut edges, &|x, y| (x.0, x.1).cmp(&(y.0, y.1)));
         let pairs = edges.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
         let mut bends = alloc::gather(pairs.map(|pair| (pair[0].2.dot(pair[1].2), [pair[0].0, pair[0].1])))?;
         let mut creased = alloc::filled(false, rim)?;

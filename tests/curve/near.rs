@@ -154,3 +154,21 @@ fn near_misses_are_the_least_distances() {
     }
     assert!(minima > 250 && overlaps < 20 && undecided <= 3, "{minima} {overlaps} {undecided}");
 }
+
+/// Any distance that is a number, and curves of any size, the smallest numbers too.
+#[test]
+fn near_misses_at_the_ends_of_the_numbers() {
+    let random = &mut fastrand::Rng::with_seed(23);
+    for size in [1e-310, 1e-200, 0.1, 1.0, 1e200, 1e308] {
+        for within in [0.0, f64::MIN_POSITIVE, 1e-310, 1e-3, 1e300, f64::MAX] {
+            let [a, b] = [(); 2].map(|()| random_points(random, 4).into_iter().map(|p| p * size).collect::<Vec<_>>());
+            let (a, b) = (view(&a), view(&b));
+            let near = a.view().near_misses(&b.view(), within, &Job::default()).unwrap();
+            assert!(near.places.iter().all(|place| place.distance <= within.max(1e-11 * size)), "{size} {within}");
+            // Two curves apart have a place where they are nearest.
+            assert!(within < 4.0 * size || !near.places.is_empty(), "{size} {within}");
+            let own = a.view().near_misses(&a.view(), within, &Job::default()).unwrap();
+            assert!(!own.overlaps.is_empty() || own.undecided || !own.places.is_empty());
+        }
+    }
+}

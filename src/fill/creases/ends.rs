@@ -5,6 +5,7 @@ use super::curve::angle;
 use crate::alloc;
 use crate::blend::MAX_FAN_TRIANGLES;
 use crate::error::Result;
+use crate::sort;
 use crate::sort::{Buckets, select};
 use glam::DVec3;
 
@@ -233,6 +234,6 @@ fn apart(mut ends: Vec<End>, mut touches: Vec<Touch>, count: usize) -> Result<(V
     touches.iter().flat_map(|touch| touch.vertices(count)).for_each(|v| uses[v] += 1);
     ends.retain(|end| end.vertices(count).all(|v| uses[v] == 1));
     touches.retain(|touch| touch.vertices(count).all(|v| uses[v] == 1));
-    ends.sort_by_key(|end| end.tip);
+    sort::stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
     Ok((ends, touches))
 }

@@ -14,6 +14,7 @@ use super::task::{Closed, Repeats, Task};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
+use crate::sort;
 
 /// So many triangles may be looked at: about 50 ms.
 pub(super) const MAX_WORK: f64 = 4e6;
@@ -51,7 +52,8 @@ impl Bridges {
         let n = task.rims.count() as u32;
         let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
         let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins(u, v) && !(task.taken)(u, v)))?;
-        sorted.sort_by(|&[a, b], &[c, d]| task.rims.squared(a, b).total_cmp(&task.rims.squared(c, d)));
+        let squared = |[u, v]: [u32; 2]| task.rims.squared(u, v);
+        sorted.sort_unstable_by(|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
         let mut rank = alloc::filled(0, (n * n) as usize)?;
         for (&[u, v], at) in sorted.iter().zip(0..) {
             rank[(u * n + v) as usize] = at;
@@ -150,7 +152,10 @@ impl Search<'_> {
         let places = branch.opened.order.iter().enumerate();
         let mut next = alloc::gather(others.flat_map(|v| places.clone().map(move |(place, &u)| (u, v, place))))?;
         next.retain(|&(u, v, _)| !(self.task.taken)(u, v) && self.bridges.rank(rims, u, v) > least(u, v));
-        next.sort_by_key(|&(u, v, place)| (self.bridges.rank(rims, u, v), place));
+        sort::stable(&mut next, &|x, y| {
+            let key = |&(u, v, place): &(u32, u32, usize)| (self.bridges.rank(rims, u, v), place);
+            key(x).cmp(&key(y))
+        });
         for (u, v, place) in next {
             self.branch(branch.with(rims, place, v, self.bridges.rank(rims, u, v))?)?;
         }

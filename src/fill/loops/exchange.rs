@@ -29,7 +29,7 @@ pub(super) fn exchanged(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>
     let n = rims.count() as u32;
     let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
     let mut bridges = alloc::gather(pairs.filter(|&[u, v]| rims.joins(u, v) && !(task.taken)(u, v)))?;
-    bridges.sort_by(|&[a, b], &[c, d]| rims.squared(a, b).total_cmp(&rims.squared(c, d)));
+    bridges.sort_unstable_by(|&x, &y| rims.squared(x[0], x[1]).total_cmp(&rims.squared(y[0], y[1])).then(x.cmp(&y)));
     let Some(mut tree) = shortest_tree(rims, &bridges)? else {
         return Ok(None);
     };

@@ -13,6 +13,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::remesh::PatchMesh;
+use crate::sort;
 use glam::{DVec2, DVec3};
 
 /// By how much of it the area may differ from the loops': what is more is an overlap.
@@ -80,7 +81,7 @@ fn opened(task: &Task<'_>, flat: &[DVec2], outer: usize, job: &Job<'_>) -> Resul
     let leftmost = |ring: usize| rims.range(ring).min_by(|&u, &v| order(flat[u as usize], flat[v as usize]));
     let inner = (0..rims.loops()).filter(|&ring| ring != outer);
     let mut inner = alloc::gather(inner.filter_map(|ring| leftmost(ring).map(|v| (v, ring))))?;
-    inner.sort_by(|&(u, _), &(v, _)| order(flat[u as usize], flat[v as usize]));
+    sort::stable(&mut inner, &|&(u, _), &(v, _)| order(flat[u as usize], flat[v as usize]));
     let count = inner.len();
     for (done, (v, ring)) in inner.into_iter().enumerate() {
         job.step(done as f64 / count as f64, "triangulating holes")?;

@@ -9,6 +9,7 @@ use super::rims::Rims;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
+use crate::sort;
 use crate::sort::Buckets;
 use glam::DVec3;
 
@@ -142,7 +143,7 @@ impl Task<'_> {
         let mut each = Buckets::new(rims.count(), (0, DVec3::ZERO), each)?;
         for u in 0..rims.count() as u32 {
             let sides = each.get_mut(u as usize);
-            sides.sort_by_key(|&(v, _)| v);
+            sort::stable(sides, &|x, y| x.0.cmp(&y.0));
             for pair in sides.chunk_by(|a, b| a.0 == b.0) {
                 let (v, normal) = pair[0];
                 let from = if rims.next(u) == v { u } else { v };

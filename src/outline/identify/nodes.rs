@@ -9,6 +9,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::scale::floor_to_power_of_two;
 use crate::outline::curve::check_finite;
+use crate::sort;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -144,7 +145,7 @@ impl Nodes {
             alloc::append(&mut self.cuts, &[0, last].map(|node| Cut { node, tangent: None }))?;
         }
         // Of several at a node the first holds.
-        self.cuts.sort_by_key(|cut| cut.node);
+        sort::stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
         self.cuts.dedup_by_key(|cut| cut.node);
         if let (true, Some(&first)) = (self.closed, self.cuts.first()) {
             let n = self.points.len() as u32;

@@ -1,5 +1,7 @@
 //! The real roots of a cubic in closed form.
 
+use crate::sort;
+
 /// The real roots of a t^3 + b t^2 + c t + d, ascending, one to three of them; `None` if a is too
 /// small beside the others for the formula.
 ///
@@ -43,7 +45,7 @@ pub(super) fn real_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 3], us
             }
         }
     }
-    roots[..count].sort_by(f64::total_cmp);
+    sort::stable(&mut roots[..count], &f64::total_cmp);
     Some((roots, count))
 }
 

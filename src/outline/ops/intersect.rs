@@ -11,6 +11,7 @@ use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place};
+use crate::sort;
 use glam::DVec3;
 
 /// A common point of two curves, or of two places of one.
@@ -176,7 +177,7 @@ impl Intersections {
     fn merge(&mut self, periods: [f64; 2]) {
         let same = |x: Place, y: Place, period: f64| coincide(x.along(), y.along(), period, SAME_PARAMETER);
         let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
-        self.overlaps.sort_by(|x, y| by_places(start(x), start(y)));
+        sort::stable(&mut self.overlaps, &|x, y| by_places(start(x), start(y)));
         let overlaps = &self.overlaps;
         self.points.retain(|m| {
             let at_end = |o: &Overlap| (0..2).any(|i| same(o.a[i], m.a, periods[0]) && same(o.b[i], m.b, periods[1]));

@@ -30,6 +30,7 @@ use crate::job::Job;
 use crate::outline::curve::segment::{self, SegmentBuffer, jet};
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place};
+use crate::sort;
 use glam::{DVec2, DVec3};
 
 /// Two places of two curves, between which their distance is least.
@@ -119,7 +120,8 @@ impl CurveView<'_> {
             CurveView::trusted(&points[0], self.ends(), self.is_closed()),
             CurveView::trusted(&points[1], other.ends(), other.is_closed()),
         ];
-        let within = frame.length(within).max(ROUNDING);
+        // No two points of the frame are farther apart than 2 sqrt(3): more could be infinite in it.
+        let within = frame.length(within).clamp(ROUNDING, 4.0);
         let mut search = NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), undecided: false };
         let tree = BoxTree::new(sides[1].segments().map(Aabb::of))?;
         for (i, a) in sides[0].segments().enumerate() {
@@ -288,7 +290,7 @@ impl NearMissSearch<'_> {
     /// slopes towards a place that was proved.
     fn add_overlaps(&mut self, place: impl Fn(usize, f64) -> Place, overlaps: &mut Vec<Overlap>) -> Result<()> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
-        unresolved.sort_by(|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
+        sort::stable(&mut unresolved, &|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
         let cluster_of = cluster(&unresolved, &mut clusters)?;
         let mut valleys = Vec::new();
@@ -309,7 +311,7 @@ impl NearMissSearch<'_> {
                 alloc::push(&mut valleys, Valley { minimum, low, high, has_minimum: inside })?;
             }
         }
-        valleys.sort_by(|x, y| by_places(x.minimum.at.into(), y.minimum.at.into()));
+        sort::stable(&mut valleys, &|x, y| by_places(x.minimum.at.into(), y.minimum.at.into()));
         let same = |x: &Valley, y: &Valley| (x.minimum.at - y.minimum.at).abs().max_element() <= SAME_VALLEY;
         for valley in valleys.chunk_by(same) {
             if let Some(holder) = valley.iter().find(|part| part.has_minimum) {
@@ -320,7 +322,7 @@ impl NearMissSearch<'_> {
                 alloc::push(overlaps, Overlap { a: ends(0), b: ends(1) })?;
             }
         }
-        overlaps.sort_by(|x, y| {
+        sort::stable(overlaps, &|x, y| {
             let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
             by_places(start(x), start(y))
         });

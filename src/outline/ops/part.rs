@@ -3,6 +3,7 @@
 
 use crate::geom::Aabb;
 use crate::outline::curve::segment::SegmentBuffer;
+use crate::sort;
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -76,7 +77,7 @@ pub(super) fn sort_distinct<T: Copy>(
     periods: [f64; 2],
     tolerance: f64,
 ) {
-    found.sort_by(|x, y| by_places(places(x), places(y)));
+    sort::stable(found, &|x, y| by_places(places(x), places(y)));
     let mut kept = 0;
     for i in 0..found.len() {
         let at = places(&found[i]);

@@ -26,6 +26,7 @@ use crate::error::{Error, Result};
 use crate::geom::Aabb;
 use crate::geom::subdivision::{BoxTest, Limits, Stack, Subdivision, subdivide};
 use crate::outline::curve::segment::{self, SegmentBuffer, jet};
+use crate::sort;
 use glam::DVec3;
 
 /// Boxes nearer than this are not apart, in a frame of size 1.
@@ -176,7 +177,7 @@ impl SegmentIntersections {
     /// Makes one intersection of those between which the segments stay together, touching so
     /// closely that no place can be told from the next: the one in the middle.
     fn merge(&mut self, a: &[DVec3], b: &[DVec3]) {
-        self.at.sort_by(|x, y| x[0].total_cmp(&y[0]));
+        sort::stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
             let middle = segment::point(a, 0.5 * (x[0] + y[0]));
             (x[0] - y[0]).abs().max((x[1] - y[1]).abs()) <= MAX_TOUCH_PARAMETER
@@ -337,7 +338,7 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
         count += 1;
     }
     let ends = &mut ends[..count];
-    ends.sort_by(|x, y| x[0].total_cmp(&y[0]));
+    sort::stable(ends, &|x, y| x[0].total_cmp(&y[0]));
     // More than n m points in common; beyond 64 one may well believe it.
     let samples = ((a.len() - 1) * (b.len() - 1)).min(64) + 1;
     for pair in ends.windows(2) {

@@ -18,6 +18,7 @@
 
 use super::side::{crossings, positive};
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use crate::sort;
 use crate::surface::subdivision::Field;
 use glam::DVec2;
 use std::convert::Infallible;
@@ -201,7 +202,7 @@ fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
         return add(Link { from, to, graph: Some(graph) });
     }
-    marks.sort_by(|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
+    sort::stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
     let (entries, exits) = (marks.iter().filter(|mark| mark.is_entry()), marks.iter().filter(|mark| !mark.is_entry()));
     for (&from, &to) in entries.zip(exits) {
         add(Link { from, to, graph: Some(graph) });
@@ -215,7 +216,7 @@ fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     for side in 0..SIDES {
         let first = round.len();
         round.extend(marks.iter().filter(|mark| mark.side == side));
-        round[first..].sort_by(|a, b| a.along().total_cmp(&b.along()));
+        sort::stable(&mut round[first..], &|a, b| a.along().total_cmp(&b.along()));
         if side >= 2 {
             round[first..].reverse();
         }

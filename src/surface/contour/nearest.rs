@@ -16,6 +16,7 @@ use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use crate::sort;
 use crate::surface::cells::Cells;
 use crate::surface::checks::direction;
 use crate::surface::index::Cones;
@@ -301,7 +302,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
     /// The most promising last, to be taken first.
     fn split(&mut self, part: NormalPart<H>, (): ()) -> [NormalPart<H>; 4] {
         let mut quarters = part.quarters(self.goal);
-        quarters.sort_by(|a, b| b.deviation.total_cmp(&a.deviation));
+        sort::stable(&mut quarters, &|a, b| b.deviation.total_cmp(&a.deviation));
         quarters
     }
 }

@@ -5,6 +5,7 @@
 use super::chain::{ContourPath, ContourPaths, chain};
 use super::lattice::Lattice;
 use super::search::FoundArcs;
+use crate::sort;
 use crate::surface::prelude::*;
 use crate::surface::{Paths, Place, Surface};
 
@@ -89,7 +90,7 @@ struct SheetContours {
 impl SheetContours {
     fn new(surface: &Surface<'_>, sheets: ContourPaths, job: &Job<'_>) -> Result<Self> {
         let ContourPaths { paths: mut contours, places } = sheets;
-        contours.sort_by_key(|contour| contour.level);
+        sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
         let count = places.len();
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
         let parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));

@@ -13,6 +13,7 @@ use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
 use super::search::cells_around;
 use crate::geom::disjoint_sets::DisjointSets;
+use crate::sort;
 use crate::surface::cells::Cells;
 use crate::surface::frontier::{BranchAndBound, Frontier};
 use crate::surface::prelude::*;
@@ -219,7 +220,7 @@ impl MinimaSearch<'_> {
         if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
             points.push(nearest);
         }
-        points.sort_by(|a, b| {
+        sort::stable(points.as_mut_slice(), &|a, b| {
             let place = |c: &Closest| (c.place.sheet, c.place.cell);
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
@@ -245,7 +246,7 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
         }
     }
     // A proven one may be a little farther than the one whose place it took.
-    kept.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    sort::stable(&mut kept, &|a, b| a.distance.total_cmp(&b.distance));
     *points = kept;
     Ok(())
 }
@@ -253,7 +254,7 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
 /// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of
 /// grids.
 fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
-    undecided.sort_by_key(|found| (found.sheet, found.cell));
+    sort::stable(undecided.as_mut_slice(), &|a, b| (a.sheet, a.cell).cmp(&(b.sheet, b.cell)));
     let mut groups = DisjointSets::new(undecided.len())?;
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];

@@ -24,6 +24,7 @@ mod pairs;
 mod refine;
 mod solve;
 
+use crate::sort;
 use crate::surface::prelude::*;
 pub use pairs::{CellPair, MAX_PAIRS};
 
@@ -156,7 +157,7 @@ impl Intersection<'_> {
             let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
             self.solve_all(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
             pieces.arcs.sort_unstable_by_key(|arc| (arc.pair, arc.from));
-            pieces.balls.sort_by_key(|ball| ball.pair);
+            sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
         Ok(pieces)
     }
