@@ -73,7 +73,7 @@ impl OldRing {
         for (_, ends) in bends.iter().filter(|(cosine, _)| *cosine < MAX_SMOOTH_BEND) {
             ends.iter().filter(|&&v| (v as usize) < rim).for_each(|&v| creased[v as usize] = true);
         }
-        bends.sort_unstable_by(|p, q| q.0.total_cmp(&p.0));
+        sort::stable(&mut bends, &|p, q| q.0.total_cmp(&p.0));
         let usual = bends.get(bends.len().saturating_sub(1) * USUAL_PERCENT / 100).map_or(1.0, |&(cosine, _)| cosine);
         Ok((usual.max(0.0), creased))
     }

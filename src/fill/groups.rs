@@ -4,6 +4,7 @@ use super::choose::Candidate;
 use super::request::{HoleStatus, Selection, Together};
 use crate::alloc;
 use crate::error::Result;
+use crate::sort;
 
 /// The candidates to be filled, by patches, each group ascending and the groups by their first ones.
 /// Those that will not be filled are in none: the others of their group get the patch.
@@ -19,7 +20,7 @@ pub(super) fn groups(
         (_, Together::One) => 0,
         (_, Together::Apart | Together::Cheapest) => number,
     };
-    numbers.sort_unstable_by_key(|&number| (group(number), number));
+    sort::stable(&mut numbers, &|&a, &b| (group(a), a).cmp(&(group(b), b)));
     let chunks = numbers.chunk_by(|&i, &k| group(i) == group(k));
     let mut groups = alloc::try_collect(chunks.map(alloc::copied))?;
     groups.sort_unstable();

@@ -8,6 +8,7 @@ use super::{Classes, Net, Shape, Topology, each};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::sort;
 use crate::sort::sort_distinct;
 
 /// The kind of a finding.
@@ -87,7 +88,8 @@ impl Net<'_> {
         for link in few_nodes(topology) {
             add(FindingKind::FewNodes, link, shape.ends(link))?;
         }
-        findings.sort_unstable_by_key(|finding| (finding.kind, finding.element, finding.nodes));
+        let key = |finding: &Finding| (finding.kind, finding.element, finding.nodes);
+        sort::stable(&mut findings, &|a, b| key(a).cmp(&key(b)));
         Ok(findings)
     }
 }

@@ -14,6 +14,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::Mesh;
+use crate::sort;
 
 /// Measures that are tried one after the other.
 const MEASURES: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal];
@@ -161,7 +162,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
                 alloc::push(penalties, StepPenalty { to, on_b: to[0] == from[0], extra })?;
             }
         }
-        penalties.sort_unstable_by_key(|step| (step.to, step.on_b));
+        sort::stable(penalties, &|a, b| (a.to, a.on_b).cmp(&(b.to, b.on_b)));
         Ok(())
     }
 }

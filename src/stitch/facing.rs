@@ -20,6 +20,7 @@ use crate::geom::kd_tree::KdTree;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::Scalar;
+use crate::sort;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -235,7 +236,7 @@ pub(super) fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<V
             _ => alloc::push(&mut runs, Arc { first: place, count: 1 })?,
         }
     }
-    runs.sort_unstable_by_key(|run| run.first);
+    sort::stable(&mut runs, &|a, b| a.first.cmp(&b.first));
     Ok(runs)
 }
 

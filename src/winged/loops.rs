@@ -12,6 +12,7 @@ use crate::alloc;
 use crate::boundary::split_simple;
 use crate::error::Result;
 use crate::mesh::NONE;
+use crate::sort;
 
 /// Simple closed loops of free edges, surface on the left.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -81,7 +82,7 @@ pub fn free_loops(tables: &WingedEdges) -> Result<FreeLoops> {
         let smallest = (0..steps.len()).min_by_key(|&k| steps[k].edge).unwrap_or(0);
         steps.rotate_left(smallest);
     }
-    loops.sort_unstable_by_key(|steps| steps[0].edge);
+    sort::stable(&mut loops, &|a, b| a[0].edge.cmp(&b[0].edge));
 
     let total = loops.iter().map(Vec::len).sum();
     let mut found = FreeLoops {

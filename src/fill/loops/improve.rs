@@ -9,6 +9,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
+use crate::sort;
 
 /// So often a triangulation is searched again along other bridges, at the most and without gain.
 const MAX_ROUNDS: usize = 16;
@@ -61,7 +62,7 @@ pub(super) fn far_tree(task: &Task<'_>, triangles: &[[u32; 3]], old: &[[u32; 2]]
     let sides = sides.filter(|&[u, v]| u < v && rims.joins(u, v));
     let far = |[u, v]: [u32; 2]| distances[u as usize] + distances[v as usize];
     let mut sides = alloc::gather(sides.map(|ends| (far(ends), ends)))?;
-    sides.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    sort::stable(&mut sides, &|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     spanning(rims, sides.iter().map(|&(_, ends)| ends))
 }
 

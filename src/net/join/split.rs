@@ -9,6 +9,7 @@ use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::net::arrange::Rearrangement;
 use crate::net::{Bridge, BridgeMode, Direction, Net, Topology};
+use crate::sort;
 use std::ops::Range;
 
 impl Net<'_> {
@@ -42,7 +43,7 @@ impl Net<'_> {
         let whole = |bridge: &Bridge| whole(bridge) && Some(bridge.nesting) == last;
         let all = self.bridges().iter().enumerate();
         let mut indices = alloc::gather(all.filter(|(_, bridge)| whole(bridge)).map(|(index, _)| index))?;
-        indices.sort_unstable_by_key(|&index| (self.bridges()[index].at, index));
+        sort::stable(&mut indices, &|&i, &k| self.bridges()[i].at.cmp(&self.bridges()[k].at).then(i.cmp(&k)));
         indices.dedup_by_key(|index| self.bridges()[*index].at);
         let cuts: Vec<usize> = alloc::collect(indices.iter().map(|&index| self.bridges()[index].at as usize))?;
         let parts = cut(self, direction, &cuts, &indices, &job.part(0.0, 0.5))?;

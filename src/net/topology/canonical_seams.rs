@@ -12,6 +12,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::net::Shape;
+use crate::sort;
 
 /// Rows and columns from one node to the next.
 type Step = (i64, i64);
@@ -29,7 +30,7 @@ pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<S
             found.push(runs.longest_through(k));
         }
     }
-    found.sort_unstable_by_key(|seam| (u32::MAX - seam.count, *seam));
+    sort::stable(&mut found, &|a, b| b.count.cmp(&a.count).then(a.cmp(b)));
     let mut sets = DisjointSets::from_parents(alloc::copied(pieces)?);
     let mut seams = alloc::with_capacity(found.len())?;
     for seam in found {

@@ -11,6 +11,7 @@ use crate::error::Result;
 use crate::geom::{Aabb, scale::distance};
 use crate::job::Job;
 use crate::outline::identify::{Constraint, Options, Outlines, PointConstraint};
+use crate::sort;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -133,7 +134,7 @@ pub(super) fn constrained(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Resu
             }
         }
     }
-    all.sort_unstable_by_key(|c| c.point);
+    sort::stable(&mut all, &|a, b| a.point.cmp(&b.point));
     Ok(all)
 }
 
@@ -214,7 +215,7 @@ pub(super) fn apportioned(shares: &[f64], parts: usize) -> Result<Vec<usize>> {
     let exact = |k: usize| (STEPS * free * shares[k] / whole).round() / STEPS;
     let mut counts = alloc::collect((0..shares.len()).map(|k| 1 + exact(k).floor() as usize))?;
     let mut order = alloc::collect(0..shares.len())?;
-    order.sort_unstable_by(|&j, &k| exact(k).fract().total_cmp(&exact(j).fract()).then(j.cmp(&k)));
+    sort::stable(&mut order, &|&j, &k| exact(k).fract().total_cmp(&exact(j).fract()).then(j.cmp(&k)));
     let left = parts.saturating_sub(counts.iter().sum());
     order.into_iter().take(left).for_each(|k| counts[k] += 1);
     Ok(counts)

@@ -8,6 +8,7 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
+use crate::sort;
 
 /// Ends of a group whose best choice is found exactly.
 const MAX_EXACT: usize = 16;
@@ -81,7 +82,7 @@ fn exact(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
 fn exchanged(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
     const FREE: usize = usize::MAX;
     let mut order = alloc::collect(0..matches.len())?;
-    order.sort_unstable_by(|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
+    sort::stable(&mut order, &|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
     let mut partner = alloc::filled(FREE, ends)?;
     for &k in &order {
         if matches[k].ends.iter().all(|&end| partner[end as usize] == FREE) {
@@ -91,7 +92,7 @@ fn exchanged(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
     let gain = |k: usize| if k == FREE { 0.0 } else { matches[k].gain };
     let other = |k: usize, end: u32| matches[k].ends[usize::from(matches[k].ends[0] == end)];
     let mut sorted = alloc::collect(0..matches.len())?;
-    sorted.sort_unstable_by_key(|&k| matches[k].ends);
+    sort::stable(&mut sorted, &|&i, &k| matches[i].ends.cmp(&matches[k].ends));
     let between = |p: u32, q: u32| {
         let ends = [p.min(q), p.max(q)];
         sorted.binary_search_by_key(&ends, |&k| matches[k].ends).map_or(FREE, |at| sorted[at])

@@ -9,6 +9,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::MeshView;
+use crate::sort;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::pairing::mean_gap;
@@ -125,7 +126,7 @@ fn left_loops(
             alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason, gap, allowed_gap })?;
         }
     }
-    left.sort_unstable_by(|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
+    sort::stable(&mut left, &|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
     Ok(left)
 }
 
@@ -171,7 +172,9 @@ fn chosen_pairs(
         seen.iter().for_each(|facing| taken[facing.rims[0]] = true);
         alloc::append(&mut seen, &loops.search(options, &taken, excluded).run(job)?)?;
         let first = |found: &Facing| found.arcs.map_or(0, |arcs| arcs[0].first);
-        seen.sort_unstable_by(|x, y| x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y))));
+        sort::stable(&mut seen, &|x, y| {
+            x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y)))
+        });
         alloc::append(&mut found, &seen)?;
     }
     Ok(found)

@@ -12,6 +12,7 @@ use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
 use super::net_curve::{CurvePlace, NetCurve, Piece, degree};
 use crate::outline::CurveView;
+use crate::sort;
 use crate::surface::axis::TAPS;
 use crate::surface::prelude::*;
 use crate::surface::{MAX_NODES, Patch, Patches, Sheet};
@@ -390,7 +391,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     for (curve, ends) in own.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
         alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
     }
-    all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort::stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut ends: Vec<Vec<f64>> = own.iter().map(|_| Vec::new()).collect();
     let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {

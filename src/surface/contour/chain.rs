@@ -5,6 +5,7 @@
 
 use super::lattice::Lattice;
 use super::search::{Arc, FoundArcs};
+use crate::sort;
 use crate::sort::Buckets;
 use crate::surface::Place;
 use crate::surface::prelude::*;
@@ -164,7 +165,7 @@ fn paths(sheet: u32, arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
         let path = ContourPath { level: arcs[head].level, closed, range: [first, places.len()] };
         alloc::push(&mut paths, (lowest(min), path))?;
     }
-    paths.sort_unstable_by_key(|&(lowest, _)| lowest);
+    sort::stable(&mut paths, &|a, b| a.0.cmp(&b.0));
     Ok(ContourPaths { paths: alloc::collect(paths.into_iter().map(|(_, path)| path))?, places })
 }
 

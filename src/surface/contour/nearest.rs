@@ -172,7 +172,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
             let below = front.iter().flat_map(|&[r, c]| (0..4).map(move |k| [2 * r + k / 2, 2 * c + k % 2]));
             let bound = |at: [usize; 2]| Some((self.goal.bound(cones.get(level, at[0], at[1])?.angles(direction)), at));
             let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
-            bounds.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            sort::stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             front = bounds.into_iter().take(BLOCKS_FOR_FIRST_BOUND).map(|(_, at)| at).collect();
         }
         let mut shown = *best;
@@ -339,7 +339,7 @@ impl Surface<'_> {
             })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
-        candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        sort::stable(&mut candidates, &|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
         let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {
             last.step_every(16, k, candidates.len(), "angles")?;

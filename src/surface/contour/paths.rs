@@ -184,7 +184,7 @@ impl SheetContours {
 fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
-    by.sort_unstable_by_key(|&k| (cell(&places[k]), k));
+    sort::stable(&mut by, &|&a, &b| (cell(&places[a]), a).cmp(&(cell(&places[b]), b)));
     by.dedup_by_key(|&mut k| cell(&places[k]));
     by.sort_unstable();
     *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
@@ -225,7 +225,7 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
 /// The same paths by rising level.
 fn by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
-    order.sort_unstable_by_key(|&k| (given.levels[k], k));
+    sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
     let unresolved = std::mem::take(&mut given.unresolved);
     let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
     for k in order {

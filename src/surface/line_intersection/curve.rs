@@ -10,6 +10,7 @@ use super::line::{Hit, HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
 use crate::geom::bernstein::elevate;
 use crate::outline::{CurveView, Place as CurvePlace};
+use crate::sort;
 use crate::surface::prelude::*;
 use crate::surface::{Surface, each_sheet};
 use std::cmp::Ordering;
@@ -136,7 +137,7 @@ impl Surface<'_> {
                 find.length <= MAX_POINT_LENGTH * merge_distance || self.passes(find.place, direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
-        finds.sort_unstable_by(in_order);
+        sort::stable(&mut finds, &in_order);
         let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
@@ -193,7 +194,7 @@ fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
 /// nearest.
 fn merge_overlapping(finds: &mut Vec<CurveFind>, merge_distance: f64) {
     let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
-    finds.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+    sort::stable(finds, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     finds.dedup_by(|next, all| {
         let joins = all.tangent && next.tangent && runs_on(all, next, merge_distance);
         if joins {

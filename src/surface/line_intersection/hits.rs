@@ -3,6 +3,7 @@
 
 use super::line::{Hit, Line};
 use super::search::rounding_error;
+use crate::sort;
 use crate::surface::{Place, Surface};
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -48,7 +49,7 @@ impl Surface<'_> {
         if hits.iter().any(|hit| hit.tangent) {
             self.merge_overlapping(line, hits);
         }
-        hits.sort_unstable_by(in_order);
+        sort::stable(hits, &in_order);
         let slack = LineRounding::new(self, line);
         // Duplicates, each with the hit that stands for it.
         let mut others: Vec<(usize, Hit)> = Vec::new();
@@ -110,7 +111,7 @@ impl Surface<'_> {
     /// come first then.
     fn merge_overlapping(&self, line: &Line, hits: &mut Vec<Hit>) {
         let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
-        hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+        sort::stable(hits, &|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
         let (along, length) = line.along();
         let slack = 2.0 * self.merge_distance() / length;
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
