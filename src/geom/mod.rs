@@ -5,6 +5,7 @@
 //! * [`linear`]: systems of linear equations.
 //! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
 //! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
+//! * [`hull_distance`]: how far two convex hulls are apart.
 //! * [`oriented_box`]: boxes turned with what they hold.
 //! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
 //!   what is left.
@@ -18,6 +19,7 @@ pub(crate) mod bernstein;
 pub(crate) mod bit_set;
 pub(crate) mod box_tree;
 pub(crate) mod disjoint_sets;
+pub(crate) mod hull_distance;
 pub(crate) mod kd_tree;
 pub(crate) mod linear;
 pub(crate) mod oriented_box;

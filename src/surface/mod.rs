@@ -8,7 +8,8 @@
 //!   one cell. [`Jet`], [`Normal`], [`Curvatures`]: its derivatives, normals and curvatures.
 //! * [`Surface`]: sheets and their index, which answers: nearest points (task a), normals at an
 //!   angle (task b), [`line_intersection`] (task c), plane sections and other contours
-//!   ([`contour`], task d), [`surface_intersection`] (task e). [`Paths`]: curves on a surface.
+//!   ([`contour`], task d), [`surface_intersection`] (task e), [`Approach`], where things do not
+//!   meet. [`Paths`]: curves on a surface.
 //! * [`construct`]: sheets from curves, splines and tangents. [`SurfaceMesh`]: sheets as meshes.
 //! * [`mod@reference`]: the paper's own search, to compare with.
 
@@ -19,6 +20,7 @@ pub mod construct;
 pub mod contour;
 mod curve;
 mod displacements;
+mod distance;
 mod estimate;
 mod evaluate;
 mod frontier;
@@ -44,6 +46,7 @@ mod tangents;
 
 pub use axis::Scheme;
 pub use curve::curve_through;
+pub use distance::Approach;
 pub use evaluate::{Curvatures, LocalGeometry};
 pub use grid::Grid;
 pub use index::NormalCone;

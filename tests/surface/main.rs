@@ -12,6 +12,7 @@ mod contour_simple;
 mod contours;
 mod curve;
 mod data;
+mod distance;
 mod errata;
 mod evaluate;
 mod halving;

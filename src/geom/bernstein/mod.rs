@@ -17,7 +17,7 @@ mod polynomial;
 mod roots;
 
 pub(crate) use casteljau::{
-    basis, basis_with_slopes, blossom, derive, elevate, evaluate, evaluate_with_slope, halves, reduce, restrict, split,
+    basis, basis_with_slopes, blossom, derive, elevate, evaluate, evaluate_with_slope, halve, halves, reduce, restrict, split,
     value_and_slope_by_differences,
 };
 pub(crate) use polynomial::{

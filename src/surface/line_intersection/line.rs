@@ -37,7 +37,7 @@ impl Line {
     }
 
     /// That it is finite and has a direction.
-    pub(super) fn check(&self) -> Result<()> {
+    pub(in crate::surface) fn check(&self) -> Result<()> {
         self.origin.to_array().into_iter().try_for_each(|x| Error::require(x.abs() <= MAX_COORDINATE, "origin", x))?;
         finite(self.direction, "direction")?;
         // Parameters of points are quotients by the length: they would be infinite.
@@ -49,7 +49,7 @@ impl Line {
     }
 
     /// The unit vector along it and the length of the direction, whatever its size.
-    pub(super) fn along(&self) -> (DVec3, f64) {
+    pub(in crate::surface) fn along(&self) -> (DVec3, f64) {
         let largest = self.direction.abs().max_element();
         let scaled = self.direction / largest;
         let length = scaled.length();

@@ -1,0 +1,197 @@
+//! Nearest points of surfaces and lines, planes, curves and other surfaces: against dense samples
+//! and the nearest points of these, analytic shapes, and cases where all points are equally near.
+
+use crate::shapes::{Random, rough, torus};
+use glam::{DMat3, DVec3};
+use gusset::Job;
+use gusset::outline::{Curve, CurveView};
+use gusset::surface::line_intersection::Line;
+use gusset::surface::{Approach, Grid, Nodes, Patches, Scheme, Sheet, Surface};
+use std::time::Instant;
+
+fn surface(sheets: Vec<Sheet<'static>>) -> Surface<'static> {
+    Surface::new(sheets, None, &Job::default()).unwrap()
+}
+
+/// The surface over a square, or a ring, of nodes.
+fn through(cells: [usize; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> DVec3) -> Surface<'static> {
+    let [h, w] = cells;
+    let nodes: Vec<f64> = (0..=h)
+        .flat_map(|i| (0..=w).map(move |j| (i, j)))
+        .flat_map(|(i, j)| {
+            let at = |k: usize, n: usize, closed: bool| (if closed { k % n } else { k }) as f64 / n as f64;
+            point(at(i, h, closed[0]), at(j, w, closed[1])).to_array()
+        })
+        .collect();
+    let nodes = Nodes::strided(nodes, h + 1, w + 1, 0, 0).unwrap();
+    surface(vec![Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap).unwrap())])
+}
+
+fn rotation(random: &mut Random) -> DMat3 {
+    DMat3::from_euler(glam::EulerRot::XYZ, 7.0 * random.next(), 7.0 * random.next(), 7.0 * random.next())
+}
+
+/// Surfaces without any regularity, smooth ones, and patches of high degree, turned and moved.
+fn random_surface(random: &mut Random, away: f64) -> Surface<'static> {
+    let (turned, moved) = (rotation(random), random.point(away));
+    let kind = (6.0 * random.next()) as usize;
+    if kind == 5 {
+        let points: Vec<DVec3> = (0..36)
+            .map(|k| {
+                let flat = DVec3::new((k / 6) as f64 / 2.5 - 1.0, (k % 6) as f64 / 2.5 - 1.0, 0.0);
+                turned * (flat + random.point(0.4)) + moved
+            })
+            .collect();
+        return surface(vec![Sheet::High(Patches::new(&points, [5, 5], 1, 1).unwrap())]);
+    }
+    let cells = [3 + (5.0 * random.next()) as usize, 3 + (9.0 * random.next()) as usize];
+    let closed = [[false; 2], [true; 2], [false, true]][kind % 3];
+    let cells = [0, 1].map(|k| if closed[k] { cells[k] + 3 } else { cells[k] });
+    if kind < 3 {
+        let made = Sheet::Grid(rough(cells, closed, Scheme::SixTap, (1e9 * random.next()) as u64));
+        return through(cells, closed, |u, v| {
+            let [i, j] = [u * cells[0] as f64, v * cells[1] as f64].map(|x| x.round() as usize);
+            turned * made.corner(i, j) + moved
+        });
+    }
+    let bumps = 0.3 * random.next();
+    through([cells[0] + 4, cells[1] + 4], [true; 2], |u, v| turned * torus(u, v, bumps) + moved)
+}
+
+/// Points of every cell.
+fn samples(surface: &Surface<'_>, n: usize) -> Vec<DVec3> {
+    let mut found = Vec::new();
+    for k in 0..surface.len() {
+        let [h, w] = surface.sheet(k).cells();
+        for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+            for (a, b) in (0..=n).flat_map(|a| (0..=n).map(move |b| (a, b))) {
+                let at = |k: usize| k as f64 / n as f64;
+                found.push(surface.sheet(k).jet(i, j, at(a), at(b)).point);
+            }
+        }
+    }
+    found
+}
+
+/// What any answer must be: points of both, as far apart as said, a bound below it that no sample
+/// is nearer than, and no sample nearer than the answer by more than the tolerance.
+fn check<T: std::fmt::Debug>(found: &Approach<T>, surface: &Surface<'_>, least: f64, unit: f64, what: &str) {
+    let rounding = 1e-12 * unit;
+    assert_eq!(found.point, surface.jet(found.place).point, "{what}");
+    assert!((found.point.distance(found.other_point) - found.distance).abs() <= rounding, "{what}: {found:?}");
+    assert!(found.bound <= found.distance && found.bound >= 0.0, "{what}: {found:?}");
+    assert!(found.meets == (found.distance == 0.0), "{what}: {found:?}");
+    assert!(least >= found.bound - rounding, "{what}: a sample at {least} is nearer than {found:?}");
+    let tolerance = surface.tolerance().max(1e-9 * unit);
+    assert!(found.distance <= least + tolerance || !found.proven, "{what}: {found:?}, a sample at {least}");
+    assert!(!found.proven || found.bound >= found.distance - tolerance, "{what}: {found:?}");
+}
+
+fn random_curve(random: &mut Random, from: DVec3) -> Curve {
+    let degrees = [1, 2, 3, 5, 9].map(|degree| (random.next() < 0.4).then_some(degree));
+    let degrees: Vec<u32> = degrees.into_iter().flatten().chain([3]).collect();
+    let mut ends = vec![0];
+    degrees.iter().for_each(|degree| ends.push(ends.last().unwrap() + degree));
+    let mut points = vec![from];
+    (0..*ends.last().unwrap()).for_each(|_| points.push(*points.last().unwrap() + random.point(0.5)));
+    CurveView::new(&points, &ends, false).unwrap().to_owned().unwrap()
+}
+
+fn curve_points(curve: &CurveView<'_>, n: usize) -> Vec<DVec3> {
+    let at = |k: usize| gusset::outline::Place { segment: (k / n) as u32, t: (k % n) as f64 / (n - 1) as f64 };
+    curve.points_at(&(0..n * curve.len()).map(at).collect::<Vec<_>>()).unwrap()
+}
+
+/// The four kinds: how many cases, of which apart, proved, and seconds of the queries alone.
+fn run(cases: usize, seed: u64) {
+    let job = Job::default();
+    for kind in 0..4 {
+        let mut random = Random(seed + kind);
+        let (mut apart, mut proven, mut seconds) = (0, 0, 0.0);
+        for case in 0..cases {
+            let a = random_surface(&mut random, 0.0);
+            let own = samples(&a, 4);
+            let what = format!("kind {kind}, case {case}");
+            let aside = random.point(1.0).normalize() * (0.2 + 2.5 * random.next());
+            let begun = Instant::now();
+            let (least, distance, meets, is_proven) = match kind {
+                0 => {
+                    let direction = random.point(1.0);
+                    let line = match case % 3 {
+                        0 => Line::new(aside, direction),
+                        1 => Line::ray(aside, direction),
+                        _ => Line::segment(aside, aside + direction),
+                    };
+                    let found = a.distance_to_line(&line, None, &job).unwrap();
+                    seconds += begun.elapsed().as_secs_f64();
+                    let at = |p: DVec3| (p - aside).dot(direction) / direction.length_squared();
+                    let foot = |p: DVec3| aside + at(p).clamp(line.from, line.to) * direction;
+                    let mut least = own.iter().map(|&p| p.distance(foot(p))).fold(f64::INFINITY, f64::min);
+                    for k in 0..50 {
+                        let t = (-4.0 + 0.16 * f64::from(k)).clamp(line.from, line.to);
+                        least = least.min(a.closest(aside + t * direction, f64::INFINITY).unwrap().distance);
+                    }
+                    assert!(foot(found.point).distance(found.other_point) < 1e-9, "{what}: {found:?}");
+                    assert!((aside + found.other * direction).distance(found.other_point) < 1e-12, "{what}");
+                    check(&found, &a, least, 4.0, &what);
+                    (least, found.distance, found.meets, found.proven)
+                }
+                1 => {
+                    let normal = random.point(1.0);
+                    let found = a.distance_to_plane(aside, normal, None, &job).unwrap();
+                    seconds += begun.elapsed().as_secs_f64();
+                    let unit = normal.normalize();
+                    let heights = own.iter().map(|&p| unit.dot(p - aside));
+                    let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| {
+                        [low.min(h), high.max(h)]
+                    });
+                    let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
+                    assert!((found.other - unit.dot(found.point - aside)).abs() < 1e-12, "{what}: {found:?}");
+                    assert!(least > 0.0 || found.distance < 1e-12, "{what}: {found:?}");
+                    check(&found, &a, least, 4.0, &what);
+                    (least, found.distance, found.meets, found.proven)
+                }
+                2 => {
+                    let curve = random_curve(&mut random, aside);
+                    let found = a.distance_to_curve(&curve.view(), None, &job).unwrap();
+                    seconds += begun.elapsed().as_secs_f64();
+                    let points = curve_points(&curve.view(), 24);
+                    let nearest = |p: DVec3| a.closest(p, f64::INFINITY).unwrap().distance;
+                    let least = points.into_iter().map(nearest).fold(f64::INFINITY, f64::min);
+                    assert_eq!(curve.view().point(found.other).unwrap(), found.other_point, "{what}");
+                    check(&found, &a, least, 4.0, &what);
+                    (least, found.distance, found.meets, found.proven)
+                }
+                _ => {
+                    let b = random_surface(&mut random, 2.0);
+                    let begun = Instant::now();
+                    let found = a.distance_to_surface(&b, None, &job).unwrap();
+                    seconds += begun.elapsed().as_secs_f64();
+                    let nearest = |p: DVec3| a.closest(p, f64::INFINITY).unwrap().distance;
+                    let least = samples(&b, 2).into_iter().map(nearest).fold(f64::INFINITY, f64::min);
+                    assert_eq!(found.other_point, b.jet(found.other).point, "{what}");
+                    check(&found, &a, least, 4.0, &what);
+                    (least, found.distance, found.meets, found.proven)
+                }
+            };
+            assert!(least >= 0.0 && distance.is_finite());
+            apart += usize::from(!meets);
+            proven += usize::from(is_proven);
+        }
+        let name = ["line", "plane", "curve", "surface"][kind as usize];
+        println!("{name}: {cases} cases, {apart} apart, {proven} proved, {:.1} us each", 1e6 * seconds / cases as f64);
+        assert!(apart * 4 > cases && proven * 100 >= cases * 98, "{name}: {apart} apart, {proven} proved");
+    }
+}
+
+#[test]
+fn no_sample_is_nearer() {
+    run(40, 1);
+}
+
+/// `cargo test --release -p gusset-tests --test surface -- --ignored --nocapture exhaustive_distance`
+#[test]
+#[ignore = "long: make exhaustive"]
+fn exhaustive_distances() {
+    run(10_000, 100);
+}
