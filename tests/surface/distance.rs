@@ -131,7 +131,7 @@ fn run(cases: usize, seed: u64) {
                         let t = (-4.0 + 0.16 * f64::from(k)).clamp(line.from, line.to);
                         least = least.min(a.closest(aside + t * direction, f64::INFINITY).unwrap().distance);
                     }
-                    assert!(foot(found.point).distance(found.other_point) < 1e-9, "{what}: {found:?}");
+                    assert!(foot(found.point).distance(found.other_point) < 1e-7, "{what}: {found:?}");
                     assert!((aside + found.other * direction).distance(found.other_point) < 1e-12, "{what}");
                     check(&found, &a, least, 4.0, &what);
                     (least, found.distance, found.meets, found.proven)
@@ -194,4 +194,178 @@ fn no_sample_is_nearer() {
 #[ignore = "long: make exhaustive"]
 fn exhaustive_distances() {
     run(10_000, 100);
+}
+
+/// z = bend (x^2 + y^2) + height for x and y from -1 to 1, turned: one patch that is this exactly.
+fn bowl(bend: f64, height: f64) -> Patches<4> {
+    let value = |k: usize, n: usize| [[1.0, -1.0, 1.0][k], 2.0 * k as f64 / (n - 1) as f64 - 1.0];
+    let points: Vec<DVec3> = (0..9)
+        .map(|k| {
+            let ([xx, x], [yy, y]) = (value(k / 3, 3), value(k % 3, 3));
+            DVec3::new(x, y, bend * (xx + yy) + height)
+        })
+        .collect();
+    Patches::new(&points, [2, 2], 1, 1).unwrap()
+}
+
+fn bowls(bend: f64, height: f64) -> Surface<'static> {
+    surface(vec![Sheet::Cubic(bowl(bend, height))])
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12
+}
+
+#[test]
+fn distances_of_paraboloids_are_known() {
+    let job = Job::default();
+    let a = bowls(0.5, 0.0);
+    // Two that face each other, and their lowest and highest points.
+    let found = a.distance_to_surface(&bowls(-0.3, -1.0), None, &job).unwrap();
+    assert!(near(found.distance, 1.0) && found.proven && !found.meets, "{found:?}");
+    assert!(found.point.length() < 1e-6 && near(found.place.u, 0.5) && near(found.other.v, 0.5), "{found:?}");
+    // Planes below, and one that cuts it: on either side of it.
+    for (z, up, height) in [(-0.25, 2.0, 0.25), (-0.25, -3.0, -0.25), (1.5, 1.0, -0.5)] {
+        let found = a.distance_to_plane(DVec3::new(7.0, 3.0, z), DVec3::Z * up, None, &job).unwrap();
+        assert!(near(found.other, height) && near(found.distance, height.abs()) && found.proven, "{found:?}");
+    }
+    let found = a.distance_to_plane(DVec3::new(7.0, 3.0, 0.4), DVec3::new(0.1, 0.0, 1.0), None, &job).unwrap();
+    assert!(found.meets && found.proven && found.distance == 0.0 && found.bound == 0.0, "{found:?}");
+    // A line below, a ray that points away, a segment that ends above.
+    let below = Line::new(DVec3::new(5.0, 3.0, -0.75), DVec3::new(2.0, 1.2, 0.0));
+    let found = a.distance_to_line(&below, None, &job).unwrap();
+    assert!(near(found.distance, 0.75) && near(found.other, -2.5) && found.proven, "{found:?}");
+    let away = Line::ray(DVec3::new(3.0, 0.0, -0.75), DVec3::new(1.0, 0.0, 0.0));
+    let found = a.distance_to_line(&away, None, &job).unwrap();
+    let nearest = a.closest(away.origin, f64::INFINITY).unwrap();
+    assert!(found.other == 0.0 && near(found.distance, nearest.distance) && found.proven, "{found:?}");
+    let ends = Line::segment(DVec3::new(0.2, 0.1, 5.0), DVec3::new(0.3, 0.1, 0.6));
+    let found = a.distance_to_line(&ends, None, &job).unwrap();
+    let nearest = a.closest(DVec3::new(0.3, 0.1, 0.6), f64::INFINITY).unwrap();
+    assert!(found.other == 1.0 && near(found.distance, nearest.distance) && found.proven, "{found:?}");
+    // Through it, and a curve through it.
+    let found = a.distance_to_line(&Line::new(DVec3::splat(0.1), DVec3::Z), None, &job).unwrap();
+    assert!(found.meets && found.point.distance(found.other_point) < 1e-14, "{found:?}");
+    let points = [DVec3::new(0.0, 0.0, -1.0), DVec3::new(0.4, 0.4, 3.0), DVec3::new(0.2, 0.0, -1.0)];
+    let through = CurveView::new(&points, &[0, 2], false).unwrap();
+    assert!(a.distance_to_curve(&through, None, &job).unwrap().meets);
+    // A single control point that is repeated is a point.
+    let still = CurveView::new(&[DVec3::Z * -2.0; 4], &[0, 3], true).unwrap().to_owned().unwrap();
+    let found = a.distance_to_curve(&still.view(), None, &job).unwrap();
+    assert!(near(found.distance, 2.0) && found.proven, "{found:?}");
+}
+
+/// The best of all sheets, of either side.
+#[test]
+fn all_sheets_are_searched() {
+    let job = Job::default();
+    let many = |sign: f64| -> Vec<Sheet<'static>> {
+        (0..9).map(|k| Sheet::Cubic(bowl(sign * 0.1, sign * (1.0 + 0.1 * f64::from((k * 5 + 2) % 9))))).collect()
+    };
+    let (a, b) = (surface(many(1.0)), surface(many(-1.0)));
+    let found = a.distance_to_surface(&b, None, &job).unwrap();
+    assert!(near(found.distance, 2.0) && found.proven, "{found:?}");
+    assert_eq!([found.place.sheet, found.other.sheet], [5; 2]);
+}
+
+/// A torus.
+fn ring(r: f64) -> Surface<'static> {
+    through([24, 40], [true; 2], |u, v| {
+        let [u, v] = [u, v].map(|t| std::f64::consts::TAU * t);
+        let ring = 1.0 + r * u.cos();
+        DVec3::new(ring * v.cos(), ring * v.sin(), r * u.sin())
+    })
+}
+
+/// Where all is equally near, searches end, say so, and their bounds hold.
+#[test]
+fn searches_end_where_all_is_equally_near() {
+    let job = Job::default();
+    let flat = |z: f64| through([30, 30], [false; 2], |u, v| DVec3::new(2.0 * u, 3.0 * v + 0.3 * u * u, z));
+    let tube = through([30, 30], [false, true], |u, v| {
+        let v = std::f64::consts::TAU * v;
+        DVec3::new(v.cos(), v.sin(), 3.0 * u)
+    });
+    // Parallel planes are proved, however they are parametrised.
+    let found = flat(0.0).distance_to_surface(&flat(0.5), None, &job).unwrap();
+    assert!(near(found.distance, 0.5) && found.proven, "{found:?}");
+    let found = flat(0.0).distance_to_plane(DVec3::NEG_Z, DVec3::Z, None, &job).unwrap();
+    assert!(near(found.distance, 1.0) && found.proven, "{found:?}");
+    let found = flat(0.0).distance_to_line(&Line::new(DVec3::NEG_Z, DVec3::new(1.0, 2.0, 0.0)), None, &job).unwrap();
+    assert!(near(found.distance, 1.0) && found.proven, "{found:?}");
+    // Tori one within the other, and a tube and its axis: to the tolerance that is asked for, or
+    // less than that without a claim.
+    let begun = Instant::now();
+    for tolerance in [Some(5e-3), None] {
+        let found = ring(0.4).distance_to_surface(&ring(0.2), tolerance, &job).unwrap();
+        assert!((found.distance - 0.2).abs() < 1e-3 && found.bound <= found.distance, "{found:?}");
+        assert!(found.bound > 0.18 && found.proven == tolerance.is_some(), "{found:?}");
+        for line in [Line::new(DVec3::ZERO, DVec3::Z), Line::segment(DVec3::ZERO, DVec3::Z)] {
+            let found = tube.distance_to_line(&line, tolerance, &job).unwrap();
+            assert!((found.distance - 1.0).abs() < 1e-3 && found.bound > 0.98, "{found:?}");
+            assert!(found.proven || tolerance.is_none(), "{found:?}");
+        }
+        let found = tube.distance_to_plane(DVec3::X * -2.0, DVec3::X, tolerance, &job).unwrap();
+        assert!((found.distance - 1.0).abs() < 1e-4 && found.proven, "{found:?}");
+    }
+    println!("{:?}", begun.elapsed());
+}
+
+/// Whatever the unit, and far away.
+#[test]
+fn any_unit_and_any_distance() {
+    let job = Job::default();
+    for unit in [1e-25, 1e-6, 1e12, 1e30] {
+        let made = |bend: f64, height: f64| {
+            through([6, 7], [false; 2], |u, v| {
+                let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+                unit * DVec3::new(x, y, bend * (x * x + y * y) + height)
+            })
+        };
+        let a = made(0.5, 0.0);
+        let found = a.distance_to_surface(&made(-0.3, -1.0), None, &job).unwrap();
+        assert!((found.distance / unit - 1.0).abs() < 1e-9 && found.proven, "{unit}: {found:?}");
+        let line = Line::new(DVec3::Z * -unit, DVec3::new(unit, 0.0, 0.0));
+        let found = a.distance_to_line(&line, None, &job).unwrap();
+        assert!((found.distance / unit - 1.0).abs() < 1e-9 && found.proven, "{unit}: {found:?}");
+    }
+    let a = bowls(0.5, 0.0);
+    let far = Line::segment(DVec3::splat(1e140), DVec3::new(1e140, 2e140, 3e140));
+    let found = a.distance_to_line(&far, None, &job).unwrap();
+    assert!((found.distance / (3.0_f64.sqrt() * 1e140) - 1.0).abs() < 1e-12 && found.proven, "{found:?}");
+    let found = a.distance_to_plane(DVec3::Z * -1e100, DVec3::Z, None, &job).unwrap();
+    assert!((found.distance / 1e100 - 1.0).abs() < 1e-12 && found.proven, "{found:?}");
+}
+
+#[test]
+fn what_cannot_be_asked_is_refused() {
+    let (job, a) = (Job::default(), bowls(0.5, 0.0));
+    let line = Line::new(DVec3::ZERO, DVec3::X);
+    for tolerance in [-1.0, f64::NAN, f64::INFINITY] {
+        assert!(a.distance_to_line(&line, Some(tolerance), &job).is_err(), "{tolerance}");
+        assert!(a.distance_to_surface(&a, Some(tolerance), &job).is_err(), "{tolerance}");
+    }
+    for line in [Line { direction: DVec3::ZERO, ..line }, Line { from: 1.0, to: 0.0, ..line }] {
+        assert!(a.distance_to_line(&line, None, &job).is_err(), "{line:?}");
+    }
+    for (point, normal) in [(DVec3::ZERO, DVec3::ZERO), (DVec3::NAN, DVec3::X), (DVec3::X * 1e200, DVec3::X)] {
+        assert!(a.distance_to_plane(point, normal, None, &job).is_err(), "{point} {normal}");
+    }
+    let none = CurveView::new(&[], &[0], false).unwrap();
+    assert_eq!(a.distance_to_curve(&none, None, &job).unwrap_err(), gusset::Error::EmptyCurve);
+    let large = [DVec3::ZERO, DVec3::X * 1e200];
+    assert!(a.distance_to_curve(&CurveView::new(&large, &[0, 1], false).unwrap(), None, &job).is_err());
+}
+
+/// Asked to stop, a long search does.
+#[test]
+fn cancelling_is_heard() {
+    struct Stop;
+    impl gusset::Progress for Stop {
+        fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
+            std::ops::ControlFlow::Break(())
+        }
+    }
+    let found = ring(0.4).distance_to_surface(&ring(0.2), None, &Job::new(1, &Stop));
+    assert_eq!(found.unwrap_err(), gusset::Error::Cancelled);
 }
