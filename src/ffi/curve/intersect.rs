@@ -3,7 +3,7 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::outline::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing};
+use crate::outline::ops::{Intersections, NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
 use crate::outline::{CurveView, Place};
 
 /// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
@@ -32,7 +32,7 @@ pub struct gusset_places_view {
     /// Of intersections: the places on the second curve, or the later ones on the same; else NULL.
     pub others: *const gusset_place,
     /// Parts that two segments have in common: start and end on the first, the same start and end
-    /// on the second; four places each.
+    /// on the second; four places each. Of tangent angles: start and end of a part, twice.
     pub overlaps: *const gusset_place,
     /// How many, each of four places.
     pub overlap_count: usize,
@@ -65,6 +65,13 @@ impl gusset_places {
         let points = curve.points_at(&found.places)?;
         let places = list(found.places.into_iter())?;
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
+    }
+
+    fn of_tangent_angles(found: TangentAngles, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let points = curve.points_at(&found.places)?;
+        let part = |[from, to]: [Place; 2]| [from, to, from, to].map(gusset_place::from);
+        let overlaps = alloc::collect(found.intervals.into_iter().map(part))?;
+        Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
     }
 
     pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>) -> Result<Self, Failure> {
@@ -173,6 +180,39 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
             return gusset_places::of_intersections(&one.self_intersections(job)?, &one);
         }
         gusset_places::of_intersections(&one.intersections(&view(other, "other")?, job)?, &one)
+    })
+}
+
+/// The points of a curve whose tangents make a given angle with a direction: all of them, each
+/// once.
+///
+/// At a cusp, where the derivative is 0, the tangents before and after it count, to 1e-6; at a joint
+/// those of both segments, but not those between. Angles within 1e-7 of 0, pi / 2 and pi are taken
+/// for these; tangents count as along the direction, or against it, to 1e-9.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve, of any dimension and degree.
+/// @param direction x, y, z, of any length but 0, packed.
+/// @param angle 0 to pi.
+/// @param[out] places receives the places; overlaps are parts all of whose tangents make the angle,
+///     as those of straight segments: where each begins and ends, twice. NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (direction,
+///     angle), NOT_FINITE (direction), OUT_OF_MEMORY.
+/// @complexity O(points), and O(degree^2) for each place.
+/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    direction: *const f64,
+    angle: f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let (view, direction) = (view(curve, "curve")?, points(direction, 1, 3)?[0]);
+        gusset_places::of_tangent_angles(view.tangents_at_angle(direction, angle)?, &view)
     })
 }
 

@@ -3,8 +3,10 @@
 
 pub mod contour;
 pub mod curve;
+pub mod distance;
 pub mod evaluate;
 pub mod line_intersection;
+pub mod mask;
 pub mod nearest;
 pub mod reference;
 pub mod report;

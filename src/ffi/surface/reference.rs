@@ -1,15 +1,16 @@
-//! C interface: the paper's search: diameters of cells, cell regions, the logical scale, the normal
-//! by two sections. It is the documented reference; to ask questions, use the index of a surface.
+//! C interface: the paper's search: diameters of cells, the logical scale, the normal by two
+//! sections. It is the documented reference; to ask questions, use the index of a surface.
 
+use crate::ffi::curve::{gusset_curve, view};
 use crate::ffi::prelude::*;
 use crate::ffi::surface::evaluate::surface_places;
-use crate::ffi::surface::gusset_surface_place;
-use crate::ffi::surface::sheet::gusset_sheet;
+use crate::ffi::surface::{gusset_surface, gusset_surface_place};
+use crate::ffi::surface::sheet::{gusset_sheet, read};
+use crate::outline::CurveView;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{
-    AngleTarget, CellMask, Diameters, Goal, Lattice, Object, SearchOptions, SearchOutcome, Sum, angle_incidence, chain,
-    curvature_bound, euler_characteristic, incidence, integer_diameter, normal_by_sections, normal_variation_by_cones,
-    normal_variation_by_curvature,
+    AngleTarget, Arcs, Diameters, Figure, Goal, Object, SearchOptions, SearchOutcome, Sum, angle_incidence,
+    curvature_bound, figure_incidence, normal_by_sections, normal_variation_by_cones, normal_variation_by_curvature,
 };
 use crate::surface::{Place, Sheet};
 
@@ -25,6 +26,13 @@ pub const GUSSET_REFERENCE_LINE: gusset_reference_object = 2;
 pub const GUSSET_REFERENCE_SEGMENT: gusset_reference_object = 3;
 /// Normals at an angle to the direction; distances are deviations from the angle, in radians.
 pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
+
+/// The curve.
+pub const GUSSET_REFERENCE_CURVE: gusset_reference_object = 5;
+/// The surface.
+pub const GUSSET_REFERENCE_SURFACE: gusset_reference_object = 6;
+/// The ray from the point along the direction.
+pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 
 /// What the paper's search looks for, and how.
 #[repr(C)]
@@ -57,6 +65,10 @@ pub struct gusset_reference_task {
     pub by_rows: u32,
     /// 1: lines of nodes that a block covers from side to side are not left out at once.
     pub keep_lines: u32,
+    /// Of GUSSET_REFERENCE_CURVE: the curve; else not read.
+    pub curve: *const gusset_curve,
+    /// Of GUSSET_REFERENCE_SURFACE: the surface; else not read.
+    pub surface: *const gusset_surface,
 }
 
 /// What the search did.
@@ -81,38 +93,7 @@ pub struct gusset_reference_report {
     pub column: u32,
 }
 
-/// What a cell region is like.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_mask_report {
-    /// sizeof(gusset_mask_report), set by the caller.
-    pub struct_size: usize,
-    /// How many cells it has.
-    pub cells: u64,
-    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no
-    /// cells, 2^64 - 1 if the region is in several parts.
-    pub integer_diameter: u64,
-    /// Vertices less edges plus cells: 1 for a region in one part without holes.
-    pub euler: i64,
-    /// No two points of the region are farther apart: the integer diameter times the greatest
-    /// Euclidean diameter of its cells; infinite if the region is in several parts.
-    pub diameter: f64,
-}
-
-versioned! { gusset_reference_task: 104, gusset_reference_report: 56, gusset_mask_report: 40 }
-
-fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
-    Ok(&input::reference(sheet, "sheet")?.0)
-}
-
-/// The caller's region; NULL for all cells.
-fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
-    let lattice = Lattice::of(sheet);
-    if words.is_null() && count == 0 {
-        return Ok(CellMask::full(lattice)?);
-    }
-    Ok(CellMask::from_words(lattice, &input::list(words, count, "words")?)?)
-}
+versioned! { gusset_reference_task: 104, gusset_reference_report: 56 }
 
 impl gusset_reference_task {
     fn options(&self) -> Result<SearchOptions, Failure> {
@@ -125,22 +106,42 @@ impl gusset_reference_task {
         })
     }
 
-    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
-        let (options, unsigned) = (self.options()?, flag(self.unsigned_normals, "unsigned_normals")?);
+    /// What distances are measured from; `None` for angles.
+    fn figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
-        let object = match self.object {
-            GUSSET_REFERENCE_POINT => Object::Point(point),
-            GUSSET_REFERENCE_PLANE => Object::Plane { point, normal: direction },
-            GUSSET_REFERENCE_LINE => Object::Line(Line::new(point, direction)),
-            GUSSET_REFERENCE_SEGMENT => Object::Line(Line::segment(point, point + direction)),
-            GUSSET_REFERENCE_ANGLE => {
-                let target = AngleTarget { direction, angle: self.angle, unsigned };
-                return self.angle_incidence(sheet, target, &options, job);
-            }
+        Ok(Some(match self.object {
+            GUSSET_REFERENCE_POINT => Figure::Object(Object::Point(point)),
+            GUSSET_REFERENCE_PLANE => Figure::Object(Object::Plane { point, normal: direction }),
+            GUSSET_REFERENCE_LINE => Figure::Object(Object::Line(Line::new(point, direction))),
+            GUSSET_REFERENCE_SEGMENT => Figure::Object(Object::Line(Line::segment(point, point + direction))),
+            GUSSET_REFERENCE_RAY => Figure::Object(Object::Line(Line::ray(point, direction))),
+            GUSSET_REFERENCE_CURVE => Figure::Curve(view(self.curve, "curve")?),
+            GUSSET_REFERENCE_SURFACE => Figure::Surface(&input::reference(self.surface, "surface")?.0),
+            GUSSET_REFERENCE_ANGLE => return Ok(None),
             other => return Err(Failure::unknown("object", other.into())),
-        };
+        }))
+    }
+
+    fn angle_target(&self) -> Result<AngleTarget, Failure> {
+        let unsigned = flag(self.unsigned_normals, "unsigned_normals")?;
+        Ok(AngleTarget { direction: DVec3::from_array(self.direction), angle: self.angle, unsigned })
+    }
+
+    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
+        let (options, target) = (self.options()?, self.angle_target()?);
+        let Some(figure) = self.figure()? else { return self.angle_incidence(sheet, target, &options, job) };
         let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
-        Ok(incidence(sheet, &diameters, object, &options, &job.part(0.5, 1.0))?)
+        Ok(figure_incidence(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
+    }
+
+    fn search_curve(&self, curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
+        let (options, target, figure) = (self.options()?, self.angle_target()?, self.figure()?);
+        let arcs = Arcs::new(curve, parts, &job.part(0.0, 0.5))?;
+        let job = job.part(0.5, 1.0);
+        Ok(match figure {
+            Some(figure) => arcs.incidence(figure, &options, &job)?,
+            None => arcs.angle_incidence(target, &options, &job)?,
+        })
     }
 
     fn angle_incidence(
@@ -220,96 +221,6 @@ pub unsafe extern "C" fn gusset_sheet_curvature_bound(
     answer(context, (bound, "bound"), 0.0, |job| Ok(curvature_bound(read(sheet)?, job)?))
 }
 
-/// Row and column of a cell.
-fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
-    let bytes = input::bytes(pointer.cast(), 2, 4, name)?;
-    Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
-}
-
-/// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in
-/// common, across corners too.
-///
-/// The sum of their diameters bounds the distance between points of from and of to.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
-///     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
-/// @param count the words, at least as many as the cells need.
-/// @param from row and column of a cell of the region, two numbers, at any alignment.
-/// @param to the same of the other cell.
-/// @param[out] cells receives row and column of each cell of the chain, from and to included, two
-///     numbers each; NULL with capacity 0 to ask for the size.
-/// @param capacity how many cells it has room for.
-/// @param[out] written receives the number of cells, the integer length; 0 if there is no chain.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
-///     words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(cells).
-/// @source Leus, eq. (3).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_mask_chain(
-    context: *const gusset_context,
-    sheet: *const gusset_sheet,
-    words: *const u64,
-    count: usize,
-    from: *const u32,
-    to: *const u32,
-    cells: *mut u32,
-    capacity: usize,
-    written: *mut usize,
-) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    guard(context, |job| {
-        let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        let [from, to] = [cell(from, "from")?, cell(to, "to")?];
-        let found = chain(&region, from, to, job)?.unwrap_or_default();
-        fill(cells.cast::<[u32; 2]>(), capacity, found.len(), written, "cells", |out| {
-            out.iter_mut().zip(&found).for_each(|(out, cell)| *out = cell.map(|k| k as u32));
-            Ok(())
-        })
-    })
-}
-
-/// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
-/// Euler characteristic.
-///
-/// @param context threads, progress, cancellation and error report; NULL for the defaults.
-/// @param sheet the sheet.
-/// @param words the region, as for gusset_sheet_mask_chain.
-/// @param count the region, as for gusset_sheet_mask_chain.
-/// @param[out] report struct_size set by the caller; all else is overwritten.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
-/// @source Leus, eqs. (4) to (6).
-/// @since 0.1
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_sheet_mask_measure(
-    context: *const gusset_context,
-    sheet: *const gusset_sheet,
-    words: *const u64,
-    count: usize,
-    report: *mut gusset_mask_report,
-) -> gusset_status {
-    answer_struct(context, (report, "report"), |job| {
-        let sheet = read(sheet)?;
-        let region = region(sheet, words, count)?;
-        let sizes = Diameters::new(sheet, &job.part(0.0, 0.4))?.euclidean;
-        let euler = euler_characteristic(&region, &job.part(0.4, 0.5))?;
-        let integer = integer_diameter(&region, &job.part(0.5, 1.0))?;
-        Ok(gusset_mask_report {
-            struct_size: 0,
-            cells: region.count() as u64,
-            integer_diameter: integer.map_or(u64::MAX, |cells| cells as u64),
-            euler,
-            diameter: integer.map_or(Ok(f64::INFINITY), |cells| sizes.of_region(&region, cells))?,
-        })
-    })
-}
-
 /// The paper's search with its logical scale, corrected: which cells of a sheet may have a point
 /// within a distance of an object, or the nearest one, or a normal at an angle.
 ///
@@ -342,13 +253,24 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
     written: *mut usize,
     report: *mut gusset_reference_report,
 ) -> gusset_status {
+    mask(context, (words, capacity, written), report, task, |task, job| task.search(read(sheet)?, job))
+}
+
+/// Runs a search and writes its mask and report.
+fn mask(
+    context: *const gusset_context,
+    (words, capacity, written): (*mut u64, usize, *mut usize),
+    report: *mut gusset_reference_report,
+    task: *const gusset_reference_task,
+    search: impl FnOnce(&gusset_reference_task, &Job<'_>) -> Result<SearchOutcome, Failure>,
+) -> gusset_status {
     let written = input::output(written, 0, "written");
     let buffer = input::cleared(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
     guard(context, |job| {
         let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
         buffer?;
-        let found = task.search(read(sheet)?, job)?;
+        let found = search(&task, job)?;
         let ([row, column], min_distance) = found.least;
         if let Some(report) = report {
             report.write(gusset_reference_report {
@@ -363,6 +285,48 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
             });
         }
         input::copy(words, capacity, found.mask.words(), written, "words")
+    })
+}
+
+/// The same search over a curve's own points, with the lengths of its arcs for diameters: which
+/// arcs may have a point within a distance of an object, or the nearest one, or a tangent at an
+/// angle.
+///
+/// Each segment is divided into as many arcs of equal length in the parameter; the cells of the mask
+/// are the arcs in the order of the curve, its nodes their ends. No arc that has what is looked for
+/// is missing.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param curve the curve.
+/// @param parts arcs of each segment, at least 1; 2^30 of all at most.
+/// @param task what is looked for; angles are those of tangents, for which curvature and lines are
+///     not read, and unsigned_normals counts tangents of either direction.
+/// @param[out] words receives a bit for each arc: that of arc k is bit k % 64 of word k / 64; NULL
+///     with capacity 0 for the size and the report alone; all words are 0 on failure.
+/// @param capacity how many words it has room for.
+/// @param[out] written receives the number of words.
+/// @param[out] report what was done: columns are points of the curve, rows 0; its struct_size set by
+///     the caller; may be NULL.
+/// @return GUSSET_OK, or an error: those of gusset_sheet_reference_mask; EMPTY_CURVE, OUT_OF_RANGE
+///     (parts), TOO_LARGE.
+/// @complexity O(arcs degree^2) for the lengths; O(arcs / 64) and the nodes looked at for the
+///     search.
+/// @source Leus, the last paragraph.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_reference_mask(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    parts: usize,
+    task: *const gusset_reference_task,
+    words: *mut u64,
+    capacity: usize,
+    written: *mut usize,
+    report: *mut gusset_reference_report,
+) -> gusset_status {
+    mask(context, (words, capacity, written), report, task, |task, job| {
+        task.search_curve(&view(curve, "curve")?, parts, job)
     })
 }
 

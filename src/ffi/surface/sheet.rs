@@ -72,6 +72,11 @@ impl Layout {
     }
 }
 
+/// The sheet of a handle.
+pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
+    Ok(&input::reference(sheet, "sheet")?.0)
+}
+
 /// A copy of the caller's numbers, packed.
 pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
     let kind: Scalar = choice(nodes.scalar)?;

@@ -9,6 +9,7 @@
 //!   that a curve encloses.
 //! * bounds: the exact bounding box.
 //! * intersect_line: intersections with lines and planes.
+//! * tangent_angle: the points whose tangents make an angle with a direction.
 //! * intersect, segment_intersection: common points of two plane curves, and of one with itself.
 //! * near_misses: where two curves in space come near to each other.
 //! * offset: the curve at a distance.
@@ -38,6 +39,7 @@ mod part;
 mod resample;
 mod segment_intersection;
 mod split;
+mod tangent_angle;
 
 pub use area::Moments;
 pub use bounds::Bounds;
@@ -48,6 +50,7 @@ pub use intersect_line::PlaneIntersections;
 pub use length::Lengths;
 pub use near_misses::{NearMiss, NearMisses};
 pub use nearest::Nearest;
-pub(crate) use nearest::nearest_of_any;
+pub(crate) use nearest::{CurveSearch, nearest_of_any};
 pub use offset::{Offset, OffsetOptions};
 pub use resample::{Samples, Spacing};
+pub use tangent_angle::TangentAngles;

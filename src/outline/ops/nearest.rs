@@ -107,7 +107,7 @@ fn distance(p: DVec3, q: DVec3) -> f64 {
 }
 
 /// A curve in its frame, with the tree of its segments.
-struct CurveSearch<'a> {
+pub(crate) struct CurveSearch<'a> {
     curve: CurveView<'a>,
     frame: UnitFrame,
     points: Vec<DVec3>,
@@ -115,7 +115,7 @@ struct CurveSearch<'a> {
 }
 
 impl<'a> CurveSearch<'a> {
-    fn new(curve: &CurveView<'a>) -> Result<Self> {
+    pub(crate) fn new(curve: &CurveView<'a>) -> Result<Self> {
         let frame = UnitFrame::of(curve.points());
         let points = frame.points(curve.points())?;
         let boxes = CurveView::trusted(&points, curve.ends(), false);
@@ -124,7 +124,7 @@ impl<'a> CurveSearch<'a> {
     }
 
     /// The nearest point. The curve has one.
-    fn nearest(&self, q: DVec3) -> Nearest {
+    pub(crate) fn nearest(&self, q: DVec3) -> Nearest {
         if self.curve.is_empty() {
             let point = self.curve.points()[0];
             return Nearest { place: Place::START, point, distance: distance(point, q) };

@@ -86,6 +86,15 @@ impl CellMask {
         })
     }
 
+    /// The corners of these cells, each once, row after row; of closed directions the last line is
+    /// the first.
+    pub fn nodes(&self) -> impl Iterator<Item = [usize; 2]> {
+        let lattice = self.lattice;
+        let [rows, columns] = lattice.lines();
+        let all = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
+        all.filter(move |&node| lattice.round(node).any(|cell| self.get(cell)))
+    }
+
     /// Zeroes a block.
     pub(crate) fn clear(&mut self, [rows, columns]: [Span; 2]) {
         let width = self.lattice.cells[1];

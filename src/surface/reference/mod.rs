@@ -19,6 +19,9 @@
 //!   nothing that is as near as rho. The last record and the cells that are left hold the least.
 //! * *T4, angles.* The same with normals for points: |angle(N, direction) - alpha| is 1-Lipschitz
 //!   in N, and the variation of a cell's normals takes the part of its diameter.
+//! * *Curves.* All of this holds for curves, whose points are the nodes and whose arcs, by their
+//!   lengths, the cells: see [`Arcs`]. Distances are measured from curves and surfaces, too, see
+//!   [`Figure`].
 //! * *T5, hierarchy.* A block may be excluded by any set that contains it. Balls of radius J d
 //!   round nodes are one choice; the index takes boxes.
 //!
@@ -38,9 +41,11 @@
 //!   four crossings wrongly. Parts of cells must be examined.
 //! * *E8* The Euclidean diameter suffices for distances; the intrinsic one is needed for K d only.
 
+mod arcs;
 mod cell_mask;
 mod curvature;
 mod diameter;
+mod figure;
 mod lattice;
 mod normal_variation;
 mod object;
@@ -49,9 +54,11 @@ mod search;
 mod section_normal;
 mod sizes;
 
+pub use arcs::{Arcs, MAX_ARCS};
 pub use cell_mask::CellMask;
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
+pub use figure::{Figure, figure_incidence};
 pub use lattice::Lattice;
 pub use normal_variation::{AngleTarget, angle_incidence, normal_variation_by_cones, normal_variation_by_curvature};
 pub use object::{Object, Target, incidence};
