@@ -60,6 +60,71 @@ static void closest(const gusset_surface *surface) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_nearest(context, surface, queries[0], 1, 0, &options, found));
 }
 
+static void distances(const gusset_surface *surface) {
+    const double above[3] = {1, 1, 2}, up[3] = {0, 0, 1}, zero[3] = {0, 0, 0}, nan[3] = {0, NAN, 0}, far[3] = {1e200, 0, 0};
+    const double a[6] = {1, 1, 3, 2, 3, 3}, large[6] = {0, 0, 0, 1e200, 0, 0};
+    const uint32_t ends[2] = {0, 1}, none[1] = {0};
+    gusset_line line = {{-3, 1, 2}, {2, 0, 0}, -INFINITY, INFINITY};
+    gusset_surface_distance found;
+    gusset_curve *curve = NULL, *empty = NULL, *wide = NULL;
+
+    memset(&found, 0, sizeof found);
+    found.struct_size = sizeof found;
+    EXPECT(GUSSET_OK, gusset_surface_line_distance(context, surface, &line, 0, &found));
+    CHECK(fabs(found.distance - 2) < 1e-12 && found.bound <= 2 && found.flags == GUSSET_DISTANCE_PROVEN);
+    CHECK(fabs(found.point[2]) < 1e-12 && fabs(found.other_point[2] - 2) < 1e-12 && found.reserved == 0);
+    CHECK(fabs(line.origin[0] + 2 * found.parameter - found.other_point[0]) < 1e-12);
+    line.origin[2] = 0;
+    EXPECT(GUSSET_OK, gusset_surface_line_distance(context, surface, &line, 1e-3, &found));
+    CHECK(found.distance == 0 && found.bound == 0 && found.flags == (GUSSET_DISTANCE_PROVEN | GUSSET_DISTANCE_MEETS));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_distance(context, surface, &line, -1, &found));
+    CHECK(found.struct_size == sizeof found && found.flags == 0);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_distance(context, surface, &line, NAN, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_line_distance(context, NULL, &line, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_line_distance(context, surface, NULL, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_line_distance(context, surface, &line, 0, NULL));
+    line.direction[0] = 0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_distance(context, surface, &line, 0, &found));
+    line.direction[0] = 1, line.from = 2, line.to = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_line_distance(context, surface, &line, 0, &found));
+
+    EXPECT(GUSSET_OK, gusset_surface_plane_distance(context, surface, above, up, 0, &found));
+    CHECK(fabs(found.parameter + 2) < 1e-12 && fabs(found.distance - 2) < 1e-12);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_plane_distance(context, surface, above, zero, 0, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_plane_distance(context, surface, nan, up, 0, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_plane_distance(context, surface, far, up, 0, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_plane_distance(context, surface, above, up, INFINITY, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_plane_distance(context, NULL, above, up, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_plane_distance(context, surface, NULL, up, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_plane_distance(context, surface, above, NULL, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_plane_distance(context, surface, above, up, 0, NULL));
+
+    EXPECT(GUSSET_OK, gusset_curve_create(context, a, 2, 3, ends, 2, 0, &curve));
+    EXPECT(GUSSET_OK, gusset_curve_create(context, NULL, 0, 3, none, 1, 0, &empty));
+    EXPECT(GUSSET_OK, gusset_curve_create(context, large, 2, 3, ends, 2, 0, &wide));
+    EXPECT(GUSSET_OK, gusset_surface_curve_distance(context, surface, curve, 0, &found));
+    CHECK(fabs(found.distance - 3) < 1e-12 && found.curve_place.segment == 0 && found.parameter == 0);
+    EXPECT(GUSSET_ERROR_EMPTY_CURVE, gusset_surface_curve_distance(context, surface, empty, 0, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_curve_distance(context, surface, wide, 0, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_curve_distance(context, surface, curve, -1, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_curve_distance(context, NULL, curve, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_curve_distance(context, surface, NULL, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_curve_distance(context, surface, curve, 0, NULL));
+    gusset_curve_destroy(curve);
+    gusset_curve_destroy(empty);
+    gusset_curve_destroy(wide);
+
+    EXPECT(GUSSET_OK, gusset_surface_surface_distance(context, surface, surface, 0, &found));
+    CHECK(found.distance == 0 && (found.flags & GUSSET_DISTANCE_MEETS));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_surface_distance(context, surface, surface, -1, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_surface_distance(context, NULL, surface, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_surface_distance(context, surface, NULL, 0, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_surface_distance(context, surface, surface, 0, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_surface_surface_distance(context, surface, surface, 0, misaligned()));
+    found.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_surface_distance(context, surface, surface, 0, &found));
+}
+
 static void minima(const gusset_surface *surface) {
     const double query[3] = {1.5, 2.25, 3}, nan[3] = {0, NAN, 0};
     gusset_nearest_options options = {sizeof options, 0.0, 1, 0, 0};
@@ -205,6 +270,7 @@ int main(void) {
     }
     surface = flat();
     closest(surface);
+    distances(surface);
     minima(surface);
     region(surface);
     info(surface);

@@ -152,7 +152,7 @@ static void masks(gusset_sheet *sheet) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     task.angle = 1.0, task.within = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
-    task.within = 0.0, task.object = 5;
+    task.within = 0.0, task.object = 99;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     task.object = GUSSET_REFERENCE_POINT, task.find_nearest = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
@@ -168,6 +168,104 @@ static void masks(gusset_sheet *sheet) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     task.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, NULL));
+}
+
+/* Curves and surfaces as objects, curves in the place of sheets, and lists of cells and nodes. */
+static void figures(gusset_sheet *sheet) {
+    const double bar[6] = {0.5, 0.5, 0.0, 0.5, 6.5, 0.0}, up[3] = {0, 0, 1}, zero[3] = {0, 0, 0};
+    const uint32_t ends[2] = {0, 1}, none[1] = {0};
+    gusset_reference_task task = task_of(GUSSET_REFERENCE_CURVE, 0.0, 0.0, 0.0);
+    gusset_reference_report report;
+    uint64_t words[1] = {0};
+    uint32_t cells[2 * CELLS];
+    size_t written = 0;
+    gusset_curve *curve = NULL, *empty = NULL;
+    gusset_surface *surface = NULL;
+    gusset_places *places = NULL;
+    gusset_places_view view;
+
+    memset(&report, 0, sizeof report);
+    report.struct_size = sizeof report;
+    memset(&view, 0, sizeof view);
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_curve_create(context, bar, 2, 3, ends, 2, 0, &curve));
+    EXPECT(GUSSET_OK, gusset_curve_create(context, NULL, 0, 3, none, 1, 0, &empty));
+    EXPECT(GUSSET_OK, gusset_surface_create(context, (const gusset_sheet *const *)&sheet, 1, NULL, &surface));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
+    task.curve = empty;
+    EXPECT(GUSSET_ERROR_EMPTY_CURVE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
+    task.curve = curve;
+    EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
+    CHECK((words[0] & 0x7f) == 0x7f && report.cells < CELLS);
+    EXPECT(GUSSET_OK, gusset_sheet_mask_cells(context, sheet, words, 1, NULL, 0, &written));
+    CHECK(written == report.cells);
+    EXPECT(GUSSET_OK, gusset_sheet_mask_cells(context, sheet, words, 1, cells, CELLS, &written));
+    CHECK(written == report.cells && cells[0] == 0 && cells[2] == 0 && cells[3] == 1);
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_cells(context, sheet, words, 1, cells, 1, &written));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_cells(context, sheet, words, 0, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, NULL, words, 1, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, sheet, NULL, 1, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, sheet, words, 1, NULL, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_cells(context, sheet, words, 1, cells, CELLS, NULL));
+    words[0] = 1;
+    EXPECT(GUSSET_OK, gusset_sheet_mask_nodes(context, sheet, words, 1, cells, 4, &written));
+    CHECK(written == 4 && cells[0] == 0 && cells[3] == 1 && cells[4] == 1 && cells[7] == 1);
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_nodes(context, sheet, words, 1, cells, 3, &written));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_nodes(context, sheet, words, 0, cells, 4, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_nodes(context, NULL, words, 1, cells, 4, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_nodes(context, sheet, words, 1, cells, 4, NULL));
+
+    task.object = GUSSET_REFERENCE_SURFACE;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
+    task.surface = surface;
+    EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
+    CHECK(report.cells == CELLS && report.min_distance == 0);
+    task = task_of(GUSSET_REFERENCE_RAY, 2.5, 6.5, 0.0);
+    task.direction[1] = 1.0;
+    EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
+    CHECK((words[0] >> 16 & 1) == 0 && (words[0] >> 22 & 3) == 3);
+
+    /* Over the curve's own points: ten arcs of length 0.6, of which two are near y = 3.5. */
+    task = task_of(GUSSET_REFERENCE_PLANE, 0.0, 3.3, 0.0);
+    task.direction[1] = 2.0;
+    EXPECT(GUSSET_OK, gusset_curve_reference_mask(context, curve, 10, &task, words, 1, &written, &report));
+    CHECK(written == 1 && (words[0] >> 4 & 1) == 1 && report.cells < 6 && report.row == 0);
+    EXPECT(GUSSET_OK, gusset_curve_reference_mask(context, curve, 10, &task, NULL, 0, &written, NULL));
+    CHECK(written == 1);
+    task.object = GUSSET_REFERENCE_ANGLE, task.angle = 0.1;
+    EXPECT(GUSSET_OK, gusset_curve_reference_mask(context, curve, 10, &task, words, 1, &written, &report));
+    CHECK(report.cells == 0);
+    task.angle = 0.0;
+    EXPECT(GUSSET_OK, gusset_curve_reference_mask(context, curve, 10, &task, words, 1, &written, &report));
+    CHECK(report.cells == 10);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reference_mask(context, curve, 0, &task, words, 1, &written, &report));
+    CHECK(written == 0 && words[0] == 0);
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_curve_reference_mask(context, curve, SIZE_MAX, &task, words, 1, &written, &report));
+    EXPECT(GUSSET_ERROR_EMPTY_CURVE, gusset_curve_reference_mask(context, empty, 1, &task, words, 1, &written, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_reference_mask(context, NULL, 1, &task, words, 1, &written, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_reference_mask(context, curve, 1, NULL, words, 1, &written, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_reference_mask(context, curve, 1, &task, words, 1, NULL, &report));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_curve_reference_mask(context, curve, 65, &task, words, 1, &written, &report));
+    task.object = 99;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_reference_mask(context, curve, 1, &task, words, 1, &written, &report));
+
+    /* Tangents at an angle: the bar is level. */
+    EXPECT(GUSSET_OK, gusset_curve_tangent_angle_create(context, curve, up, 0.5 * acos(-1.0), &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
+    CHECK(view.count == 0 && view.overlap_count == 1 && view.overlaps[0].t == 0 && view.overlaps[1].t == 1);
+    gusset_places_destroy(places);
+    EXPECT(GUSSET_OK, gusset_curve_tangent_angle_create(context, empty, up, 1, &places));
+    gusset_places_destroy(places);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_tangent_angle_create(context, curve, zero, 1, &places));
+    CHECK(places == NULL);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_tangent_angle_create(context, curve, up, -1, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_tangent_angle_create(context, curve, up, NAN, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_tangent_angle_create(context, NULL, up, 1, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_tangent_angle_create(context, curve, NULL, 1, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_tangent_angle_create(context, curve, up, 1, NULL));
+    gusset_surface_destroy(surface);
+    gusset_curve_destroy(curve);
+    gusset_curve_destroy(empty);
 }
 
 static void normals(gusset_sheet *sheet) {
@@ -209,6 +307,7 @@ int main(void) {
     diameters(sheet);
     regions(sheet);
     masks(sheet);
+    figures(sheet);
     normals(sheet);
     gusset_sheet_destroy(sheet);
     gusset_context_destroy(context);

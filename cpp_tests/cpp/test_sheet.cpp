@@ -320,6 +320,18 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(sheet.reference_mask(gusset::ReferenceTask::segment({0, 0, 0}, {0.1, 0, 0}).up_to(0.01)).mask.count() == 0);
     CHECK(sheet.reference_mask(gusset::ReferenceTask::angle_to({0, 0, 1}, 0.0).up_to(0.05)).mask.count() > 0);
 
+    const Curve row = sheet.curve(gusset::SheetDirection::rows, 0.0);
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::curve_of(row).up_to(0.0)).mask(0, 7));
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::surface_of(surface).up_to(0.0)).mask.count() == 24 * 40);
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::ray({0, 0, 0}, {1, 0, 0}).up_to(0.01)).mask.count() > 0);
+    const gusset::ReferenceMask arcs = gusset::reference_mask(row, 2, gusset::ReferenceTask::at(query));
+    CHECK(arcs.mask.columns() == 80);
+    CHECK(arcs.mask.count() > 0);
+    CHECK(arcs.mask.count() < 40);
+    CHECK(sheet.mask_cells(masked.mask).size() == masked.mask.count());
+    CHECK(sheet.mask_nodes(masked.mask).size() > masked.mask.count());
+    CHECK(row.tangents_at_angle({0, 0, 1}, 0.0).size() == 0);
+
     const gusset_mask_report region = sheet.mask_measure(masked.mask);
     CHECK(region.cells == masked.mask.count());
     CHECK(region.euler == 1);

@@ -121,6 +121,30 @@ TEST_CASE("nearest points are as near as those of a fine mesh, and as their boun
     }
 }
 
+TEST_CASE("distances from lines, planes, curves and surfaces") {
+    std::vector<Point3> nodes;
+    for (int k = 0; k < 36; ++k) {
+        nodes.push_back({double(k / 6), double(k % 6), 0.0});
+    }
+    const Surface flat(Sheet::from_nodes(6, 6, nodes));
+    for (Point3 &node : nodes) {
+        node[2] = 1.5;
+    }
+    const Surface above(Sheet::from_nodes(6, 6, nodes));
+    const gusset::SurfaceDistance apart = flat.distance(above);
+    CHECK(std::abs(apart.distance - 1.5) < 1e-12);
+    CHECK(apart.is_proven());
+    CHECK_FALSE(apart.meets());
+    CHECK(std::abs(flat.distance(Line::line({0, 1, 2}, {1, 1, 0})).distance - 2) < 1e-12);
+    CHECK(std::abs(flat.distance(Point3{0, 0, 3}, Point3{0, 0, 1}).parameter + 3) < 1e-12);
+    CHECK(flat.distance(Line::line({1, 1, 2}, {0, 0, 1})).meets());
+    const std::array<Point3, 2> bar{{{1, 1, 0.5}, {2, 2, 1}}};
+    const std::array<uint32_t, 2> ends{0, 1};
+    const auto curve = gusset::Curve::from_points(bar, gusset::Indices(ends), false);
+    CHECK(std::abs(flat.distance(curve).distance - 0.5) < 1e-12);
+    CHECK_THROWS_AS(flat.distance(curve, -1.0), gusset::Error);
+}
+
 TEST_CASE("limits, minima, regions") {
     const Surface torus(shapes::torus_sheet());
     gusset::NearestOptions options;

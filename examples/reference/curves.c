@@ -193,6 +193,12 @@ static void places_on_curves(const gusset_curve *arch, const gusset_curve *round
     HOLDS(view.count == 1 && view.others != NULL && view.undecided == 0);
     gusset_places_destroy(places);
 
+    /* Where it rises or falls at half a right angle. */
+    MUST(gusset_curve_tangent_angle_create(NULL, arch, east, 0.25 * pi, &places));
+    MUST(gusset_places_get_view(places, &view));
+    HOLDS(view.count == 2 && about(view.places[0].t, 0.5) && about(view.points[3], 1.75));
+    gusset_places_destroy(places);
+
     MUST(gusset_curve_sample_create(NULL, arch, GUSSET_SAMPLE_COUNT, 9.0, &places));
     MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 9 && about(view.points[3 * 4], 1.0));

@@ -225,6 +225,30 @@ static void nearest_points(const gusset_surface *surface) {
 }
 //! [surface_closest]
 
+//! [surface_distance]
+static void distances(const gusset_surface *tube, const gusset_surface *table) {
+    const gusset_line line = {.origin = {3, -5, 1}, .direction = {0, 1, 0}, .from = -INFINITY, .to = INFINITY};
+    const double far[3] = {0, -4, 0}, south[3] = {0, -1, 0}, bow[3][3] = {{3, -1, 1}, {2, 0, 2}, {3, 1, 1}};
+    const uint32_t ends[2] = {0, 2};
+    gusset_surface_distance found = {.struct_size = sizeof found};
+    gusset_curve *curve = NULL;
+
+    /* The tube is of radius 1 about the z axis; a line beside it, and where on the line. */
+    MUST(gusset_surface_line_distance(NULL, tube, &line, 0.0, &found));
+    HOLDS(about(found.distance, 2.0) && about(found.parameter, 5.0) && (found.flags & GUSSET_DISTANCE_PROVEN));
+    /* The plane y = -4, its upper side to the south: the tube is 3 below it. */
+    MUST(gusset_surface_plane_distance(NULL, tube, far, south, 1e-6, &found));
+    HOLDS(about(found.parameter, -3.0) && about(found.other_point[1], -4.0) && found.bound <= found.distance);
+    MUST(gusset_curve_create(NULL, bow[0], 3, 3, ends, 2, 0, &curve));
+    MUST(gusset_surface_curve_distance(NULL, tube, curve, 0.0, &found));
+    HOLDS(about(found.distance, 1.5) && about(found.curve_place.t, 0.5));
+    gusset_curve_destroy(curve);
+    /* The tube stands in the table: where they meet, the distance is 0. */
+    MUST(gusset_surface_surface_distance(NULL, tube, table, 0.0, &found));
+    HOLDS(found.distance == 0.0 && (found.flags & GUSSET_DISTANCE_MEETS) && about(found.point[2], 1.7));
+}
+//! [surface_distance]
+
 //! [surface_line]
 static void lines_and_curves(const gusset_surface *surface) {
     const gusset_line line = {.origin = {-5, 0, 1}, .direction = {1, 0, 0}, .from = -INFINITY, .to = INFINITY};
@@ -343,6 +367,7 @@ static void the_papers_search(const gusset_sheet *sheet) {
     size_t written = 0;
     gusset_reference_report report = {.struct_size = sizeof report};
     gusset_mask_report region = {.struct_size = sizeof region};
+    gusset_curve *curve = NULL;
 
     MUST(gusset_sheet_diameters(NULL, sheet, NULL, NULL, 0, &written, greatest));
     HOLDS(written == 96 && greatest[0] <= greatest[1]);
@@ -353,6 +378,16 @@ static void the_papers_search(const gusset_sheet *sheet) {
     HOLDS(written == 2 && report.cells > 0 && report.cells < 96);
     MUST(gusset_sheet_mask_measure(NULL, sheet, words, 2, &region));
     HOLDS(region.cells == report.cells);
+    /* The same as lists of cells, and of the nodes round them. */
+    MUST(gusset_sheet_mask_cells(NULL, sheet, words, 2, chain, 96, &written));
+    HOLDS(written == report.cells);
+    MUST(gusset_sheet_mask_nodes(NULL, sheet, words, 2, NULL, 0, &written));
+    HOLDS(written > report.cells);
+    /* Over the points of a curve: the arcs of a line of nodes that may come as near. */
+    MUST(gusset_sheet_curve_create(NULL, sheet, GUSSET_ALONG_ROWS, 4.0, &curve));
+    MUST(gusset_curve_reference_mask(NULL, curve, 1, &task, words, 2, &written, &report));
+    HOLDS(written == 1 && report.cells > 0 && report.cells < 12);
+    gusset_curve_destroy(curve);
     /* A shortest chain of cells, over all of them: the moves of a king, and the tube is closed. */
     MUST(gusset_sheet_mask_chain(NULL, sheet, NULL, 0, from, to, chain, 96, &written));
     HOLDS(written == 8 && chain[0] == 0 && chain[2 * 7] == 7 && chain[2 * 7 + 1] == 6);
@@ -373,6 +408,7 @@ int main(void) {
     a_mesh_of_it(round);
     what_a_surface_is(a);
     nearest_points(a);
+    distances(a, b);
     lines_and_curves(a);
     sections(a);
     intersections(a, b);

@@ -218,6 +218,11 @@ public:
                           const Context &context = Context()) const {
         return Places(context.result(gusset_curve_intersect_line_create, get(), point.data(), direction.data()));
     }
+    /// The places where the tangent makes an angle with a direction, and parts where it does all
+    /// along: as overlaps, twice.
+    Places tangents_at_angle(const Point3 &direction, double angle, const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_tangent_angle_create, get(), direction.data(), angle));
+    }
     Places intersect(const Curve &other, const Context &context = Context()) const {
         return Places(context.result(gusset_curve_intersect_create, get(), other.get()));
     }

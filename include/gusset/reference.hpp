@@ -2,11 +2,13 @@
 #ifndef GUSSET_REFERENCE_HPP
 #define GUSSET_REFERENCE_HPP
 
-#include <gusset/context.hpp>
+#include <gusset/curve.hpp>
 
 #include <cstring>
 
 namespace gusset {
+
+class Surface;
 
 /// The object that the paper's search looks for; see gusset_reference_task.
 struct ReferenceTask : gusset_reference_task {
@@ -24,6 +26,16 @@ struct ReferenceTask : gusset_reference_task {
     static ReferenceTask segment(const Point3 &place, const Point3 &along) {
         return {GUSSET_REFERENCE_SEGMENT, place, along};
     }
+    /// The points near a ray.
+    static ReferenceTask ray(const Point3 &place, const Point3 &along) { return {GUSSET_REFERENCE_RAY, place, along}; }
+    /// The points near a curve, which must live as long as the task.
+    static ReferenceTask curve_of(const Curve &other) {
+        ReferenceTask made(GUSSET_REFERENCE_CURVE, {}, {});
+        made.curve = other.get();
+        return made;
+    }
+    /// The points near a surface, which must live as long as the task.
+    static ReferenceTask surface_of(const Surface &other);
     /// Normals at an angle to a direction. `bound`: of the principal curvatures; 0: cones of
     /// normals instead.
     static ReferenceTask angle_to(const Point3 &along, double radians, bool unsigned_normal = false,
@@ -138,6 +150,18 @@ struct ReferenceMask {
     /// The report on the search.
     gusset_reference_report report;
 };
+
+/// The arcs of a curve that may hold the object of a task, by the paper's search over its points:
+/// one row, `parts` arcs a segment. No arc that does is missing.
+inline ReferenceMask reference_mask(const Curve &curve, std::size_t parts, const ReferenceTask &task,
+                                    const Context &context = Context()) {
+    const std::size_t arcs = curve.segment_count() * parts;
+    std::vector<uint64_t> words((arcs + 63) / 64);
+    std::size_t written = 0;
+    auto found = detail::sized<gusset_reference_report>();
+    context.call(gusset_curve_reference_mask, curve.get(), parts, &task, words.data(), words.size(), &written, &found);
+    return {CellMask::from_words(1, arcs, std::move(words)), found};
+}
 
 } // namespace gusset
 

@@ -297,6 +297,14 @@ public:
         cells.resize(written);
         return cells;
     }
+    /// Row and column of each marked cell. The mask must have the sheet's rows and columns.
+    std::vector<std::array<uint32_t, 2>> mask_cells(const CellMask &mask, const Context &context = Context()) const {
+        return mask_list(gusset_sheet_mask_cells, mask, mask.count(), context);
+    }
+    /// Row and column of each corner of marked cells.
+    std::vector<std::array<uint32_t, 2>> mask_nodes(const CellMask &mask, const Context &context = Context()) const {
+        return mask_list(gusset_sheet_mask_nodes, mask, 4 * mask.count(), context);
+    }
     /// Numbers of the region of marked cells. The mask must have the sheet's rows and columns.
     gusset_mask_report mask_measure(const CellMask &mask, const Context &context = Context()) const {
         check_shape(mask);
@@ -311,6 +319,17 @@ public:
     }
 
 private:
+    template <class Function>
+    std::vector<std::array<uint32_t, 2>> mask_list(Function function, const CellMask &mask, std::size_t capacity,
+                                                   const Context &context) const {
+        check_shape(mask);
+        std::vector<std::array<uint32_t, 2>> found(capacity);
+        std::size_t written = 0;
+        context.call(function, get(), mask.words().data(), mask.words().size(),
+                     reinterpret_cast<uint32_t *>(found.data()), found.size(), &written);
+        found.resize(written);
+        return found;
+    }
     void check_shape(const CellMask &mask) const {
         const gusset_sheet_report size = report();
         if (mask.rows() != size.rows || mask.columns() != size.columns) {

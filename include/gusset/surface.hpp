@@ -147,6 +147,27 @@ public:
         return SurfaceRegion(context.result(gusset_surface_region_create, get(), query.data(), radius));
     }
 
+    /// The nearest points of the surface and a line; the parameter is the line's. `tolerance`: to
+    /// which the distance is proved; 0: the surface's.
+    SurfaceDistance distance(const Line &line, double tolerance = 0.0, const Context &context = Context()) const {
+        const gusset_line &given = line;
+        return SurfaceDistance(context.result(gusset_surface_line_distance, get(), &given, tolerance));
+    }
+    /// The same with a plane; the parameter is the distance, negative below it.
+    SurfaceDistance distance(const Point3 &point, const Point3 &normal, double tolerance = 0.0,
+                             const Context &context = Context()) const {
+        return SurfaceDistance(
+            context.result(gusset_surface_plane_distance, get(), point.data(), normal.data(), tolerance));
+    }
+    /// The same with a curve.
+    SurfaceDistance distance(const Curve &curve, double tolerance = 0.0, const Context &context = Context()) const {
+        return SurfaceDistance(context.result(gusset_surface_curve_distance, get(), curve.get(), tolerance));
+    }
+    /// The same with another surface.
+    SurfaceDistance distance(const Surface &other, double tolerance = 0.0, const Context &context = Context()) const {
+        return SurfaceDistance(context.result(gusset_surface_surface_distance, get(), other.get(), tolerance));
+    }
+
     /// The hits of lines, rays or segments.
     SurfaceHits line_hits(Span<const Line> lines, HitSelection selection = HitSelection::all,
                           const Context &context = Context()) const {
@@ -252,6 +273,12 @@ public:
 private:
     detail::Handle<gusset_surface, gusset_surface_destroy> surface_;
 };
+
+inline ReferenceTask ReferenceTask::surface_of(const Surface &other) {
+    ReferenceTask made(GUSSET_REFERENCE_SURFACE, {}, {});
+    made.surface = other.get();
+    return made;
+}
 
 } // namespace gusset
 

@@ -26,6 +26,16 @@ static_assert(sizeof(NearestPoint) == sizeof(gusset_surface_nearest_point) && st
 /// Nearest points in memory that belongs to someone else.
 using NearestPoints = Values<NearestPoint, gusset_surface_nearest_point>;
 
+/// The nearest points of a surface and something else; see gusset_surface_distance.
+struct SurfaceDistance : gusset_surface_distance {
+    /// A distance as the C interface has it.
+    explicit SurfaceDistance(const gusset_surface_distance &found) : gusset_surface_distance(found) {}
+    /// No points of the two are nearer, within the tolerance.
+    bool is_proven() const noexcept { return (flags & GUSSET_DISTANCE_PROVEN) != 0; }
+    /// The two meet.
+    bool meets() const noexcept { return (flags & GUSSET_DISTANCE_MEETS) != 0; }
+};
+
 /// The options of searches for nearest points; see gusset_nearest_options.
 struct NearestOptions {
     /// No point farther than this; empty: no limit.

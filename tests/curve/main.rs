@@ -17,3 +17,4 @@ mod outline_solvers;
 mod plane;
 mod sections;
 mod stress;
+mod tangent_angle;

@@ -1,5 +1,6 @@
 //! Smooth surfaces: construction, evaluation, nearest points, contours, intersections.
 
+mod arcs;
 mod bounds;
 mod cones;
 mod construct;
