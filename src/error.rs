@@ -321,14 +321,17 @@ pub enum Error {
         needed: u64,
     },
     /// A knot of a spline is not finite, less than the one before, or repeated too often; or the
-    /// spline has no range.
-    #[error("knot {knot} of direction {direction}, {}, is out of order or repeated too often", Number(.value))]
+    /// spline has no range, or a span that is too short to be cut where that is needed.
+    #[error("knot {knot} of direction {direction}, {}, is out of order, repeated too often, or begins a span too short to cut", Number(.value))]
     BadKnot {
         /// 0 for u, 1 for v.
         direction: u32,
         knot: u32,
         value: f64,
     },
+    /// A weight of a rational spline is not finite, not positive, or below 2^-900 of the greatest.
+    #[error("the weight of control point {index} is {}; weights are finite and above 0", Number(.value))]
+    BadWeight { index: u64, value: f64 },
     /// A row and a column of a net of curves do not meet.
     #[error("row {row} and column {column} of the net are {} apart where they are nearest", Number(.distance))]
     CurvesApart {

@@ -267,6 +267,7 @@ impl From<Error> for Failure {
                 at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner, vertex.into())
             }
             NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
+            BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
             CoordinateTooLarge { element, index, value } => {
                 Failure::at(GUSSET_ERROR_OUT_OF_RANGE, element.into(), index, value)
             }

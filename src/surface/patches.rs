@@ -20,6 +20,16 @@ pub struct Patches<const N: usize> {
     rows: usize,
     columns: usize,
     closed: [bool; 2],
+    origin: Option<Arc<Origin>>,
+}
+
+/// The spline that patches were made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Origin {
+    /// A bound of the distance from it at equal parameters, but for rounding if it is 0.
+    pub(crate) deviation: f64,
+    /// The parameters of the borders of cells, in u and in v.
+    pub(crate) knots: [Vec<f64>; 2],
 }
 
 impl<const N: usize> Patches<N> {
@@ -46,7 +56,7 @@ impl<const N: usize> Patches<N> {
 
     /// `rows * columns` patches, at least one.
     pub(crate) fn of(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
-        let mut made = Patches { patches: Arc::new(patches), rows, columns, closed: [false, false] };
+        let mut made = Patches { patches: Arc::new(patches), rows, columns, closed: [false, false], origin: None };
         let closed_u = |j: usize| made.get(0, j).points[0] == made.get(rows - 1, j).points[N - 1];
         let closed_v = |i: usize| {
             let (first, last) = (made.get(i, 0), made.get(i, columns - 1));
@@ -54,6 +64,16 @@ impl<const N: usize> Patches<N> {
         };
         made.closed = [rows > 2 && (0..columns).all(closed_u), columns > 2 && (0..rows).all(closed_v)];
         made
+    }
+
+    /// The same patches, with what they were made of.
+    pub(crate) fn with(self, origin: Origin) -> Self {
+        Patches { origin: Some(Arc::new(origin)), ..self }
+    }
+
+    /// What they were made of, if that was a spline.
+    pub(crate) fn origin(&self) -> Option<&Origin> {
+        self.origin.as_deref()
     }
 
     /// The numbers of cells in u and in v.

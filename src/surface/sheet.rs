@@ -1,6 +1,7 @@
 //! The kinds of sheets, and the macro that treats them alike.
 
 use super::cells::Cells;
+use super::patches::Origin;
 use super::{Grid, Jet, Patches};
 use glam::DVec3;
 
@@ -36,6 +37,26 @@ impl Sheet<'_> {
     /// Whether it is closed in u and in v: the first line of nodes follows on the last but one.
     pub fn is_closed(&self) -> [bool; 2] {
         each_sheet!(self, cells => cells.is_closed())
+    }
+
+    fn origin(&self) -> Option<&Origin> {
+        match self {
+            Sheet::Grid(_) => None,
+            Sheet::Cubic(patches) => patches.origin(),
+            Sheet::High(patches) => patches.origin(),
+        }
+    }
+
+    /// A bound of how far the sheet is from the rational spline that it was made of, at equal
+    /// parameters; rounding is in it. 0 for all other sheets.
+    pub fn deviation(&self) -> f64 {
+        self.origin().map_or(0.0, |origin| origin.deviation)
+    }
+
+    /// The parameters of a spline at the borders of the cells that were made of it, in u and in v;
+    /// between them they run evenly. `None` for sheets that were not made of a spline.
+    pub fn knots(&self) -> Option<&[Vec<f64>; 2]> {
+        self.origin().map(|origin| &origin.knots)
     }
 
     /// The corner of cells at (i, j).

@@ -5,7 +5,7 @@ use crate::shapes::{Random, wigley};
 use glam::DVec3;
 use gusset::outline::frame::{Correspondence, FrameOptions, frame};
 use gusset::outline::{Curve, CurveView, Mode, Options, Outlines, Points};
-use gusset::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
+use gusset::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions, Tangents, Twists};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
 use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
@@ -106,7 +106,7 @@ fn tangents_that_do_not_fit() {
 }
 
 /// The value of a spline by the recursion of Cox and de Boor, in long form.
-fn basis(knots: &[f64], degree: usize, i: usize, t: f64) -> f64 {
+pub(crate) fn basis(knots: &[f64], degree: usize, i: usize, t: f64) -> f64 {
     if degree == 0 {
         return f64::from(u8::from(knots[i] <= t && t < knots[i + 1]));
     }
@@ -144,7 +144,12 @@ fn splines_are_what_the_recursion_says() {
         let points: Vec<DVec3> = (0..counts[0] * counts[1]).map(|_| random.point(3.0)).collect();
         let axes =
             [SplineAxis { degree: p, knots: &u, closed: false }, SplineAxis { degree: q, knots: &v, closed: false }];
-        let sheet = Sheet::from_spline(&Spline { points: &points, counts, axes }, &job).unwrap();
+        let sheet = Sheet::from_spline(
+            &Spline { points: &points, weights: None, counts, axes },
+            &SplineOptions::default(),
+            &job,
+        )
+        .unwrap();
         let distinct = |knots: &[f64], degree: usize, count: usize| {
             let mut own = knots[degree..=count].to_vec();
             own.dedup();
@@ -181,7 +186,12 @@ fn closed_splines_close() {
         let points: Vec<DVec3> =
             (0..n * n).map(|k| torus(TAU * (k / n) as f64 / n as f64, TAU * (k % n) as f64 / n as f64).0).collect();
         let axis = SplineAxis { degree, knots: &knots, closed: true };
-        let sheet = Sheet::from_spline(&Spline { points: &points, counts: [n, n], axes: [axis, axis] }, &job).unwrap();
+        let sheet = Sheet::from_spline(
+            &Spline { points: &points, weights: None, counts: [n, n], axes: [axis, axis] },
+            &SplineOptions::default(),
+            &job,
+        )
+        .unwrap();
         assert_eq!((sheet.cells(), sheet.is_closed()), ([n, n], [true, true]));
         for k in 0..n {
             assert_eq!(sheet.jet(n - 1, k, 1.0, 0.0).point, sheet.jet(0, k, 0.0, 0.0).point);
@@ -205,8 +215,8 @@ fn closed_splines_close() {
             .map(|k| points[(k / count + n - degree) % n * n + (k % count + n - degree) % n])
             .collect();
         let axis = SplineAxis { degree, knots: &open, closed: false };
-        let spline = Spline { points: &wrapped, counts: [count, count], axes: [axis, axis] };
-        let unrolled = Sheet::from_spline(&spline, &job).unwrap();
+        let spline = Spline { points: &wrapped, weights: None, counts: [count, count], axes: [axis, axis] };
+        let unrolled = Sheet::from_spline(&spline, &SplineOptions::default(), &job).unwrap();
         assert_eq!(unrolled.cells(), [n, n]);
         for k in 0..n {
             let (a, b) = (sheet.jet(k, n - 1 - k, 0.3, 0.6).point, unrolled.jet(k, n - 1 - k, 0.3, 0.6).point);
@@ -222,7 +232,12 @@ fn splines_that_are_none() {
     let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
     let good = SplineAxis { degree: 3, knots: &knots, closed: false };
     let make = |axis: SplineAxis<'_>, points: &[DVec3]| {
-        Sheet::from_spline(&Spline { points, counts: [4, 4], axes: [good, axis] }, &job).map(|sheet| sheet.cells())
+        Sheet::from_spline(
+            &Spline { points, weights: None, counts: [4, 4], axes: [good, axis] },
+            &SplineOptions::default(),
+            &job,
+        )
+        .map(|sheet| sheet.cells())
     };
     assert_eq!(make(good, &points), Ok([1, 1]));
     assert!(matches!(make(SplineAxis { degree: 8, ..good }, &points), Err(Error::OptionOutOfRange { .. })));

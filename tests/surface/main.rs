@@ -27,6 +27,7 @@ mod nearest_exhaustive;
 mod oracle;
 mod pairs;
 mod range;
+mod rational;
 mod reference;
 mod shapes;
 mod surface_intersection;

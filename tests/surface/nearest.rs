@@ -2,7 +2,7 @@
 
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
-use gusset::surface::construct::{Spline, SplineAxis};
+use gusset::surface::construct::{Spline, SplineAxis, SplineOptions};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Element, Error, Job, Progress};
 use std::ops::ControlFlow;
@@ -212,7 +212,12 @@ fn spline() -> Sheet<'static> {
     };
     let [u, v] = [knots(rows, 5), knots(columns, 2)];
     let axes = [(5, &u), (2, &v)].map(|(degree, knots)| SplineAxis { degree, knots, closed: false });
-    Sheet::from_spline(&Spline { points: &points, counts: [rows, columns], axes }, &Job::default()).unwrap()
+    Sheet::from_spline(
+        &Spline { points: &points, weights: None, counts: [rows, columns], axes },
+        &SplineOptions::default(),
+        &Job::default(),
+    )
+    .unwrap()
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::ffi::curve::{gusset_curve, points, times};
 use crate::ffi::prelude::*;
 use crate::ffi::surface::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
 use crate::outline::CurveView;
-use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
+use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, SplineOptions, Tangents, Twists};
 use crate::surface::{MAX_DEGREE, Patches, Sheet};
 
 /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
@@ -235,8 +235,8 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
             SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },
             SplineAxis { degree: given.degree_v as usize, knots: &v, closed: closed[1] },
         ];
-        let spline = Spline { points: &points, counts: [given.count_u, given.count_v], axes };
-        Ok(gusset_sheet(Sheet::from_spline(&spline, job)?))
+        let spline = Spline { points: &points, weights: None, counts: [given.count_u, given.count_v], axes };
+        Ok(gusset_sheet(Sheet::from_spline(&spline, &SplineOptions::default(), job)?))
     })
 }
 

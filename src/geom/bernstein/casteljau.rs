@@ -4,7 +4,7 @@
 //! Source: Farin, Curves and Surfaces for CAGD (2002), chapters 4 to 6. A column of the scheme
 //! replaces each coefficient by a combination of itself and the next one. O(n^2).
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, DVec4};
 use std::ops::{Mul, Sub};
 
 /// A coefficient: a number, a point, or a row of coefficients.
@@ -31,7 +31,7 @@ macro_rules! plain_coefficients {
         }
     )*};
 }
-plain_coefficients! { f64 DVec2 DVec3 }
+plain_coefficients! { f64 DVec2 DVec3 DVec4 }
 
 impl<T: Coefficient, const N: usize> Coefficient for [T; N] {
     #[inline(always)]

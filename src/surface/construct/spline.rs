@@ -2,11 +2,15 @@
 //!
 //! Over each span of knots the spline is a Bézier patch, whose control points are values of the
 //! blossom: the symmetric multiaffine function that gives the spline when all its arguments are
-//! equal. Point k of the span [a, b] takes p - k arguments a and k arguments b.
+//! equal. Point k of the span [a, b] takes p - k arguments a and k arguments b. The same holds of
+//! any part [a, b] of a span.
 
+use super::rational;
 use crate::surface::checks::finite_points;
+use crate::surface::patches::Origin;
 use crate::surface::prelude::*;
 use crate::surface::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
+use std::ops::{Add, Mul};
 
 /// One direction of a spline.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,39 +26,67 @@ pub struct SplineAxis<'a> {
     pub closed: bool,
 }
 
-/// A spline. Cells are its spans, in both directions, that are not empty: knots become whole
-/// numbers, in order.
+/// A spline, rational if it has weights that differ. Cells are its spans, in both directions, that
+/// are not empty: knots become whole numbers, in order. Spans of rational splines may be cut into
+/// several cells; [`Sheet::knots`] has the parameters of their borders.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spline<'a> {
-    /// Row by row: rows follow each other in u.
+    /// Row by row: rows follow each other in u. Points of space, not multiplied by weights.
     pub points: &'a [DVec3],
+    /// The weights of the control points, in the same order; `None` for 1.
+    pub weights: Option<&'a [f64]>,
     /// Control points in u and in v.
     pub counts: [usize; 2],
     /// The directions.
     pub axes: [SplineAxis<'a>; 2],
 }
 
-/// The control points of the Bézier piece over one span, from the spline's own.
-struct Span {
-    /// The first control point; `degree` more follow it, round a closed direction.
-    first: usize,
-    /// `weights[k][i]`: what control point `first + i` gives to point k of the piece.
-    weights: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1],
+/// How rational splines become polynomial patches.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SplineOptions {
+    /// How far the sheet may be from the rational spline at equal parameters, a length; `None`:
+    /// 1e-12 of the diagonal of the box of the control points, or what rounding allows.
+    pub tolerance: Option<f64>,
+    /// The most cells; `None`: 2^20.
+    pub max_cells: Option<usize>,
 }
 
+/// A part of a span, or all of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Interval {
+    /// The knot that the span begins with.
+    pub(super) knot: usize,
+    /// The parameters at both ends.
+    pub(super) ends: [f64; 2],
+}
+
+/// The control points of the Bézier piece over an interval, from the spline's own.
+pub(super) struct Piece {
+    /// The first control point; `degree` more follow it, round a closed direction.
+    pub(super) first: usize,
+    /// `weights[k][i]`: what control point `first + i` gives to point k of the piece.
+    pub(super) weights: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1],
+}
+
+/// A net of control points of one piece, as many as its degrees need.
+pub(super) type Net<T> = [[T; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+
 impl Sheet<'static> {
-    /// The Bézier patches of a spline: exact but for rounding, of the greater of the two degrees or
-    /// 3.
+    /// The Bézier patches of a spline. If it has no weights, or weights that are all equal, these
+    /// are exact but for rounding, of the greater of the two degrees or 3; else of degree 7 and
+    /// within a proven distance, [`Sheet::deviation`], as [`rational`] says.
     ///
-    /// O(spans x degree^3); 384 bytes a cell up to degree 3, else 1536.
+    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes a cell up to degree 3, else 1536.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7; [`Error::NetTooSmall`] for fewer
-    /// control points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first
-    /// knot that is not finite, that is less than the one before, or that is repeated too often;
-    /// [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the control point,
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn from_spline(spline: &Spline<'_>, job: &Job<'_>) -> Result<Self> {
+    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7, and for a tolerance that is not
+    /// positive and finite, or below what rounding allows; [`Error::NetTooSmall`] for fewer control
+    /// points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot
+    /// that is not finite, that is less than the one before, or that is repeated too often, or
+    /// that begins a span too short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`];
+    /// [`Error::TooLarge`] for control points and for cells; [`Error::NotFinite`] with the control
+    /// point; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn from_spline(spline: &Spline<'_>, options: &SplineOptions, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
         for (axis, count) in spline.axes.iter().zip(spline.counts) {
             Error::require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
@@ -65,75 +97,119 @@ impl Sheet<'static> {
         let count = (rows as u64).saturating_mul(columns as u64);
         Error::check_count("control points", count, MAX_NODES)?;
         finite_points(spline.points, count, "control points")?;
-        let [u, v] = [spline.axes[0].spans(rows, 0)?, spline.axes[1].spans(columns, 1)?];
+        let intervals = [spline.axes[0].intervals(rows, 0)?, spline.axes[1].intervals(columns, 1)?];
+        if rational::has_different_weights(spline)? {
+            return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
+        }
         if spline.axes.iter().all(|axis| axis.degree <= 3) {
-            Ok(Sheet::Cubic(spline.patches(&u, &v, job)?))
+            Ok(Sheet::Cubic(spline.patches(&intervals, job)?))
         } else {
-            Ok(Sheet::High(spline.patches(&u, &v, job)?))
+            Ok(Sheet::High(spline.patches(&intervals, job)?))
         }
     }
 }
 
 impl Spline<'_> {
-    fn patches<const N: usize>(&self, u: &[Span], v: &[Span], job: &Job<'_>) -> Result<Patches<N>> {
+    fn patches<const N: usize>(&self, intervals: &[Vec<Interval>; 2], job: &Job<'_>) -> Result<Patches<N>> {
         let [p, q] = [0, 1].map(|k| self.axes[k].degree);
+        let [u, v] = self.pieces(intervals)?;
         let mut patches = alloc::with_capacity(u.len().saturating_mul(v.len()))?;
         for (i, rows) in u.iter().enumerate() {
             job.step(i as f64 / u.len() as f64, "making patches")?;
-            for columns in v {
-                let mut net = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
-                let control = |a: usize, b: usize| {
-                    let (i, j) = ((rows.first + a) % self.counts[0], (columns.first + b) % self.counts[1]);
-                    self.points[i * self.counts[1] + j]
-                };
-                // First along the rows, then across them.
-                let mut along = [[DVec3::ZERO; MAX_DEGREE + 1]; MAX_DEGREE + 1];
-                for (a, row) in along[..=p].iter_mut().enumerate() {
-                    for (point, weights) in row[..=q].iter_mut().zip(&columns.weights) {
-                        *point = (0..=q).map(|b| weights[b] * control(a, b)).sum();
-                    }
-                }
-                for (k, point) in net[..(p + 1) * (q + 1)].iter_mut().enumerate() {
-                    let weights = &rows.weights[k / (q + 1)];
-                    *point = (0..=p).map(|a| weights[a] * along[a][k % (q + 1)]).sum();
-                }
-                patches.push(Patch::raised(&net[..(p + 1) * (q + 1)], [p, q]));
+            for columns in v.iter() {
+                let net = self.net(self.points, rows, columns);
+                let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
+                packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
+                patches.push(Patch::raised(&packed[..(p + 1) * (q + 1)], [p, q]));
             }
         }
-        Ok(Patches::of(patches, u.len(), v.len()))
+        Ok(Patches::of(patches, u.len(), v.len()).with(Origin { deviation: 0.0, knots: knots_of(intervals)? }))
     }
+
+    /// The pieces over intervals, in u and in v.
+    pub(super) fn pieces(&self, intervals: &[Vec<Interval>; 2]) -> Result<[Vec<Piece>; 2]> {
+        Ok([self.axes[0].pieces(&intervals[0], self.counts[0])?, self.axes[1].pieces(&intervals[1], self.counts[1])?])
+    }
+
+    /// The place among the control points of the one that is a-th in u and b-th in v of a piece's.
+    pub(super) fn place(&self, rows: &Piece, columns: &Piece, a: usize, b: usize) -> usize {
+        (rows.first + a) % self.counts[0] * self.counts[1] + (columns.first + b) % self.counts[1]
+    }
+
+    /// The control points of a piece, of the spline with these control points.
+    pub(super) fn net<T: Copy + Default + Add<Output = T> + Mul<f64, Output = T>>(
+        &self,
+        points: &[T],
+        rows: &Piece,
+        columns: &Piece,
+    ) -> Net<T> {
+        let [p, q] = [0, 1].map(|k| self.axes[k].degree);
+        // First along the rows, then across them.
+        let (mut along, mut net) = (Net::default(), Net::default());
+        for (a, row) in along[..=p].iter_mut().enumerate() {
+            for (point, weights) in row[..=q].iter_mut().zip(&columns.weights) {
+                let terms = (0..=q).map(|b| points[self.place(rows, columns, a, b)] * weights[b]);
+                *point = terms.fold(T::default(), |sum, term| sum + term);
+            }
+        }
+        for (row, weights) in net[..=p].iter_mut().zip(&rows.weights) {
+            for (b, point) in row[..=q].iter_mut().enumerate() {
+                *point = (0..=p).map(|a| along[a][b] * weights[a]).fold(T::default(), |sum, term| sum + term);
+            }
+        }
+        net
+    }
+}
+
+/// The parameters of the borders of cells.
+pub(super) fn knots_of(intervals: &[Vec<Interval>; 2]) -> Result<[Vec<f64>; 2]> {
+    let of = |intervals: &[Interval]| {
+        let mut knots = alloc::with_capacity(intervals.len() + 1)?;
+        knots.extend(intervals.first().map(|first| first.ends[0]));
+        knots.extend(intervals.iter().map(|interval| interval.ends[1]));
+        Ok(knots)
+    };
+    Ok([of(&intervals[0])?, of(&intervals[1])?])
 }
 
 impl SplineAxis<'_> {
     /// The spans that are not empty. `direction`: 0 or 1, for errors.
-    fn spans(&self, count: usize, direction: u32) -> Result<Vec<Span>> {
+    fn intervals(&self, count: usize, direction: u32) -> Result<Vec<Interval>> {
         let needed = if self.closed { count + 1 } else { count + self.degree + 1 };
         if self.knots.len() != needed {
             let given = self.knots.len() as u64;
             return Err(Error::WrongKnotCount { direction, given, needed: needed as u64 });
         }
         self.check(count, direction)?;
-        let knots = if self.closed { 0..count } else { self.degree..count };
-        let mut spans: Vec<Span> = alloc::with_capacity(knots.len())?;
+        let spans = if self.closed { 0..count } else { self.degree..count };
+        let ends = |k: usize| [self.knots[k], self.knots[k + 1]];
+        let mut intervals = alloc::with_capacity(spans.len())?;
+        intervals.extend(spans.map(|knot| Interval { knot, ends: ends(knot) }).filter(|i| i.ends[0] < i.ends[1]));
+        Ok(intervals)
+    }
+
+    /// The pieces over intervals that follow each other, from the first to the last span.
+    fn pieces(&self, intervals: &[Interval], count: usize) -> Result<Vec<Piece>> {
+        let mut pieces: Vec<Piece> = alloc::with_capacity(intervals.len())?;
         let mut before = 0;
-        for k in knots.filter(|&k| self.knots[k] < self.knots[k + 1]) {
-            let mut span = self.span(k, count);
+        for interval in intervals {
+            let mut piece = self.piece(interval, count);
             // Pieces share their ends to the bit: what lies before this piece's first point is the
             // last one's last.
-            if let Some(last) = spans.last() {
-                span.weights[0] = self.shared(&last.weights[self.degree], k - before);
+            if let Some(last) = pieces.last() {
+                piece.weights[0] = self.shared(&last.weights[self.degree], interval.knot - before);
             }
-            before = k;
-            spans.push(span);
+            before = interval.knot;
+            pieces.push(piece);
         }
-        if let (true, [first, .., last]) = (self.closed, &mut spans[..]) {
+        if let (true, [first, .., last]) = (self.closed, &mut pieces[..]) {
             let passed = (first.first + count - last.first) % count;
             // Of the first control points only those that the last piece has too count.
             for i in 0..=self.degree {
                 last.weights[self.degree][i] = if i >= passed { first.weights[0][i - passed] } else { 0.0 };
             }
         }
-        Ok(spans)
+        Ok(pieces)
     }
 
     /// The weights of a point by the control points that begin `passed` later.
@@ -179,15 +255,14 @@ impl SplineAxis<'_> {
         Ok(())
     }
 
-    /// The piece over the span from knot k to the next: the blossom at p - i arguments a and i
-    /// arguments b, as weights.
-    fn span(&self, k: usize, count: usize) -> Span {
-        let p = self.degree;
+    /// The piece over [a, b]: the blossom at p - i arguments a and i arguments b, as weights. They
+    /// are not negative, and right to a few units in the last place each, however small.
+    fn piece(&self, interval: &Interval, count: usize) -> Piece {
+        let (p, k, [a, b]) = (self.degree, interval.knot, interval.ends);
         let knot = |i: usize| self.knot(k as isize + 1 + i as isize - p as isize, count);
         // The knots round the span that its control points depend on: p before it, itself included,
         // and p after.
         let around: [f64; 2 * MAX_DEGREE] = std::array::from_fn(|i| if i < 2 * p { knot(i) } else { 0.0 });
-        let (a, b) = (around[p - 1], around[p]);
         let mut weights = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
         for (point, weights) in weights[..=p].iter_mut().enumerate() {
             for (i, weight) in weights[..=p].iter_mut().enumerate() {
@@ -197,14 +272,16 @@ impl SplineAxis<'_> {
                     let at = if step < p - point { a } else { b };
                     for m in 0..p - step {
                         let (low, high) = (around[m + step], around[m + p]);
-                        let t = (at - low) / (high - low);
-                        values[m] = (1.0 - t) * values[m] + t * values[m + 1];
+                        // The lesser part is exact but for rounding, and so is 1 less it.
+                        let (below, above) = ((at - low) / (high - low), (high - at) / (high - low));
+                        let (left, right) = if below <= 0.5 { (1.0 - below, below) } else { (above, 1.0 - above) };
+                        values[m] = left * values[m] + right * values[m + 1];
                     }
                 }
                 *weight = values[0];
             }
         }
         let first = if self.closed { (k + count * p - p) % count } else { k - p };
-        Span { first, weights }
+        Piece { first, weights }
     }
 }
