@@ -145,6 +145,61 @@ static void from_spline(void) {
     memset(&parts, 0, sizeof parts), parts.struct_size = sizeof parts;
     EXPECT(GUSSET_OK, gusset_sheet_get_report(sheet, &parts));
     CHECK(parts.rows == 6 && parts.columns == 1 && parts.degree == 7 && parts.closed_u == 1 && parts.closed_v == 0);
+    CHECK(parts.deviation == 0.0 && parts.knots_u[6] == 6.0 && parts.knots_v[0] == 0.0 && parts.knots_v[1] == 1.0);
+    gusset_sheet_destroy(sheet);
+}
+
+static void from_rational_spline(void) {
+    const double knots[8] = {0, 0, 0, 0, 1, 1, 1, 1}, bad[5] = {0.0, -1.0, NAN, INFINITY, 1e-300};
+    /* Knots of which the last span cannot be cut. */
+    const double apart[9] = {0, 0, 0, 0, 1, nextafter(1, 2), nextafter(1, 2), nextafter(1, 2), nextafter(1, 2)};
+    static double points[5 * 4 * 3];
+    double weights[20];
+    gusset_spline spline;
+    gusset_sheet *sheet = (gusset_sheet *)misaligned();
+    gusset_sheet_report parts;
+    gusset_error_report report;
+    int k;
+
+    for (k = 0; k < 60; ++k) {
+        points[k] = k % 3 == 0 ? k / 12 : k % 3 == 1 ? k / 3 % 4 : 0.1 * (k * k % 7);
+    }
+    for (k = 0; k < 20; ++k) {
+        weights[k] = 1.0 + k % 3;
+    }
+    memset(&spline, 0, sizeof spline);
+    spline.struct_size = sizeof spline;
+    spline.points = points, spline.count_u = spline.count_v = 4;
+    spline.knots_u = spline.knots_v = knots, spline.knot_count_u = spline.knot_count_v = 8;
+    spline.degree_u = spline.degree_v = 3, spline.weights = weights;
+    EXPECT(GUSSET_OK, gusset_sheet_from_spline_create(context, &spline, &sheet));
+    memset(&parts, 0, sizeof parts), parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_sheet_get_report(sheet, &parts));
+    CHECK(parts.deviation > 0.0 && parts.deviation < 1e-11 && parts.degree == 7);
+    CHECK(parts.knots_u[0] == 0.0 && parts.knots_u[parts.rows] == 1.0 && parts.knots_v[parts.columns] == 1.0);
+    gusset_sheet_destroy(sheet);
+    for (k = 0; k < 5; ++k) {
+        weights[6] = bad[k];
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_spline_create(context, &spline, &sheet));
+        memset(&report, 0, sizeof report), report.struct_size = sizeof report;
+        EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+        CHECK(report.element == GUSSET_ELEMENT_NODE && report.index == 6 && (k == 2 || report.value == bad[k]));
+    }
+    CHECK(sheet == NULL);
+    weights[6] = 1.0;
+    spline.tolerance = -1.0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_spline_create(context, &spline, &sheet));
+    spline.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_spline_create(context, &spline, &sheet));
+    spline.tolerance = 1e-16;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_spline_create(context, &spline, &sheet));
+    spline.tolerance = 1e-9, spline.max_cells = 3;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_sheet_from_spline_create(context, &spline, &sheet));
+    spline.max_cells = 0, spline.count_u = 5, spline.knots_u = apart, spline.knot_count_u = 9;
+    EXPECT(GUSSET_ERROR_BAD_KNOTS, gusset_sheet_from_spline_create(context, &spline, &sheet));
+    /* A caller of an earlier version has no weights. */
+    spline.struct_size = 80;
+    EXPECT(GUSSET_OK, gusset_sheet_from_spline_create(context, &spline, &sheet));
     gusset_sheet_destroy(sheet);
 }
 
@@ -375,6 +430,7 @@ int main(void) {
     from_tangents();
     from_patches();
     from_spline();
+    from_rational_spline();
     from_curves();
     from_frame();
     questions();

@@ -140,6 +140,31 @@ TEST_CASE("tangents, patches and splines") {
     CHECK(spline.crease() < 1e-7);
     CHECK_THROWS_AS(Sheet::from_patches(corners, 1, 1, 2, 1), std::invalid_argument);
     CHECK_THROWS_AS(Sheet::from_spline(corners, {2, 1, knots}, {3, 1, knots}), std::invalid_argument);
+    CHECK(spline.knots(false).size() == 2);
+    CHECK(patch.knots(true).empty());
+}
+
+TEST_CASE("rational splines") {
+    // A quarter of a cylinder of radius 1 and height 2: a circle in v.
+    const std::vector<Point3> points{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}};
+    const double half = std::sqrt(0.5);
+    const std::vector<double> weights{1, half, 1, 1, half, 1}, line{0, 0, 1, 1}, arc{0, 0, 0, 1, 1, 1};
+    const gusset::SplineAxis u{2, 1, line}, v{3, 2, arc};
+    for (const double tolerance : {0.0, 1e-9, 1e-5}) {
+        const Sheet sheet = Sheet::from_spline(points, weights, u, v, {tolerance});
+        const double deviation = sheet.report().deviation;
+        CHECK(deviation > 0);
+        CHECK(deviation <= (tolerance == 0 ? 3e-12 : tolerance));
+        for (const Point3 &p : sampled(sheet, 0.125)) {
+            CHECK(std::abs(std::hypot(p[0], p[1]) - 1) <= deviation + 1e-15);
+        }
+        CHECK(sheet.knots(false).size() == 2);
+        CHECK(sheet.knots(true).size() == sheet.columns() + 1);
+        CHECK(sheet.knots(true)[sheet.columns()] == 1);
+    }
+    CHECK_THROWS_AS(Sheet::from_spline(points, arc, v, u), gusset::Error);
+    CHECK_THROWS_AS(Sheet::from_spline(points, line, u, v), std::invalid_argument);
+    CHECK_THROWS_AS(Sheet::from_spline(points, weights, u, v, {1e-9, 1}), gusset::Error);
 }
 
 TEST_CASE("curves and frames") {

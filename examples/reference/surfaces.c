@@ -130,6 +130,34 @@ static void other_kinds(void) {
     gusset_sheet_destroy(sheet);
 }
 
+/* A quarter of a cylinder, whose circle is a rational curve of degree 2. */
+static void a_rational_spline(void) {
+    const double controls[2][3][3] = {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 0, 2}, {1, 1, 2}, {0, 1, 2}}};
+    const double weights[2][3] = {{1, sqrt(0.5), 1}, {1, sqrt(0.5), 1}};
+    const double knots_u[4] = {0, 0, 1, 1}, knots_v[6] = {0, 0, 0, 1, 1, 1};
+    const gusset_spline spline = {.struct_size = sizeof spline,
+                                  .points = controls[0][0],
+                                  .count_u = 2,
+                                  .count_v = 3,
+                                  .knots_u = knots_u,
+                                  .knot_count_u = 4,
+                                  .knots_v = knots_v,
+                                  .knot_count_v = 6,
+                                  .degree_u = 1,
+                                  .degree_v = 2,
+                                  .weights = weights[0],
+                                  .tolerance = 1e-9};
+    gusset_sheet_report parts = {.struct_size = sizeof parts};
+    gusset_sheet *sheet = NULL;
+
+    MUST(gusset_sheet_from_spline_create(NULL, &spline, &sheet));
+    MUST(gusset_sheet_get_report(sheet, &parts));
+    /* Nowhere farther from the cylinder than this; its columns begin at these parameters. */
+    HOLDS(parts.deviation <= 1e-9 && parts.rows == 1 && parts.columns > 1);
+    HOLDS(parts.knots_v[0] == 0.0 && parts.knots_v[parts.columns] == 1.0);
+    gusset_sheet_destroy(sheet);
+}
+
 /* The skin of three arcs, one behind another. */
 static void skin(void) {
     const uint32_t ends[2] = {0, 2};
@@ -403,6 +431,7 @@ int main(void) {
     found_and_kept(round);
     what_a_sheet_is(round);
     other_kinds();
+    a_rational_spline();
     skin();
     body();
     a_mesh_of_it(round);

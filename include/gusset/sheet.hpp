@@ -86,6 +86,14 @@ struct SplineAxis {
     bool closed = false;
 };
 
+/// How a rational B-spline becomes a sheet; see gusset_spline.
+struct SplineOptions {
+    /// How far the sheet may be from it, a length; 0: 1e-12 of the size.
+    double tolerance = 0.0;
+    /// The most cells; 0: 2^20.
+    std::size_t max_cells = 0;
+};
+
 /// A net of curves; see gusset_curve_net. The curves must outlive the call that reads this.
 struct CurveNet {
     /// Curves in v, one after the other in u; or none.
@@ -187,22 +195,16 @@ public:
     /// Of a B-spline: control points row after row, where rows follow each other in u.
     static Sheet from_spline(Points points, const SplineAxis &u, const SplineAxis &v,
                              const Context &context = Context()) {
-        if (v.count != 0 && (u.count > points.size() / v.count || u.count * v.count != points.size())) {
-            throw std::invalid_argument("gusset: the number of control points is not u.count * v.count");
+        return spline(points, {}, u, v, {}, context);
+    }
+    /// Of a rational B-spline (NURBS): control points of space, not multiplied by their weights, and
+    /// a weight for each of them.
+    static Sheet from_spline(Points points, Span<const double> weights, const SplineAxis &u, const SplineAxis &v,
+                             const SplineOptions &options = {}, const Context &context = Context()) {
+        if (weights.size() != points.size()) {
+            throw std::invalid_argument("gusset: the number of weights is not that of control points");
         }
-        auto given = detail::sized<gusset_spline>();
-        given.points = detail::numbers(points.data());
-        given.count_u = u.count;
-        given.count_v = v.count;
-        given.knots_u = u.knots.data();
-        given.knot_count_u = u.knots.size();
-        given.knots_v = v.knots.data();
-        given.knot_count_v = v.knots.size();
-        given.degree_u = u.degree;
-        given.degree_v = v.degree;
-        given.closed_u = u.closed ? 1 : 0;
-        given.closed_v = v.closed ? 1 : 0;
-        return Sheet(context.result(gusset_sheet_from_spline_create, &given));
+        return spline(points, weights, u, v, options, context);
     }
     /// The Gordon surface of a net of curves, or the skin of a row of them.
     static Sheet from_curves(const CurveNet &net, const Context &context = Context()) {
@@ -232,6 +234,13 @@ public:
 
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
     gusset_sheet_report report() const { return detail::lent(gusset_sheet_get_report, get()); }
+    /// Of a sheet of a B-spline, the parameters of the borders of its rows, or of its columns, valid
+    /// as long as the sheet; of any other sheet none.
+    Span<const double> knots(bool of_columns) const {
+        const gusset_sheet_report all = report();
+        const double *first = of_columns ? all.knots_v : all.knots_u;
+        return {first, first == nullptr ? 0 : (of_columns ? all.columns : all.rows) + 1};
+    }
     /// Rows of cells: u runs from 0 to this.
     std::size_t rows() const { return report().rows; }
     /// Columns of cells.
@@ -338,6 +347,28 @@ private:
     }
     static Sheet borrowed(const NodesView &nodes, const Context &context) {
         return Sheet(context.result(gusset_sheet_borrow_create, &nodes.get()));
+    }
+    static Sheet spline(Points points, Span<const double> weights, const SplineAxis &u, const SplineAxis &v,
+                        const SplineOptions &options, const Context &context) {
+        if (v.count != 0 && (u.count > points.size() / v.count || u.count * v.count != points.size())) {
+            throw std::invalid_argument("gusset: the number of control points is not u.count * v.count");
+        }
+        auto given = detail::sized<gusset_spline>();
+        given.points = detail::numbers(points.data());
+        given.count_u = u.count;
+        given.count_v = v.count;
+        given.knots_u = u.knots.data();
+        given.knot_count_u = u.knots.size();
+        given.knots_v = v.knots.data();
+        given.knot_count_v = v.knots.size();
+        given.degree_u = u.degree;
+        given.degree_v = v.degree;
+        given.closed_u = u.closed ? 1 : 0;
+        given.closed_v = v.closed ? 1 : 0;
+        given.weights = weights.data();
+        given.tolerance = options.tolerance;
+        given.max_cells = options.max_cells;
+        return Sheet(context.result(gusset_sheet_from_spline_create, &given));
     }
     static Sheet hermite(const NodesView &nodes, Points u, Points v, gusset_twists kind, Points twists,
                          const Context &context) {

@@ -44,13 +44,17 @@ pub struct gusset_tangents {
     pub reserved: u32,
 }
 
-/// A tensor-product B-spline, not rational.
+/// A tensor-product B-spline, rational (NURBS) if it has weights that differ.
 ///
 /// Knots of an open direction: as many as control points and the degree and 1, not decreasing,
 /// finite, clamped or not; the surface is defined between knot degree and knot count. Of a closed
 /// one: one more than control points, one period; the control points are not repeated, and span k,
 /// from knot k to the next, is made by the control points k - degree to k, counted round. Inner
 /// knots may be repeated degree times.
+///
+/// The control points of a rational spline are points of space (Euclidean), not multiplied by their
+/// weights. A Bézier patch is the spline whose knots are 0 and 1, degree + 1 times each; patches
+/// that share sides and their weights are one spline with inner knots repeated degree times.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_spline {
@@ -78,6 +82,15 @@ pub struct gusset_spline {
     pub closed_u: u32,
     /// 1: closed in v.
     pub closed_v: u32,
+    /// The weights of the control points, in their order, finite and above 0, none less than 2^-900
+    /// of the greatest; a factor common to all changes nothing. NULL: all are 1.
+    pub weights: *const f64,
+    /// How far the sheet may be from a rational spline at equal parameters, a length; no less than
+    /// rounding allows, some 1e-13 of the size. 0: 1e-12 of the diagonal of the control points' box,
+    /// or more where rounding asks for it, far from the origin.
+    pub tolerance: f64,
+    /// The most cells that a rational spline may take; 0: 2^20.
+    pub max_cells: usize,
 }
 
 /// A net of curves: each row meets each column, in the order in which they are given; curves may
@@ -209,14 +222,25 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
 /// cells are its spans that are not empty, so that knots become the whole numbers of rows and
 /// columns.
 ///
+/// If weights differ, spans are cut further, whole rows and columns at a time, and the patch of each
+/// cell is the polynomial of degree 7 with the values and the first derivatives of the rational
+/// surface at corners, and its values at points between. It is proven, not sampled, that the sheet
+/// is within the tolerance of the rational surface at equal parameters: gusset_sheet_get_report has
+/// the bound, rounding included, and the knots of rows and columns, between which parameters run
+/// evenly. Tangents go on over sides where those of the rational surface do. Sides that are one
+/// point, as the poles of spheres, stay so to the bit.
+///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param spline its arrays are at any alignment.
 /// @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with
-///     the first knot that is not finite, out of order or repeated too often, TOO_LARGE,
-///     SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536.
+///     UNKNOWN_VALUE, OUT_OF_RANGE (degree; tolerance; a weight, with its control point as a node),
+///     NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out
+///     of order or repeated too often, or that begins a span too short to be cut where that is
+///     needed, TOO_LARGE (control points, cells), SIZE_OVERFLOW, NOT_FINITE with the control point
+///     (as a node), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Of rational splines
+///     O(cells x degree^2), threads; 1536 bytes a cell, three times that while it is made.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]
@@ -235,8 +259,15 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
             SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },
             SplineAxis { degree: given.degree_v as usize, knots: &v, closed: closed[1] },
         ];
-        let spline = Spline { points: &points, weights: None, counts: [given.count_u, given.count_v], axes };
-        Ok(gusset_sheet(Sheet::from_spline(&spline, &SplineOptions::default(), job)?))
+        let weights =
+            if given.weights.is_null() { None } else { Some(input::list(given.weights, points.len(), "weights")?) };
+        let counts = [given.count_u, given.count_v];
+        let spline = Spline { points: &points, weights: weights.as_deref(), counts, axes };
+        let options = SplineOptions {
+            tolerance: (given.tolerance != 0.0).then_some(given.tolerance),
+            max_cells: (given.max_cells != 0).then_some(given.max_cells),
+        };
+        Ok(gusset_sheet(Sheet::from_spline(&spline, &options, job)?))
     })
 }
 

@@ -32,6 +32,14 @@ pub struct gusset_sheet_report {
     pub pole_v0: u32,
     /// 1: the side v = columns is.
     pub pole_v1: u32,
+    /// Of a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
+    /// included; 0 of any other sheet.
+    pub deviation: f64,
+    /// Of a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
+    /// parameter runs evenly; NULL of any other sheet. Valid as long as the sheet.
+    pub knots_u: *const f64,
+    /// The knots of columns: columns + 1.
+    pub knots_v: *const f64,
 }
 
 versioned! { gusset_sheet_report: 56 }
@@ -57,6 +65,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
             Sheet::Cubic(_) => (3, 0),
             Sheet::High(_) => (7, 0),
         };
+        let [knots_u, knots_v] = [0, 1].map(|d| sheet.knots().map_or(std::ptr::null(), |knots| knots[d].as_ptr()));
         gusset_sheet_report {
             struct_size: 0,
             rows,
@@ -69,6 +78,9 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
             pole_u1,
             pole_v0,
             pole_v1,
+            deviation: sheet.deviation(),
+            knots_u,
+            knots_v,
         }
     })
 }
