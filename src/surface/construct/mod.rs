@@ -18,6 +18,7 @@ mod net;
 mod net_curve;
 mod rational;
 mod spline;
+mod spline_sheet;
 
 pub use frame::FrameSurface;
 pub use hermite::{Tangents, Twists};

@@ -5,11 +5,8 @@
 //! equal. Point k of the span [a, b] takes p - k arguments a and k arguments b. The same holds of
 //! any part [a, b] of a span.
 
-use super::rational;
-use crate::surface::checks::finite_points;
-use crate::surface::patches::Origin;
+use crate::surface::MAX_DEGREE;
 use crate::surface::prelude::*;
-use crate::surface::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use std::ops::{Add, Mul};
 
 /// One direction of a spline.
@@ -28,7 +25,7 @@ pub struct SplineAxis<'a> {
 
 /// A spline, rational if it has weights that differ. Cells are its spans, in both directions, that
 /// are not empty: knots become whole numbers, in order. Spans of rational splines may be cut into
-/// several cells; [`Sheet::knots`] has the parameters of their borders.
+/// several cells; [`Sheet::knots`](crate::surface::Sheet::knots) has the parameters of their borders.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spline<'a> {
     /// Row by row: rows follow each other in u. Points of space, not multiplied by weights.
@@ -71,61 +68,7 @@ pub(super) struct Piece {
 /// A net of control points of one piece, as many as its degrees need.
 pub(super) type Net<T> = [[T; MAX_DEGREE + 1]; MAX_DEGREE + 1];
 
-impl Sheet<'static> {
-    /// The Bézier patches of a spline. If it has no weights, or weights that are all equal, these
-    /// are exact but for rounding, of the greater of the two degrees or 3; else of degree 7 and
-    /// within a proven distance, [`Sheet::deviation`], as [`rational`] says.
-    ///
-    /// O(spans x degree^3), or O(cells x degree^2); 384 bytes a cell up to degree 3, else 1536.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] for a degree of 0 or above 7, and for a tolerance that is not
-    /// positive and finite, or below what rounding allows; [`Error::NetTooSmall`] for fewer control
-    /// points than degree + 1; [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot
-    /// that is not finite, that is less than the one before, or that is repeated too often, or
-    /// that begins a span too short to be cut; [`Error::BadWeight`]; [`Error::ArrayTooShort`];
-    /// [`Error::TooLarge`] for control points and for cells; [`Error::NotFinite`] with the control
-    /// point; [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn from_spline(spline: &Spline<'_>, options: &SplineOptions, job: &Job<'_>) -> Result<Self> {
-        let [rows, columns] = spline.counts;
-        for (axis, count) in spline.axes.iter().zip(spline.counts) {
-            Error::require((1..=MAX_DEGREE).contains(&axis.degree), "degree", axis.degree as f64)?;
-            if count <= axis.degree || (axis.closed && count < 3) {
-                return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
-            }
-        }
-        let count = (rows as u64).saturating_mul(columns as u64);
-        Error::check_count("control points", count, MAX_NODES)?;
-        finite_points(spline.points, count, "control points")?;
-        let intervals = [spline.axes[0].intervals(rows, 0)?, spline.axes[1].intervals(columns, 1)?];
-        if rational::has_different_weights(spline)? {
-            return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
-        }
-        if spline.axes.iter().all(|axis| axis.degree <= 3) {
-            Ok(Sheet::Cubic(spline.patches(&intervals, job)?))
-        } else {
-            Ok(Sheet::High(spline.patches(&intervals, job)?))
-        }
-    }
-}
-
 impl Spline<'_> {
-    fn patches<const N: usize>(&self, intervals: &[Vec<Interval>; 2], job: &Job<'_>) -> Result<Patches<N>> {
-        let [p, q] = [0, 1].map(|k| self.axes[k].degree);
-        let [u, v] = self.pieces(intervals)?;
-        let mut patches = alloc::with_capacity(u.len().saturating_mul(v.len()))?;
-        for (i, rows) in u.iter().enumerate() {
-            job.step(i as f64 / u.len() as f64, "making patches")?;
-            for columns in v.iter() {
-                let net = self.net(self.points, rows, columns);
-                let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
-                packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
-                patches.push(Patch::raised(&packed[..(p + 1) * (q + 1)], [p, q]));
-            }
-        }
-        Ok(Patches::of(patches, u.len(), v.len()).with(Origin { deviation: 0.0, knots: knots_of(intervals)? }))
-    }
-
     /// The pieces over intervals, in u and in v.
     pub(super) fn pieces(&self, intervals: &[Vec<Interval>; 2]) -> Result<[Vec<Piece>; 2]> {
         Ok([self.axes[0].pieces(&intervals[0], self.counts[0])?, self.axes[1].pieces(&intervals[1], self.counts[1])?])
@@ -174,7 +117,7 @@ pub(super) fn knots_of(intervals: &[Vec<Interval>; 2]) -> Result<[Vec<f64>; 2]> 
 
 impl SplineAxis<'_> {
     /// The spans that are not empty. `direction`: 0 or 1, for errors.
-    fn intervals(&self, count: usize, direction: u32) -> Result<Vec<Interval>> {
+    pub(super) fn intervals(&self, count: usize, direction: u32) -> Result<Vec<Interval>> {
         let needed = if self.closed { count + 1 } else { count + self.degree + 1 };
         if self.knots.len() != needed {
             let given = self.knots.len() as u64;
