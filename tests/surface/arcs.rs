@@ -33,7 +33,7 @@ fn samples(curve: &Curve, parts: usize, k: usize) -> Vec<(DVec3, DVec3)> {
 
 fn options(goal: Goal, k: usize) -> SearchOptions {
     let sum = if k.is_multiple_of(2) { Sum::Greatest } else { Sum::Rings };
-    SearchOptions { sum, by_rows: k % 3 == 0, drop_lines: k % 4 < 2, ..SearchOptions::new(goal) }
+    SearchOptions { sum, by_rows: k.is_multiple_of(3), drop_lines: k % 4 < 2, ..SearchOptions::new(goal) }
 }
 
 /// Random curves, open and closed, and all objects.
@@ -83,7 +83,9 @@ fn no_arc_is_lost() {
         for goal in [Goal::Within(0.01), Goal::Least] {
             let found = arcs.angle_incidence(target, &options(goal, case), &job).unwrap();
             let deviations: Vec<f64> = (0..5 * parts)
-                .map(|k| samples(&curve, parts, k).iter().map(|&(_, t)| unit.deviation(t)).fold(f64::INFINITY, f64::min))
+                .map(|k| {
+                    samples(&curve, parts, k).iter().map(|&(_, t)| unit.deviation(t)).fold(f64::INFINITY, f64::min)
+                })
                 .collect();
             let least = deviations.iter().copied().fold(f64::INFINITY, f64::min);
             let within = if goal == Goal::Least { least } else { 0.01 };
@@ -115,7 +117,8 @@ fn no_cell_is_lost() {
         let found = figure_incidence(sheet, &diameters, figure, &options(Goal::Within(within), case), &job).unwrap();
         let [h, w] = sheet.cells();
         for cell in (0..h).flat_map(|i| (0..w).map(move |j| [i, j])) {
-            let points = (0..9).map(|k| sheet.jet(cell[0], cell[1], (k / 3) as f64 / 2.0, (k % 3) as f64 / 2.0).point);
+            let points =
+                (0..9).map(|k| sheet.jet(cell[0], cell[1], f64::from(k / 3) / 2.0, f64::from(k % 3) / 2.0).point);
             let least = points.map(distance).fold(f64::INFINITY, f64::min);
             assert!(found.mask.get(cell) || least > within, "{case} {cell:?}: {least}");
         }

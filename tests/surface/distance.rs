@@ -38,7 +38,7 @@ fn random_surface(random: &mut Random, away: f64) -> Surface<'static> {
     if kind == 5 {
         let points: Vec<DVec3> = (0..36)
             .map(|k| {
-                let flat = DVec3::new((k / 6) as f64 / 2.5 - 1.0, (k % 6) as f64 / 2.5 - 1.0, 0.0);
+                let flat = DVec3::new(f64::from(k / 6) / 2.5 - 1.0, f64::from(k % 6) / 2.5 - 1.0, 0.0);
                 turned * (flat + random.point(0.4)) + moved
             })
             .collect();
@@ -142,9 +142,8 @@ fn run(cases: usize, seed: u64) {
                     seconds += begun.elapsed().as_secs_f64();
                     let unit = normal.normalize();
                     let heights = own.iter().map(|&p| unit.dot(p - aside));
-                    let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| {
-                        [low.min(h), high.max(h)]
-                    });
+                    let [low, high] =
+                        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)]);
                     let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
                     assert!((found.other - unit.dot(found.point - aside)).abs() < 1e-12, "{what}: {found:?}");
                     assert!(least > 0.0 || found.distance < 1e-12, "{what}: {found:?}");

@@ -4,8 +4,8 @@
 use crate::ffi::curve::{gusset_curve, view};
 use crate::ffi::prelude::*;
 use crate::ffi::surface::evaluate::surface_places;
-use crate::ffi::surface::{gusset_surface, gusset_surface_place};
 use crate::ffi::surface::sheet::{gusset_sheet, read};
+use crate::ffi::surface::{gusset_surface, gusset_surface_place};
 use crate::outline::CurveView;
 use crate::surface::line_intersection::Line;
 use crate::surface::reference::{

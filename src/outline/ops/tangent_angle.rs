@@ -119,12 +119,8 @@ impl Tangents {
 
     /// The derivative at a parameter, and its derivative.
     fn at(&self, t: f64) -> [DVec3; 2] {
-        let mut both = [DVec3::ZERO; 2];
-        for k in 0..3 {
-            let (value, slope) = value_and_slope(self.component(k), t);
-            (both[0][k], both[1][k]) = (value, slope);
-        }
-        both
+        let [x, y, z] = [0, 1, 2].map(|k| value_and_slope(self.component(k), t));
+        [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 
     /// Places among which are all that are sought: of an equation that may be a squared one.
@@ -263,9 +259,7 @@ impl TangentAngles {
         let (closed, intervals) = (curve.is_closed(), &self.intervals);
         self.places.retain(|place| {
             let doubled = closed && ((has_start && is_end(place)) || (ends_inside && is_start(place)));
-            let at_end = |part: &[Place; 2]| {
-                part.iter().any(|&end| is_same(end, *place) || is_same(*place, end))
-            };
+            let at_end = |part: &[Place; 2]| part.iter().any(|&end| is_same(end, *place) || is_same(*place, end));
             !doubled && !intervals.iter().any(at_end)
         });
     }

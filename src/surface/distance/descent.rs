@@ -185,8 +185,7 @@ fn is_convex(exist: [bool; 4], [a, b]: [&Balls; 2]) -> bool {
         let [x, y] = [p, q].map(|ball| ball.centre.length());
         (p.centre.dot(q.centre), x * q.radius + y * p.radius + p.radius * q.radius)
     };
-    let difference =
-        Ball { centre: a.point.centre - b.point.centre, radius: a.point.radius + b.point.radius };
+    let difference = Ball { centre: a.point.centre - b.point.centre, radius: a.point.radius + b.point.radius };
     let first = [&a.first[0], &a.first[1], &b.first[0], &b.first[1]];
     let (mut middle, mut off) = ([[0.0; 4]; 4], [[0.0; 4]; 4]);
     for i in 0..4 {

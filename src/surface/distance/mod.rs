@@ -98,7 +98,8 @@ impl Surface<'_> {
         let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
         let at = |t: f64| line.origin + (t * length) * along;
         let box_ends: [f64; 8] = self.corners().map(parameter);
-        let ends = box_ends.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &t| [low.min(t), high.max(t)]);
+        let ends =
+            box_ends.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &t| [low.min(t), high.max(t)]);
         let is_cut = ends[0] == line.from || ends[1] == line.to;
         let found = if is_cut {
             // Beyond the surface's box no point of the line is the nearest of any of the surface.
@@ -162,8 +163,7 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
-        let found =
-            self.distance_to(Source::Curve(curve), self.view_of_space(), curve.points(), tolerance, job)?;
+        let found = self.distance_to(Source::Curve(curve), self.view_of_space(), curve.points(), tolerance, job)?;
         let at = CurvePlace { segment: found.b.number as u32, t: found.b.at[0] };
         Ok(found.approach(self, at, curve.point(at)?))
     }

@@ -10,6 +10,8 @@ use glam::DVec3;
 
 /// The greatest number of control points of a row or a column.
 const MAX_LINE: usize = crate::outline::MAX_DEGREE + 1;
+/// That of patches, and of most segments.
+const SHORT_LINE: usize = crate::surface::MAX_DEGREE + 1;
 
 /// A control net, row after row; a parameter in which it has one point alone does not exist.
 #[derive(Debug, Clone, Copy)]
@@ -51,8 +53,7 @@ pub(super) struct Balls {
 
 impl Balls {
     /// How much a split at the middle of each parameter may bring the net nearer to its points:
-    /// the part of its second derivatives, which is what it is away from being flat. Infinite
-    /// would be wrong for parameters that do not exist: these have none.
+    /// the part of its second derivatives, which is what it is away from being flat.
     pub(super) fn flatness(&self) -> [f64; 2] {
         let [uu, uv, vv] = self.second.map(|ball| ball.reach());
         [uu + uv, vv + uv].map(|sum| 0.125 * sum)
@@ -70,10 +71,19 @@ impl<'a> Net<'a> {
     }
 
     /// Position and derivatives.
-    pub(super) fn jet(&self, [u, v]: [f64; 2]) -> Jet {
+    pub(super) fn jet(&self, at: [f64; 2]) -> Jet {
+        // Of most nets, without clearing room for the longest lines.
+        if self.shape[0].max(self.shape[1]) <= SHORT_LINE {
+            self.jet_within::<SHORT_LINE>(at)
+        } else {
+            self.jet_within::<MAX_LINE>(at)
+        }
+    }
+
+    fn jet_within<const LINE: usize>(&self, [u, v]: [f64; 2]) -> Jet {
         let [rows, columns] = self.shape;
-        let mut work = [DVec3::ZERO; MAX_LINE];
-        let mut across = [[DVec3::ZERO; MAX_LINE]; 3];
+        let mut work = [DVec3::ZERO; LINE];
+        let mut across = [[DVec3::ZERO; LINE]; 3];
         for b in 0..columns {
             (0..rows).for_each(|a| work[a] = self.at(a, b));
             let found = derivatives(&mut work[..rows], u);

@@ -9,6 +9,7 @@ use super::net::{Balls, Net};
 use crate::geom::hull_distance::Corner;
 use crate::outline::CurveView;
 use crate::surface::cells::{Cells, cells_of_block};
+use crate::surface::index::OrientedBox;
 use crate::surface::prelude::*;
 use crate::surface::{Surface, each_sheet};
 use glam::DMat3;
@@ -42,8 +43,16 @@ pub(super) enum Source<'a> {
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     /// Sheets or segments.
-    Range { from: usize, to: usize },
-    Block { sheet: usize, level: usize, row: usize, column: usize },
+    Range {
+        from: usize,
+        to: usize,
+    },
+    Block {
+        sheet: usize,
+        level: usize,
+        row: usize,
+        column: usize,
+    },
     Net,
 }
 
@@ -64,10 +73,11 @@ pub(super) struct Piece {
     bounds: Aabb,
     /// Its parts, of nets those along each parameter; empty as long as it was not divided.
     parts: [[usize; 2]; 2],
-    /// Of nets: where it begins, how much of the cell or segment it is, and its balls.
-    pub(super) whereabouts: Whereabouts,
+    /// Of nets: where it begins, how much of the cell or segment it is, and its balls, once they are
+    /// asked for.
+    whereabouts: Whereabouts,
     size: [f64; 2],
-    pub(super) balls: Balls,
+    balls: Option<Balls>,
 }
 
 /// One side of a search.
@@ -91,8 +101,14 @@ impl<'a> Pieces<'a> {
         Ok(made)
     }
 
-    pub(super) fn get(&self, piece: usize) -> &Piece {
-        &self.pieces[piece]
+    /// The balls of a net.
+    pub(super) fn balls(&mut self, piece: usize) -> Balls {
+        if let Some(known) = self.pieces[piece].balls {
+            return known;
+        }
+        let found = self.net(piece).map_or_else(Balls::default, |net| net.balls());
+        self.pieces[piece].balls = Some(found);
+        found
     }
 
     pub(super) fn hull(&self, piece: usize) -> &[DVec3] {
@@ -146,18 +162,17 @@ impl<'a> Pieces<'a> {
 
     /// How much there is to gain by dividing, and along which parameter: the size of boxes, and of
     /// nets how far they are from flat.
-    pub(super) fn coarseness(&self, piece: usize) -> (f64, usize) {
-        let found = &self.pieces[piece];
-        let [u, v] = match found.kind {
-            Kind::Net => found.balls.flatness(),
-            _ => [found.bounds.diagonal(), 0.0],
+    pub(super) fn coarseness(&mut self, piece: usize) -> (f64, usize) {
+        let [u, v] = match self.pieces[piece].kind {
+            Kind::Net => self.balls(piece).flatness(),
+            _ => [self.pieces[piece].bounds.diagonal(), 0.0],
         };
         if u >= v { (u, 0) } else { (v, 1) }
     }
 
     /// The same of nets that are as good as flat, by their lengths.
-    pub(super) fn length(&self, piece: usize) -> (f64, usize) {
-        let [u, v] = self.pieces[piece].balls.lengths();
+    pub(super) fn length(&mut self, piece: usize) -> (f64, usize) {
+        let [u, v] = self.balls(piece).lengths();
         if u >= v { (u, 0) } else { (v, 1) }
     }
 
@@ -191,17 +206,16 @@ impl<'a> Pieces<'a> {
             alloc::push(&mut self.points, point)?;
         }
         let bounds = Aabb::of(&self.points[first..]);
-        let (whereabouts, balls) = (Whereabouts::default(), Balls::default());
-        let piece = Piece { kind, first, shape, bounds, parts: [[0; 2]; 2], whereabouts, size: [1.0; 2], balls };
+        let (parts, whereabouts) = ([[0; 2]; 2], Whereabouts::default());
+        let piece = Piece { kind, first, shape, bounds, parts, whereabouts, size: [1.0; 2], balls: None };
         alloc::push(&mut self.pieces, piece)
     }
 
     /// Adds a net of points as they are seen.
     fn add_net(&mut self, points: &[DVec3], shape: [usize; 2], whereabouts: Whereabouts, size: [f64; 2]) -> Result<()> {
         self.add(Kind::Net, shape, points.iter().copied())?;
-        let balls = Net { points, shape }.balls();
         if let Some(piece) = self.pieces.last_mut() {
-            (piece.whereabouts, piece.size, piece.balls) = (whereabouts, size, balls);
+            (piece.whereabouts, piece.size) = (whereabouts, size);
         }
         Ok(())
     }
@@ -248,7 +262,7 @@ impl<'a> Pieces<'a> {
             let (r, c) = (2 * row + child / 2, 2 * column + child % 2);
             if below.has(r, c) {
                 let aligned = || corners(&below.child_boxes(row, column).get(child));
-                let hull = below.oriented(r, c).map_or_else(aligned, |oriented| oriented.corners());
+                let hull = below.oriented(r, c).map_or_else(aligned, OrientedBox::corners);
                 let kind = Kind::Block { sheet, level: level - 1, row: r, column: c };
                 self.add_box(kind, hull.map(|corner| corner + index.origin()))?;
             }

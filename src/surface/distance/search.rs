@@ -156,12 +156,12 @@ impl<'a> DistanceSearch<'a> {
 
     /// Examines a pair of nets: a bound of it, perhaps better than the one known.
     fn examine(&mut self, pair: &Pair, bound: f64) -> f64 {
+        let balls = [self.a.balls(pair.a), self.b.balls(pair.b)];
         let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return bound };
         let nets = NetPair { a, b };
-        let balls = [&self.a.get(pair.a).balls, &self.b.get(pair.b).balls];
         let start = nets.evaluate(pair.start);
         let is_fresh = self.a.is_whole(pair.a) && self.b.is_whole(pair.b);
-        let (value, proven) = if nets.is_convex(balls) {
+        let (value, proven) = if nets.is_convex([&balls[0], &balls[1]]) {
             let value = nets.minimise(start, MAX_STEPS);
             (value, value.convex_bound() - self.rounding)
         } else if is_fresh || start.distance < self.distance() {
@@ -174,7 +174,7 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Which piece is divided, and along which parameter.
-    fn choose(&self, pair: &Pair) -> (bool, usize) {
+    fn choose(&mut self, pair: &Pair) -> (bool, usize) {
         let (of_a, of_b) = (self.a.coarseness(pair.a), self.b.coarseness(pair.b));
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };

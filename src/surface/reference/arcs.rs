@@ -70,7 +70,7 @@ impl Arcs {
             let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
             let polygon: f64 = legs().map(DVec3::length).sum();
             lengths.push((polygon + gap) * ROUNDING_FACTOR);
-            variation.push(turn(legs(), [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
+            variation.push(turn(&controls, [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
         }
         Ok(Arcs { lengths: Sizes::new(lattice, lengths), variation: Sizes::new(lattice, variation), points, tangents })
     }
@@ -86,8 +86,7 @@ impl Arcs {
     /// # Errors
     /// Those of [`super::figure_incidence`].
     pub fn incidence(&self, figure: Figure<'_>, options: &SearchOptions, job: &Job<'_>) -> Result<SearchOutcome> {
-        let measure = figure.measure()?;
-        search(&self.lengths, |[_, k]| measure.distance(self.points[k]), options, job)
+        figure.search(&self.lengths, &|[_, k]| self.points[k], options, job)
     }
 
     /// The arcs that may have a tangent within a deviation of an angle, or the nearest to it.
@@ -107,14 +106,14 @@ impl Arcs {
 
 /// A bound of the angles between the tangents of an arc and those at its ends: twice the half-angle
 /// of a cone that has the legs of its control polygon.
-fn turn(legs: impl Iterator<Item = DVec3> + Clone, ends: [DVec3; 2]) -> f64 {
-    let all = || legs.clone().chain(ends);
-    let longest = legs.clone().map(DVec3::length).fold(0.0, f64::max);
-    let Some(axis) = legs.clone().sum::<DVec3>().try_normalize() else { return PI };
+fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
+    let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
+    let longest = legs().map(DVec3::length).fold(0.0, f64::max);
+    let Some(axis) = legs().sum::<DVec3>().try_normalize() else { return PI };
     // A leg of no length has any direction: the derivative may be 0 there.
-    if legs.clone().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
+    if legs().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
         return PI;
     }
-    let half = all().map(|leg| angle(axis, leg)).fold(0.0, f64::max);
+    let half = legs().chain(ends).map(|leg| angle(axis, leg)).fold(0.0, f64::max);
     if half < 0.5 * PI { (2.0 * half + ANGLE_ROUNDING).min(PI) } else { PI }
 }

@@ -3,7 +3,8 @@
 
 use super::diameter::Diameters;
 use super::object::{Object, Target};
-use super::search::{SearchOptions, SearchOutcome, search};
+use super::search::{SearchOptions, SearchOutcome, search_at_cost};
+use super::sizes::Sizes;
 use crate::geom::Aabb;
 use crate::outline::CurveView;
 use crate::outline::ops::CurveSearch;
@@ -26,7 +27,7 @@ pub enum Figure<'a> {
 const CURVE_ROUNDING: f64 = 1e-9;
 
 /// Distances from a figure, rounded down.
-pub(super) enum Measure<'a> {
+enum Measure<'a> {
     Object(Target),
     Curve { search: CurveSearch<'a>, size: f64 },
     Surface(&'a Surface<'a>),
@@ -37,7 +38,7 @@ impl<'a> Figure<'a> {
     ///
     /// # Errors
     /// Those of [`Object::target`]; [`Error::EmptyCurve`], [`Error::OutOfMemory`].
-    pub(super) fn measure(&self) -> Result<Measure<'a>> {
+    fn measure(&self) -> Result<Measure<'a>> {
         Ok(match *self {
             Figure::Object(object) => Measure::Object(object.target()?),
             Figure::Curve(curve) if curve.is_empty() => return Err(Error::EmptyCurve),
@@ -49,9 +50,32 @@ impl<'a> Figure<'a> {
     }
 }
 
+/// What a distance from a figure costs, in words of the mask.
+const CURVE_COST: usize = 1 << 9;
+const SURFACE_COST: usize = 1 << 12;
+
+impl Figure<'_> {
+    /// The corrected search, whose nodes are at these points.
+    pub(super) fn search(
+        &self,
+        sizes: &Sizes,
+        node: &dyn Fn([usize; 2]) -> DVec3,
+        options: &SearchOptions,
+        job: &Job<'_>,
+    ) -> Result<SearchOutcome> {
+        let measure = self.measure()?;
+        let cost = match measure {
+            Measure::Object(_) => 0,
+            Measure::Curve { .. } => CURVE_COST,
+            Measure::Surface(_) => SURFACE_COST,
+        };
+        search_at_cost(sizes, cost, &mut |at| measure.distance(node(at)), options, job)
+    }
+}
+
 impl Measure<'_> {
     /// No point of the figure is nearer.
-    pub(super) fn distance(&self, from: DVec3) -> f64 {
+    fn distance(&self, from: DVec3) -> f64 {
         match self {
             Measure::Object(target) => target.distance(from),
             Measure::Curve { search, size } => {
@@ -67,7 +91,7 @@ impl Measure<'_> {
 /// corrected search.
 ///
 /// # Errors
-/// Those of [`Object::target`] and [`search`]; [`Error::EmptyCurve`].
+/// Those of [`Object::target`] and [`super::search`]; [`Error::EmptyCurve`].
 pub fn figure_incidence(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
@@ -75,6 +99,5 @@ pub fn figure_incidence(
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
-    let measure = figure.measure()?;
-    search(&diameters.euclidean, |[i, j]| measure.distance(sheet.corner(i, j)), options, job)
+    figure.search(&diameters.euclidean, &|[i, j]| sheet.corner(i, j), options, job)
 }

@@ -70,6 +70,17 @@ pub fn search(
     options: &SearchOptions,
     job: &Job<'_>,
 ) -> Result<SearchOutcome> {
+    search_at_cost(sizes, 0, &mut measure, options, job)
+}
+
+/// The same where a node costs more than the rest of its visit: `cost`, in words of the mask.
+pub(super) fn search_at_cost(
+    sizes: &Sizes,
+    cost: usize,
+    measure: &mut dyn FnMut([usize; 2]) -> f64,
+    options: &SearchOptions,
+    job: &Job<'_>,
+) -> Result<SearchOutcome> {
     if let Goal::Within(within) = options.goal {
         Error::require(within >= 0.0, "within", within)?;
     }
@@ -103,8 +114,8 @@ pub fn search(
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
                 if !seen && lattice.round([i, j]).any(|cell| found.mask.get(cell)) {
-                    let cost = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
-                    ticker.spend(cost, 0.0)?;
+                    let cleared = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
+                    ticker.spend(cleared + cost, 0.0)?;
                 }
                 j += stride;
             }
