@@ -119,11 +119,13 @@ fn octant(signs: DVec3) -> Nurbs {
     }
 }
 
-/// Shapes with their distance functions.
-fn solids() -> Vec<(&'static str, Nurbs, fn(DVec3) -> f64)> {
+/// A name, a shape, and the distance from it.
+type Solid = (&'static str, Nurbs, fn(DVec3) -> f64);
+
+fn solids() -> Vec<Solid> {
     let line = vec![0.0, 0.0, 1.0, 1.0];
     let from_sphere: fn(DVec3) -> f64 = |p| (p.length() - 1.0).abs();
-    let mut all: Vec<(&str, Nurbs, fn(DVec3) -> f64)> = vec![
+    let mut all: Vec<Solid> = vec![
         ("sphere", sphere(), from_sphere),
         ("cylinder", revolved(&[(1.0, 0.0, 1.0), (1.0, 3.0, 1.0)], 1, line.clone()), |p| (p.x.hypot(p.y) - 1.0).abs()),
         ("cone", revolved(&[(0.0, 0.0, 1.0), (2.0, 2.0, 1.0)], 1, line), |p| {

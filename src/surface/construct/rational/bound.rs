@@ -67,7 +67,9 @@ impl Difference {
     /// The greatest |N_ij| / W_ij.
     fn greatest(&self) -> f64 {
         let values = self.net[..self.counts[0]].iter().flat_map(|row| &row[..self.counts[1]]);
-        values.map(|value| value.truncate().length() / value.w).fold(0.0, f64::max)
+        let ratios = values.map(|value| value.truncate().length() / value.w);
+        // What is no number proves nothing.
+        ratios.map(|ratio| if ratio.is_nan() { f64::INFINITY } else { ratio }).fold(0.0, f64::max)
     }
 
     fn refined(&self, bound: f64, target: f64, depth: usize) -> f64 {

@@ -205,8 +205,7 @@ impl<'a> Rational<'a> {
         let degrees = [0, 1].map(|d| self.spline.axes[d].degree);
         let bound = Difference::new(&piece.points, &homogeneous, degrees).bound(self.target);
         let mut parts = [1, 1];
-        // NaN, too, is not within the target.
-        if !(bound <= self.target) {
+        if bound > self.target {
             parts = self.parts(self.fit.errors(&piece, &homogeneous));
         }
         let mut patch = Patch { points: piece.points.map(|row| row.map(|point| (point + self.middle) * self.unit)) };
@@ -219,7 +218,7 @@ impl<'a> Rational<'a> {
     fn parts(&self, errors: [f64; 2]) -> [u8; 2] {
         let parts = errors.map(|error| match 2.6 * error / self.target {
             // The error does not fall with the eighth power yet.
-            _ if !(error < 1e-3 * self.radius) => 2,
+            _ if error >= 1e-3 * self.radius => 2,
             excess if excess <= 1.0 => 1,
             excess => excess.powf(0.125).ceil().min(MAX_PARTS) as u8,
         });
