@@ -110,7 +110,7 @@ static gusset_field field(uint32_t kind, uint32_t axis, double a, double b, doub
 
 static void kinds_of_fields(void) {
     static const double offsets[24] = {0, 0, 0, 0, 0, 0, 0, 0, 1};
-    gusset_field fields[12];
+    gusset_field fields[14];
     fields[0] = field(GUSSET_FIELD_AFFINE, 0, 1, 0, 0, 3);
     fields[0].values[5] = 1, fields[0].values[10] = 1;
     fields[1] = field(GUSSET_FIELD_TWIST, GUSSET_AXIS_X, 0.1, 0, 0, 0);
@@ -131,7 +131,9 @@ static void kinds_of_fields(void) {
     fields[10].values[5] = 1, fields[10].values[7] = 1, fields[10].values[8] = 1;
     fields[11] = field(GUSSET_FIELD_PERSPECTIVE, 0, 0, 0, 9, 0);
     fields[11].values[8] = 1;
-    for (int k = 0; k < 12; k++) {
+    fields[12] = field(GUSSET_FIELD_CONE_WRAP, GUSSET_AXIS_X, 3, 0.5, 0, 0);
+    fields[13] = field(GUSSET_FIELD_SPHERE_WRAP, GUSSET_AXIS_Y, 3, 0, 0, 0);
+    for (int k = 0; k < 14; k++) {
         gusset_net *net = sheet();
         EXPECT(GUSSET_OK, gusset_net_deform(context, net, &fields[k], 1, 0));
         fields[k].strength = 0.5;
@@ -140,7 +142,7 @@ static void kinds_of_fields(void) {
     }
     {
         gusset_net *net = sheet();
-        EXPECT(GUSSET_OK, gusset_net_deform(context, net, fields, 12, 0));
+        EXPECT(GUSSET_OK, gusset_net_deform(context, net, fields, 14, 0));
         gusset_net_destroy(net);
     }
 }
@@ -199,6 +201,12 @@ static void wrong_fields(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0));
     bad.counts[0] = 2;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = field(GUSSET_FIELD_CONE_WRAP, GUSSET_AXIS_X, 3, 1.6, 0, 0);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = field(GUSSET_FIELD_SPHERE_WRAP, GUSSET_AXIS_X, -3, 0, 0, 0);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = field(GUSSET_FIELD_SPHERE_WRAP, 7, 3, 0, 0, 0);
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
     /* The centre of the sphere is a node. */
     bad = field(GUSSET_FIELD_SPHERIFY, 0, 0, 0, 0, 1);
     EXPECT(GUSSET_ERROR_FIELD_UNDEFINED, gusset_net_deform(context, net, &bad, 1, 0));

@@ -226,6 +226,40 @@ static void deformed(void) {
     HOLDS(apart == 0);
     gusset_net_destroy(net);
 }
+
+/* A sheet rolls up to a tube and the tube to a sphere, at the time t of the paper's Fig. 3. */
+static gusset_net *rolled_sheet(double t) {
+    const double pi = acos(-1.0);
+    const gusset_field fields[2] = {
+        {.struct_size = sizeof *fields, .kind = GUSSET_FIELD_AFFINE, .strength = 1.0,
+         .values = {pi / 8, 0, 0, 0, 0, pi / 8, 0, -pi / 2, 0, 0, 1, 0}},
+        {.struct_size = sizeof *fields, .kind = GUSSET_FIELD_SPHERE_WRAP, .axis = GUSSET_AXIS_Z, .strength = t,
+         .values = {1.0}}};
+    double x[9 * 17], y[9 * 17], z[9 * 17] = {0};
+    const gusset_net_view nodes = {.struct_size = sizeof nodes, .rows = 9, .columns = 17, .x = x, .y = y, .z = z,
+                                   .scalar = GUSSET_F64};
+    gusset_net *net = NULL;
+    size_t k;
+    for (k = 0; k < 9 * 17; ++k) {
+        x[k] = (double)(k % 17);
+        y[k] = (double)(k / 17);
+    }
+    MUST(gusset_net_create(NULL, &nodes, NULL, &net));
+    MUST(gusset_net_deform(NULL, net, fields, 2, 0.0));
+    return net;
+}
+
+static void rolled(void) {
+    gusset_net *tube = rolled_sheet(0.5), *ball = rolled_sheet(1.0);
+    gusset_net_measure_report measures = {.struct_size = sizeof measures};
+
+    MUST(gusset_net_measure(NULL, tube, &measures)); /* at one half as long as a meridian, pi */
+    HOLDS(measures.area > 0.98 * 2 * acos(-1.0) * acos(-1.0));
+    MUST(gusset_net_measure(NULL, ball, &measures)); /* at 1 closed: the poles are 2 apart */
+    HOLDS(about(measures.high[2] - measures.low[2], 2.0) && fabs(measures.area_vector[2]) < 1e-15);
+    gusset_net_destroy(ball);
+    gusset_net_destroy(tube);
+}
 //! [net_field]
 
 //! [net_analyse]
@@ -298,6 +332,7 @@ int main(void) {
     whether_it_is_right();
     moved();
     deformed();
+    rolled();
     what_a_deformation_does();
     normals();
     measured();

@@ -119,14 +119,20 @@ public:
     /// Onto a sphere; see GUSSET_FIELD_SPHERIFY.
     static Field spherify(const Point3 &centre, double radius) { return Field(GUSSET_FIELD_SPHERIFY, centre, radius); }
     /// Of the two axes that follow, the first becomes the arc, which starts on the second; the
-    /// second becomes the height above the cylinder.
+    /// second becomes the height above the cylinder. In part: rolled to less curvature.
     static Field wrap_cylinder(Axis axis, double radius) {
         return Field(GUSSET_FIELD_CYLINDER_WRAP, radius).about(axis);
     }
-    /// Round a torus; see GUSSET_FIELD_TORUS_WRAP.
+    /// Round a torus, by way of a tube; see GUSSET_FIELD_TORUS_WRAP.
     static Field wrap_torus(Axis axis, double radius, double tube_radius) {
         return Field(GUSSET_FIELD_TORUS_WRAP, radius, tube_radius).about(axis);
     }
+    /// To a cone whose generators lean towards the axis by `angle`; see GUSSET_FIELD_CONE_WRAP.
+    static Field wrap_cone(Axis axis, double radius, double angle) {
+        return Field(GUSSET_FIELD_CONE_WRAP, radius, angle).about(axis);
+    }
+    /// To a sphere, by way of a tube; see GUSSET_FIELD_SPHERE_WRAP.
+    static Field wrap_sphere(Axis axis, double radius) { return Field(GUSSET_FIELD_SPHERE_WRAP, radius).about(axis); }
     /// Free-form deformation. `offsets`: the displacement of each of counts[0] * counts[1] *
     /// counts[2] control points, x running first.
     static Field lattice(const Point3 &low, const Point3 &high, const std::array<uint32_t, 3> &counts,

@@ -85,6 +85,8 @@ fn fields() {
         ("spherify", Box::new(field::spherify(DVec3::new(0.01, 0.02, 0.03), 2.0).unwrap())),
         ("cylinder wrap", Box::new(field::cylinder_wrap(Axis::Z, 0.8).unwrap())),
         ("torus wrap", Box::new(field::torus_wrap(Axis::Z, 2.0, 0.5).unwrap())),
+        ("cone wrap", Box::new(field::cone_wrap(Axis::Z, 2.0, 0.5).unwrap())),
+        ("sphere wrap", Box::new(field::sphere_wrap(Axis::Z, 2.0).unwrap())),
         ("lattice", Box::new(Lattice::new(DVec3::splat(-3.0), DVec3::splat(3.0), [3, 3, 3], &offsets).unwrap())),
         ("perspective", Box::new(field::perspective_projection(eye, DVec3::ZERO, DVec3::Z).unwrap())),
         ("parallel", Box::new(field::parallel_projection(DVec3::ZERO, DVec3::Z, DVec3::new(0.1, 0.2, 1.0)).unwrap())),

@@ -44,6 +44,8 @@ fn all_fields() -> Vec<(&'static str, Box<dyn Field>)> {
         ("spherify", Box::new(field::spherify(DVec3::new(0.1, 0.2, 0.3), 2.0).unwrap())),
         ("cylinder", Box::new(field::cylinder_wrap(Axis::Z, 2.0).unwrap())),
         ("torus", Box::new(field::torus_wrap(Axis::X, 9.0, 6.0).unwrap())),
+        ("cone", Box::new(field::cone_wrap(Axis::Y, 2.0, 0.6).unwrap())),
+        ("sphere", Box::new(field::sphere_wrap(Axis::Y, 3.0).unwrap())),
         ("lattice", Box::new(lattice)),
         (
             "perspective",

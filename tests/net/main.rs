@@ -21,6 +21,7 @@ mod oracle;
 mod primitive;
 mod reformat;
 mod resample;
+mod roll;
 mod scene;
 mod space;
 mod stream;

@@ -30,13 +30,16 @@ pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
 /// 0, straight from its centre, where it is not defined. In part: that part of the way.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
 /// Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the
-/// second the height above a cylinder of the radius values[0] > 0: with the first u and the second
-/// v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part: that part of the straight way.
+/// second the height above a cylinder of the radius r = values[0] > 0: with the first u and the
+/// second v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part, t: rolled to the
+/// curvature t / r, so that a sheet of height 0 keeps all its lengths.
 pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
 /// Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube)
 /// and values[1] > 0 (of the tube): of the two axes that follow, the first goes round the axis and
-/// the second round the tube; the axis itself becomes the height above the torus. In part: that
-/// part of the straight way.
+/// the second round the tube; the axis itself becomes the height above the torus. In part, t: up to
+/// 1/2 the sheet rolls to a straight tube, to the curvature 2 t / values[1], and keeps all its
+/// lengths; then the tube bends to the curvature (2 t - 1) / values[0] of its middle, and the circles
+/// round it keep their lengths.
 pub const GUSSET_FIELD_TORUS_WRAP: gusset_field_kind = 8;
 /// Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x
 /// counts[2] control points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its
@@ -52,6 +55,20 @@ pub const GUSSET_FIELD_PARALLEL: gusset_field_kind = 11;
 /// Onto the plane through values[3..5] with the normal values[6..8], along the lines through the
 /// eye values[0..2]. Not defined level with the eye.
 pub const GUSSET_FIELD_PERSPECTIVE: gusset_field_kind = 12;
+/// Rolls space up to a cone about `axis`: of the two axes that follow, the first becomes the arc of
+/// the circle of the radius r = values[0] > 0 and the second the height above the cone; the axis
+/// itself, w, becomes the length along the generators, which lean towards the axis by values[1],
+/// from -pi / 2 to pi / 2: the apex is at w = r / sin(values[1]). In part, t: leaning by t values[1]
+/// and rolled to the curvature t / r; generators keep their lengths, and the circle at w becomes
+/// 1 - (t / r) w sin(t values[1]) times as long.
+pub const GUSSET_FIELD_CONE_WRAP: gusset_field_kind = 13;
+/// Rolls space up to a sphere about `axis` of the radius r = values[0] > 0: of the two axes that
+/// follow, the first, from 0 to 2 pi r, goes round the equator, and the second, from -pi / 2 r to
+/// pi / 2 r, along the meridians; the axis itself becomes the height above the sphere. In part, t: up
+/// to 1/2 the sheet rolls to a tube, to the curvature 2 t / r, and keeps all its lengths; then the
+/// meridians bend to the curvature q / r, q = 2 t - 1, and keep their lengths, and the parallel at v
+/// becomes 1 - (1 - cos(q v / r)) / q times as long.
+pub const GUSSET_FIELD_SPHERE_WRAP: gusset_field_kind = 14;
 
 /// How a strength goes from one key to the next.
 pub type gusset_easing = u32;
@@ -154,6 +171,8 @@ impl gusset_field {
             GUSSET_FIELD_SPHERIFY => Box::new(spherify(vector(v), v[3])?),
             GUSSET_FIELD_CYLINDER_WRAP => Box::new(cylinder_wrap(about()?, v[0])?),
             GUSSET_FIELD_TORUS_WRAP => Box::new(torus_wrap(about()?, v[0], v[1])?),
+            GUSSET_FIELD_CONE_WRAP => Box::new(cone_wrap(about()?, v[0], v[1])?),
+            GUSSET_FIELD_SPHERE_WRAP => Box::new(sphere_wrap(about()?, v[0])?),
             GUSSET_FIELD_LATTICE => Box::new(self.lattice()?),
             GUSSET_FIELD_PROJECTION => {
                 Box::new(projection([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?)

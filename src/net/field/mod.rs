@@ -3,8 +3,8 @@
 //!
 //! * [`Field`]: a map of space that can be applied in part. [`deform`]: chains of fields in one
 //!   pass.
-//! * [`twist`], [`taper`], [`bend`], [`shear`]: shaping. [`spherify`], [`cylinder_wrap`],
-//!   [`torus_wrap`]: sheets onto surfaces.
+//! * [`twist`], [`taper`], [`bend`], [`shear`]: shaping. [`spherify`]: projection onto a sphere.
+//!   [`cylinder_wrap`], [`cone_wrap`], [`torus_wrap`], [`sphere_wrap`]: sheets that roll up.
 //! * [`Lattice`]: free-form. [`projection()`]: any 4 x 4 matrix, parallel, perspective.
 //!   [`displace`]: along the normals.
 //! * [`Timed`]: the strength of a field as a function of time.
@@ -28,4 +28,4 @@ pub use projection::{parallel_projection, perspective_projection, projection};
 pub use shaping::{bend, shear, taper, twist};
 pub use surface::{RowsMut, deform_rows, displace, snap};
 pub use timed::{Easing, Timed};
-pub use wrap::{cylinder_wrap, spherify, torus_wrap};
+pub use wrap::{cone_wrap, cylinder_wrap, sphere_wrap, spherify, torus_wrap};
