@@ -259,6 +259,18 @@ static void groups_and_types(void) {
     CHECK(counts[GUSSET_TYPE_EAST_WEST] == 2 * 63);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_histogram(context, NULL, counts, NULL));
     CHECK(counts[GUSSET_TYPE_EAST_WEST] == 0);
+    {
+        gusset_gluing_occurrence some[1];
+        size_t all = 1;
+        EXPECT(GUSSET_OK, gusset_net_gluing_occurrences(context, net, 0, NULL, 0, &all));
+        CHECK(all == 2 * 65 + 2 * 64);
+        EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_gluing_occurrences(context, net, 1, some, 1, &all));
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_gluing_occurrences(context, net, 0, NULL, 1000, &all));
+        EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_gluing_occurrences(context, net, 2, NULL, 0, &all));
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_gluing_occurrences(context, net, 0, some, 1, NULL));
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_gluing_occurrences(context, NULL, 0, some, 1, &all));
+        CHECK(all == 0);
+    }
     gusset_net_destroy(net);
 }
 

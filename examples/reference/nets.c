@@ -115,6 +115,7 @@ static void gluing_by_hand(void) {
     size_t written = 0, moved = 0;
     uint64_t nodes[18], cells[18];
     gusset_gluing_type found = 0;
+    gusset_gluing_occurrence all[8];
     gusset_net_groups *groups = NULL;
     gusset_indices offsets = {NULL, 0}, members = {NULL, 0};
 
@@ -134,6 +135,9 @@ static void gluing_by_hand(void) {
     HOLDS(found == GUSSET_TYPE_HORIZONTAL);
     MUST(gusset_net_histogram(NULL, net, nodes, cells));
     HOLDS(nodes[GUSSET_TYPE_HORIZONTAL] >= 1);
+    /* All of them as data: at both ends of the link n(1), of the two cells beside it c(1). */
+    MUST(gusset_net_gluing_occurrences(NULL, net, 0, all, 8, &written));
+    HOLDS(written == 4 && all[0].element == 6 && all[0].a == 1 && all[0].node_order == 2 && all[2].on_cell == 1);
 
     /* Apart again. */
     MUST(gusset_net_unglue(NULL, net, &link, 1, 0.0, &moved));

@@ -252,6 +252,14 @@ public:
     std::optional<GluingType> classify_cell(uint32_t cell, const Context &context = Context()) const {
         return type(context.result(gusset_net_classify_cell, get(), cell));
     }
+    /// All local gluings, at nodes and then of cells; see gusset_net_gluing_occurrences.
+    std::vector<GluingOccurrence> gluing_occurrences(bool cyclic = false, const Context &context = Context()) const {
+        std::size_t written = 0;
+        context.call(gusset_net_gluing_occurrences, get(), cyclic, nullptr, std::size_t{0}, &written);
+        std::vector<GluingOccurrence> found(written);
+        context.call(gusset_net_gluing_occurrences, get(), cyclic, found.data(), found.size(), &written);
+        return found;
+    }
     GluingHistogram histogram(const Context &context = Context()) const {
         GluingHistogram found{};
         context.call(gusset_net_histogram, get(), found.nodes.data(), found.cells.data());

@@ -141,6 +141,9 @@ private:
 };
 static_assert(sizeof(LocalGluing) == sizeof(gusset_gluing), "a gluing is what C takes");
 
+/// A local gluing of a net, with its letters and orders; see gusset_gluing_occurrence.
+using GluingOccurrence = gusset_gluing_occurrence;
+
 /// The numbers of nodes and of cells of each local gluing, by GluingType; see gusset_net_histogram.
 struct GluingHistogram {
     /// The numbers of nodes, and of cells, of each type.

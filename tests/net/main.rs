@@ -17,6 +17,7 @@ mod grids;
 mod measure;
 mod nets;
 mod normals;
+mod occurrences;
 mod oracle;
 mod primitive;
 mod reformat;

@@ -4,7 +4,7 @@ use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::gluing::{gusset_seam, seam};
 use crate::ffi::net::{edit, gusset_net, read, reglue};
 use crate::ffi::prelude::*;
-use crate::net::topology::{Diagonal, Gluing, GluingType, Groups};
+use crate::net::topology::{Diagonal, Gluing, GluingType, Groups, Occurrence, occurrences};
 use crate::net::{Classes, MAX_NODES};
 
 /// What a gusset_gluing glues.
@@ -373,4 +373,82 @@ pub unsafe extern "C" fn gusset_net_histogram(
 /// Room for the counts, cleared; none if they are not wanted.
 fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
     input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
+}
+
+/// A local gluing of a net: where it is, and what it is in the letters of the paper's Fig. 4.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_gluing_occurrence {
+    /// 0: at the node `element`, a type n(a, b); 1: of the cell `element`, a type c(a, b).
+    pub on_cell: u32,
+    /// The node, row * columns + column, or the cell, row * (columns - 1) + column.
+    pub element: u32,
+    /// One of GUSSET_TYPE_...
+    pub kind: gusset_gluing_type,
+    /// Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
+    /// for all; 1 for a diagonal.
+    pub a: u32,
+    /// Of a node with two glued links, 1 if they are adjacent and 2 if they are opposite; of a cell
+    /// with two, how many of the other links lie between them, 0 or 1; 2 for a diagonal; UINT32_MAX
+    /// for types that have one letter.
+    pub b: u32,
+    /// How many nodes the gluing makes one.
+    pub node_order: u32,
+    /// How many links it makes one; 1 if none.
+    pub link_order: u32,
+    /// How many nodes of the net are one point there: more than node_order where gluings meet, as
+    /// at a pole.
+    pub class_size: u32,
+}
+
+fixed! { gusset_gluing_occurrence: 32 }
+
+impl From<&Occurrence> for gusset_gluing_occurrence {
+    fn from(found: &Occurrence) -> Self {
+        gusset_gluing_occurrence {
+            on_cell: found.on_cell.into(),
+            element: found.element,
+            kind: number(Some(found.kind)),
+            a: found.signature.a.into(),
+            b: found.signature.b.map_or(u32::MAX, u32::from),
+            node_order: found.signature.node_order.into(),
+            link_order: found.signature.link_order.into(),
+            class_size: found.class_size,
+        }
+    }
+}
+
+/// Writes all local gluings of a net with their types and orders: those at its nodes, in order, then
+/// those of its cells.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param cyclic 0, or 1 to count links that lead back to the first row or column too.
+/// @param[out] found room for capacity of them.
+/// @param capacity see found.
+/// @param[out] written receives their number. NULL and 0 ask for it.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (cyclic),
+///     BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes); 4 bytes a node, and as much as is written.
+/// @source Deryagin, Fig. 4.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_gluing_occurrences(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    cyclic: u32,
+    found: *mut gusset_gluing_occurrence,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    guard(context, |job| {
+        let written = written?;
+        let all = occurrences(read(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
+        fill(found, capacity, all.len(), written, "found", |out| {
+            out.iter_mut().zip(&all).for_each(|(out, occurrence)| *out = occurrence.into());
+            Ok(())
+        })
+    })
 }

@@ -5,7 +5,8 @@
 //!   [`Seam`]: gluings that neither can express.
 //! * [`Topology`]: links and seams in one normal form.
 //! * [`Classes`]: the nodes that are one point. [`Reduced`]: what a cell becomes once glued corners
-//!   are one. [`GluingType`]: the 18 local gluings. [`Gluing`]: editing by hand.
+//!   are one. [`GluingType`]: the 18 local gluings; [`occurrences()`]: those of a net. [`Gluing`]:
+//!   editing by hand.
 //!
 //! Invariant: links and seams name pairs of nodes, and the partition into classes is their
 //! reflexive-transitive closure; no cell has both pairs of opposite corners in one class each.
@@ -17,6 +18,7 @@ mod gluing;
 mod local_gluing;
 mod matrix;
 mod normal_form;
+mod occurrences;
 mod seam;
 mod sides;
 mod structure;
@@ -27,6 +29,7 @@ pub use gluing::{Diagonal, Gluing};
 pub(crate) use local_gluing::star_links;
 pub use local_gluing::{GluingType, Histogram, classify_cell, classify_node, histogram};
 pub use matrix::Matrix;
+pub use occurrences::{Occurrence, Signature, occurrences};
 pub use seam::{Run, Seam};
 pub use sides::Sides;
 pub use structure::{Links, Topology};
