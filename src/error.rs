@@ -376,6 +376,12 @@ pub enum Error {
     /// added or left out evenly.
     #[error("the net is glued elsewhere than along whole sides, or has bridges")]
     GluedInside,
+    /// Two nets that are to be glued in the same way are not.
+    #[error("the nets are glued differently, first at node {node}")]
+    GluingsDiffer {
+        /// The first node that is one point with other nodes in the one than in the other.
+        node: u32,
+    },
     /// A line has an origin beyond 1e150, has no direction, or has no points between its ends.
     #[error("line {line} {why}{}", if *.value == 0.0 { String::new() } else { format!(": {}", Number(.value)) })]
     BadLine {

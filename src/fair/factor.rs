@@ -20,7 +20,7 @@ const REPORT_INTERVAL: f64 = 16e6;
 const MOVE_COST: f64 = 8.0;
 
 /// The factor: for each supernode its columns of L below the diagonal, in blocks of rows.
-pub(super) struct Factor {
+pub(crate) struct Factor {
     pub(super) supernodes: Supernodes,
     /// Block after block the columns that it has; what is not below the diagonal is 0.
     pub(super) entries: Vec<Lanes>,
@@ -34,7 +34,7 @@ impl Symmetric {
     ///
     /// O(sum of the squares of the columns' lengths); memory: some 10 bytes an entry of L, less
     /// than that on the stack, and 100 a row.
-    pub(super) fn factor(&self, job: &Job<'_>) -> Result<Factor> {
+    pub(crate) fn factor(&self, job: &Job<'_>) -> Result<Factor> {
         let below = self.below()?;
         let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;
         let costs = Costs::of(&supernodes);

@@ -47,3 +47,4 @@ pub use continuity::Continuity;
 pub(crate) use curvature::mean_curvature;
 pub(crate) use plate::{Plate, Shape, thin_plate};
 pub(crate) use rings::Weights;
+pub(crate) use sparse::Symmetric;

@@ -17,7 +17,7 @@ impl Factor {
     /// Solves in place: the solution of L D L^T x = b takes the place of b.
     ///
     /// O(entries of L); extra memory: 24 bytes a row.
-    pub(super) fn solve(&self, x: &mut [DVec3], job: &Job<'_>) -> Result<()> {
+    pub(crate) fn solve(&self, x: &mut [DVec3], job: &Job<'_>) -> Result<()> {
         let order = &self.supernodes.order;
         let mut y = alloc::collect(order.iter().map(|&k| x[k as usize]))?;
         let mut local = Vec::new();

@@ -4,25 +4,25 @@ use crate::error::Result;
 use crate::sort::Buckets;
 
 /// A symmetric matrix: its diagonal, and what is above it, column by column as (row, value).
-pub(super) struct Symmetric {
-    pub(super) start: Vec<usize>,
-    pub(super) entries: Vec<(u32, f64)>,
-    pub(super) diagonal: Vec<f64>,
+pub(crate) struct Symmetric {
+    pub(crate) start: Vec<usize>,
+    pub(crate) entries: Vec<(u32, f64)>,
+    pub(crate) diagonal: Vec<f64>,
 }
 
 impl Symmetric {
     /// How many rows it has.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.diagonal.len()
     }
 
     /// The entries of column `k` above the diagonal: those of row `k` before it.
-    pub(super) fn column(&self, k: usize) -> &[(u32, f64)] {
+    pub(crate) fn column(&self, k: usize) -> &[(u32, f64)] {
         &self.entries[self.start[k]..self.start[k + 1]]
     }
 
     /// What is below the diagonal, column by column. 16 bytes an entry.
-    pub(super) fn below(&self) -> Result<Buckets<(u32, f64)>> {
+    pub(crate) fn below(&self) -> Result<Buckets<(u32, f64)>> {
         let columns = (0..self.len()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));
         Buckets::new(self.len(), (0, 0.0), columns.map(|(k, i, value)| (i as usize, (k as u32, value))))
     }

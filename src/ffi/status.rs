@@ -106,6 +106,8 @@ pub enum gusset_status {
     GUSSET_ERROR_FIELD_UNDEFINED = 1320,
     /// A net is glued elsewhere than along whole sides, or has bridges.
     GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /// Two nets are glued differently.
+    GUSSET_ERROR_GLUINGS_DIFFER = 1322,
     /// Knots of a spline: their number does not fit, or one is out of order or repeated too often.
     GUSSET_ERROR_BAD_KNOTS = 1410,
     /// Curves of a net do not meet, or not in the order given.
@@ -319,6 +321,7 @@ impl From<Error> for Failure {
             FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
             GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
             BadWings { edge, .. } => Failure::at(GUSSET_ERROR_BAD_WINGS, GUSSET_ELEMENT_EDGE, edge, 0.0),
+            GluingsDiffer { node } => at(GUSSET_ERROR_GLUINGS_DIFFER, GUSSET_ELEMENT_NODE, node, 0.0),
             BadLine { line: item, value, .. } | SheetOutOfRange { sheet: item, value } => {
                 Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
             }

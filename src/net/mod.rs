@@ -15,7 +15,7 @@
 //! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
 //! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]:
-//!   normals, areas, volumes. [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]:
+//!   normals, areas, volumes. [`planarise()`]: plane cells. [`morph()`]: nets between two. [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]:
 //!   meshes and height fields. [`stream`]: nets as bytes.
 
 pub mod analyse;
@@ -34,7 +34,9 @@ mod hidden_cells;
 mod join;
 pub mod measure;
 mod model;
+mod morph;
 pub mod normals;
+pub mod planarise;
 mod planes;
 pub mod primitive;
 mod real;
@@ -54,6 +56,8 @@ pub use direction::Direction;
 pub use join::{JoinOptions, concatenate, concatenate_all};
 pub(crate) use model::each;
 pub use model::{Coordinates, Net};
+pub use morph::{MorphPath, morph};
+pub use planarise::planarise;
 pub use planes::Planes;
 pub use real::Real;
 pub use reformat::Replication;

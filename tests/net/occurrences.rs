@@ -1,10 +1,10 @@
 //! The local gluings of nets as data: letters and orders by counting nodes and links of each.
 
 use crate::space::{sheet, sphere};
+use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{Gluing, GluingType, Occurrence, classify_cell, classify_node, histogram, occurrences};
 use gusset::net::{Classes, Shape, Sides, Topology};
-use gusset::Job;
 use std::collections::BTreeMap;
 
 /// A sheet with one local gluing: of the node or of the cell in its middle.

@@ -77,7 +77,9 @@ fn a_sphere_closes_at_1_and_keeps_the_lengths_of_its_roll_before() {
     // At one half: a tube of the meridian's length; all links within 1 % of what they were.
     let tube = rolled(&net, &wrap, 0.5);
     let ratios = analyse_field(&net, &[Step { field: &wrap, strength: 0.5 }], 1e-9, &Job::default()).unwrap().links;
-    let within = |link: usize| link % 2 == 1 && link / 2 < (rows - 1) * columns || link % 2 == 0 && link / 2 % columns + 1 < columns;
+    let within = |link: usize| {
+        link % 2 == 1 && link / 2 < (rows - 1) * columns || link % 2 == 0 && link / 2 % columns + 1 < columns
+    };
     let worst = (0..ratios.len()).filter(|&l| within(l)).map(|l| (ratios[l] - 1.0).abs()).fold(0.0, f64::max);
     assert!(worst < 0.01 && worst > 1e-4, "{worst}");
     let size = TAU * radius;
@@ -157,9 +159,15 @@ fn a_torus_rolls_to_a_tube_and_the_tube_to_a_ring() {
         let along = |i: usize| (1.0 + k * out(i)) * chord(du, k);
         check_links(&rolled(&net, &wrap, t), &format!("at {t}"), along, |_| chord(dv, s / minor));
     }
-    assert_eq!(detect_gluing(rolled(&net, &wrap, 1.0).coordinates(), 1e-14, &Job::default()).unwrap().sides(), Some(Sides::TORUS));
+    assert_eq!(
+        detect_gluing(rolled(&net, &wrap, 1.0).coordinates(), 1e-14, &Job::default()).unwrap().sides(),
+        Some(Sides::TORUS)
+    );
     let tube = Sides { columns_closed: true, ..Sides::SHEET };
-    assert_eq!(detect_gluing(rolled(&net, &wrap, 0.6).coordinates(), 1e-14, &Job::default()).unwrap().sides(), Some(tube));
+    assert_eq!(
+        detect_gluing(rolled(&net, &wrap, 0.6).coordinates(), 1e-14, &Job::default()).unwrap().sides(),
+        Some(tube)
+    );
 }
 
 #[test]
@@ -174,7 +182,8 @@ fn rolls_stretch_space_as_their_curvature_says_and_have_no_jumps() {
     let at = |field: &dyn Field, t: f64| rolled(&one(p), field, t).get(0, 0);
     for (name, wrap) in &wraps {
         for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
-            let jump = at(&**wrap, t).distance(at(&**wrap, t + 1e-9)).max(at(&**wrap, t).distance(at(&**wrap, t - 1e-9)));
+            let jump =
+                at(&**wrap, t).distance(at(&**wrap, t + 1e-9)).max(at(&**wrap, t).distance(at(&**wrap, t - 1e-9)));
             assert!(jump < 1e-7, "{name} at {t}: {jump}");
         }
         assert_eq!(at(&**wrap, 0.0), p);

@@ -2,7 +2,7 @@
 
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
-use crate::net::measure::{measure, moments, planarity};
+use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
 /// What gusset_net_measure finds.
 #[repr(C)]
@@ -10,7 +10,8 @@ use crate::net::measure::{measure, moments, planarity};
 pub struct gusset_net_measure_report {
     /// sizeof(gusset_net_measure_report), set by the caller.
     pub struct_size: usize,
-    /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
+    /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones; for
+    /// others see gusset_net_bilinear_area.
     pub area: f64,
     /// What the net encloses, if it is closed and has two sides; positive if the normals look
     /// outwards. For open ones: of the cone to the first node.
@@ -92,6 +93,38 @@ pub unsafe extern "C" fn gusset_net_measure(
             low: found.low.to_array(),
             high: found.high.to_array(),
         })
+    })
+}
+
+/// Computes the area of the bilinear patches of all cells of a net, to rounding: on cells that are
+/// not plane more than that of gusset_net_measure.
+///
+/// Cells that are not there do not count; a patch that is folded over itself counts with all its
+/// sheets.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param net the net.
+/// @param[out] area receives the area.
+/// @param[out] error receives a bound of its error; may be NULL.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(nodes), some ten times the work of gusset_net_measure; no memory.
+/// @threads From any thread; the same bits for any number of threads.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_bilinear_area(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    area: *mut f64,
+    error: *mut f64,
+) -> gusset_status {
+    let (area, error) = (input::output(area, 0.0, "area"), input::optional_output(error, 0.0, "error"));
+    guard(context, |job| {
+        let (area, error) = (area?, error?);
+        let found = bilinear_area(read(net)?, job)?;
+        *area = found.area;
+        input::set(error, found.error);
+        Ok(())
     })
 }
 

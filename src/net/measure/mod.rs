@@ -6,16 +6,18 @@
 //! * its share of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exact for the
 //!   patch;
 //! * its area is |N| / 2: the midpoint rule, exact for plane cells, else of second order in their
-//!   size.
+//!   size; [`bilinear_area`] has that of the patch to rounding.
 //!
 //! Cells with coincident corners need no other formulas: a triangle is a patch with a side of
 //! length 0, and a line or a point adds 0. Invariant: double precision throughout and one order of
 //! summation, whatever the number of threads and the width of vectors. O(nodes).
 
+mod bilinear;
 mod moments;
 mod planarity;
 mod sums;
 
+pub use bilinear::{BilinearArea, bilinear_area};
 pub use moments::{Moments, moments};
 pub use planarity::{Planarity, planarity};
 pub use sums::{Measures, measure};

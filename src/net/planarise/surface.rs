@@ -1,0 +1,76 @@
+//! The vertices of a net: the points that glued nodes are. O(nodes).
+
+use super::PlanariseOptions;
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::net::complex::Complex;
+use crate::net::{Classes, Net};
+use glam::DVec3;
+
+/// Nodes between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
+/// Of each class of nodes what its representative has; entries of other nodes are not read.
+pub(super) struct Surface {
+    pub(super) classes: Classes,
+    /// The position, from the origin on, of the first node of the class that exists.
+    pub(super) positions: Vec<DVec3>,
+    /// True of vertices that stay.
+    pub(super) fixed: Vec<bool>,
+    /// The diagonal of the box of all existing nodes.
+    pub(super) size: f64,
+    /// The middle of the box: distant nets would lose digits.
+    origin: DVec3,
+}
+
+impl Surface {
+    pub(super) fn of(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
+        let nodes = 0..net.shape().node_count() as u32;
+        let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
+        let mut fixed = alloc::filled(false, nodes.len())?;
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for node in nodes {
+            let position = net.position(node);
+            if position.is_finite() {
+                (low, high) = (low.min(position), high.max(position));
+            }
+            let stays = options.fixed.get(node as usize).is_some_and(|&stays| stays);
+            fixed[classes.representative(node) as usize] |= stays;
+        }
+        if options.keep_boundary {
+            let boundary = Complex::of(net, &job.part(0.3, 0.8))?.boundary;
+            boundary.nodes().iter().for_each(|&node| fixed[classes.representative(node) as usize] = true);
+        }
+        let (origin, size) =
+            if low.x <= high.x { (low.midpoint(high), low.distance(high)) } else { Default::default() };
+        let mut surface = Surface { classes, positions: Vec::new(), fixed, size, origin };
+        surface.positions = surface.positions_of(net, &job.part(0.8, 1.0))?;
+        Ok(surface)
+    }
+
+    /// The positions of the vertices of a net of the same topology.
+    pub(super) fn positions_of(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
+        let count = net.shape().node_count();
+        let mut positions = alloc::filled(DVec3::NAN, count)?;
+        for node in 0..count as u32 {
+            job.step_every(REPORT_INTERVAL, node as usize, count, "planarise")?;
+            let (class, position) = (self.classes.representative(node) as usize, net.position(node));
+            if positions[class].is_nan() && position.is_finite() {
+                positions[class] = position - self.origin;
+            }
+        }
+        Ok(positions)
+    }
+
+    /// Gives all existing nodes of the vertices that moved their new positions.
+    pub(super) fn write(&self, net: &mut Net<'_>, moved: &[DVec3]) {
+        for node in 0..net.shape().node_count() as u32 {
+            let class = self.classes.representative(node) as usize;
+            if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {
+                let (i, j) = net.shape().place(node);
+                net.coordinates_mut().set(i, j, moved[class] + self.origin);
+            }
+        }
+    }
+}
