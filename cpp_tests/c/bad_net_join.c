@@ -236,6 +236,16 @@ static void meshes(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net_create(context, NULL, &found));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net_create(context, grid_found, NULL));
     EXPECT(GUSSET_OK, gusset_net_grid_net_create(context, grid_found, &found));
+    gusset_net_grid_destroy(grid_found);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_triangle_grid_create(context, NULL, &grid_found));
+    CHECK(grid_found == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_triangle_grid_create(context, &triangles, NULL));
+    EXPECT(GUSSET_ERROR_NO_GRID, gusset_net_triangle_grid_create(context, &view, &grid_found));
+    gusset_net_mesh_destroy(mesh);
+    options.texture = 0, options.faces = GUSSET_NET_TRIANGLES_FIXED;
+    EXPECT(GUSSET_OK, gusset_net_mesh_create(context, net, &options, &mesh));
+    EXPECT(GUSSET_OK, gusset_net_mesh_get_mesh(mesh, &view));
+    EXPECT(GUSSET_OK, gusset_net_triangle_grid_create(context, &view, &grid_found));
     gusset_net_mesh_destroy(mesh);
     gusset_net_grid_destroy(grid_found);
     CHECK(has_size(found, 4, 5));

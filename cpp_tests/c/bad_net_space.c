@@ -351,6 +351,75 @@ static void normals_and_measures(void) {
     gusset_net_destroy(net);
 }
 
+static void areas_and_plane_cells(void) {
+    gusset_net *net = sheet();
+    double area = -1, error = -1;
+    uint8_t fixed[NODES] = {0};
+    gusset_planarise_options options;
+    gusset_planarise_report report;
+
+    EXPECT(GUSSET_OK, gusset_net_bilinear_area(context, net, &area, &error));
+    CHECK(fabs(area - CELLS) < 1e-12 && error < 1e-12);
+    EXPECT(GUSSET_OK, gusset_net_bilinear_area(context, net, &area, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bilinear_area(context, net, NULL, &error));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bilinear_area(context, NULL, &area, &error));
+    CHECK(area == 0);
+
+    memset(&options, 0, sizeof options);
+    memset(&report, 0, sizeof report);
+    options.struct_size = sizeof options, report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_net_planarise(context, net, NULL, &report));
+    CHECK(report.converged == 1 && report.iterations == 0 && report.max_displacement == 0);
+    EXPECT(GUSSET_OK, gusset_net_planarise(context, net, &options, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_planarise(context, net, &options, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_planarise(context, NULL, &options, &report));
+    options.tolerance = -1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_planarise(context, net, &options, &report));
+    options.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_planarise(context, net, &options, &report));
+    options.tolerance = 0, options.keep_boundary = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_planarise(context, net, &options, &report));
+    options.keep_boundary = 1, options.fixed = fixed, options.fixed_count = NODES;
+    EXPECT(GUSSET_OK, gusset_net_planarise(context, net, &options, &report));
+    options.fixed_count = NODES - 1;
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_planarise(context, net, &options, &report));
+    options.fixed_count = NODES, options.fixed = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_planarise(context, net, &options, &report));
+    options.fixed = fixed, fixed[3] = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_planarise(context, net, &options, &report));
+    options.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_planarise(context, net, &options, &report));
+    report.struct_size = 0;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_planarise(context, net, NULL, &report));
+    gusset_net_destroy(net);
+}
+
+static void morphs(void) {
+    gusset_net *net = sheet(), *closed = prism(), *between = (gusset_net *)misaligned(), *single = NULL;
+    const gusset_net_gluing tube = {.struct_size = sizeof tube, .sides = GUSSET_SIDES_TUBE};
+
+    EXPECT(GUSSET_OK, gusset_net_morph_create(context, net, net, 0.5, GUSSET_MORPH_RIGID, &between));
+    CHECK(fabs(x_of(between, 1) - 1) < 1e-12);
+    gusset_net_destroy(between);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_morph_create(context, net, net, 1.5, 0, &between));
+    CHECK(between == NULL);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_morph_create(context, net, net, NAN, 0, &between));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_morph_create(context, net, net, 0.5, 2, &between));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_morph_create(context, NULL, net, 0.5, 0, &between));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_morph_create(context, net, NULL, 0.5, 0, &between));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_morph_create(context, net, net, 0.5, 0, NULL));
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_morph_create(context, net, closed, 0.5, 0, &between));
+    EXPECT(GUSSET_OK, gusset_net_convert_create(context, net, GUSSET_F32, &single));
+    EXPECT(GUSSET_ERROR_MIXED_SCALARS, gusset_net_morph_create(context, net, single, 0.5, 0, &between));
+    gusset_net_destroy(single);
+    EXPECT(GUSSET_OK, gusset_net_clone_create(context, net, &single));
+    EXPECT(GUSSET_OK, gusset_net_set_gluing(context, single, &tube));
+    EXPECT(GUSSET_ERROR_GLUINGS_DIFFER, gusset_net_morph_create(context, net, single, 0.5, 0, &between));
+    gusset_net_destroy(single);
+    gusset_net_destroy(closed);
+    gusset_net_destroy(net);
+}
+
 static void sizes(void) {
     gusset_net *net = sheet(), *made = (gusset_net *)misaligned(), *levels[GUSSET_PYRAMID_LEVELS];
     const uint32_t link = 2 * (2 * COLUMNS + 3);
@@ -418,6 +487,8 @@ int main(void) {
     functions_of_the_host();
     analyses();
     normals_and_measures();
+    areas_and_plane_cells();
+    morphs();
     sizes();
     gusset_context_destroy(context);
     return failures != 0;

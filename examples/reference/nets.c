@@ -315,6 +315,7 @@ static void measured(void) {
     gusset_net_moment_report moments = {.struct_size = sizeof moments};
     gusset_net_planarity_report planarity = {.struct_size = sizeof planarity};
     size_t cells = 0;
+    double area = 0, error = 1;
 
     MUST(gusset_net_measure(NULL, net, &measures));
     HOLDS(fabs(measures.area - 4.0 * pi) < 0.1 && fabs(measures.volume - 4.0 / 3.0 * pi) < 0.05);
@@ -323,9 +324,47 @@ static void measured(void) {
     /* Trapezia between parallels are plane. */
     MUST(gusset_net_planarity(NULL, net, 1e-9, NULL, 0, &cells, &planarity));
     HOLDS(cells == 32 * 64 && planarity.above == 0);
+    /* So their bilinear patches have the same area. */
+    MUST(gusset_net_bilinear_area(NULL, net, &area, &error));
+    HOLDS(fabs(area - measures.area) < 1e-12 && error < 1e-12);
     gusset_net_destroy(net);
 }
 //! [net_measure]
+
+//! [net_planarise]
+static void clad(void) {
+    const gusset_field bend = {.struct_size = sizeof bend, .kind = GUSSET_FIELD_TWIST, .axis = GUSSET_AXIS_X,
+                               .strength = 1.0, .values = {0.1}};
+    const gusset_planarise_options options = {.struct_size = sizeof options, .keep_boundary = 0};
+    gusset_planarise_report report = {.struct_size = sizeof report};
+    gusset_net *net = flat(4, 5);
+
+    MUST(gusset_net_deform(NULL, net, &bend, 1, 0.0)); /* a twisted sheet: no cell is plane */
+    MUST(gusset_net_planarise(NULL, net, &options, &report));
+    HOLDS(report.converged == 1 && report.deviation_before > 1e-3);
+    HOLDS(report.deviation_after <= 1e-10 * report.size && report.rms_displacement <= report.max_displacement);
+    gusset_net_destroy(net);
+}
+//! [net_planarise]
+
+//! [net_morph]
+static void between(void) {
+    const gusset_operation quarter = {.kind = GUSSET_OPERATION_ROTATE, .values = {0, 0, 1, 1.5707963267948966}};
+    gusset_net *first = flat(4, 5), *second = flat(4, 5), *half = NULL;
+    gusset_net_measure_report straight = {.struct_size = sizeof straight}, rigid = {.struct_size = sizeof rigid};
+
+    MUST(gusset_net_transform(NULL, second, &quarter, 1));
+    MUST(gusset_net_morph_create(NULL, first, second, 0.5, GUSSET_MORPH_LINEAR, &half));
+    MUST(gusset_net_measure(NULL, half, &straight)); /* half of the area, on the straight way */
+    gusset_net_destroy(half);
+    MUST(gusset_net_morph_create(NULL, first, second, 0.5, GUSSET_MORPH_RIGID, &half));
+    MUST(gusset_net_measure(NULL, half, &rigid)); /* all of it, if the net turns */
+    HOLDS(about(straight.area, 6.0) && about(rigid.area, 12.0));
+    gusset_net_destroy(half);
+    gusset_net_destroy(second);
+    gusset_net_destroy(first);
+}
+//! [net_morph]
 
 int main(void) {
     a_shape();
@@ -340,5 +379,7 @@ int main(void) {
     what_a_deformation_does();
     normals();
     measured();
+    clad();
+    between();
     return 0;
 }

@@ -104,6 +104,7 @@ static void joined_and_taken_apart(void) {
 //! [net_mesh]
 static void to_meshes_and_back(void) {
     const gusset_net_mesh_options options = {.struct_size = sizeof options, .texture = 1};
+    const gusset_net_mesh_options in_two = {.struct_size = sizeof in_two, .faces = GUSSET_NET_TRIANGLES_SHORTER};
     const float values[6] = {0, 1, 0, 0, 1, 0};
     const gusset_heights heights = {.struct_size = sizeof heights,
                                     .rows = 2,
@@ -129,6 +130,15 @@ static void to_meshes_and_back(void) {
     MUST(gusset_net_grid_net_create(NULL, grid, &found));
     HOLDS(parts.face_of_cell.count == 32 && size_of(found).rows * size_of(found).columns == 5 * 9);
     gusset_net_destroy(found);
+    gusset_net_grid_destroy(grid);
+    gusset_net_mesh_destroy(mesh);
+
+    /* And in one of triangles, two for each cell. */
+    MUST(gusset_net_mesh_create(NULL, net, &in_two, &mesh));
+    MUST(gusset_net_mesh_get_mesh(mesh, &view));
+    MUST(gusset_net_triangle_grid_create(NULL, &view, &grid));
+    MUST(gusset_net_grid_get_view(grid, &parts));
+    HOLDS(view.face_count == 64 && parts.face_of_cell.count == 32);
     gusset_net_grid_destroy(grid);
     gusset_net_mesh_destroy(mesh);
     gusset_net_destroy(net);

@@ -12,6 +12,27 @@
 
 namespace gusset {
 
+/// The area of bilinear patches, and a bound of its error; see gusset_net_bilinear_area.
+struct BilinearArea {
+    /// The area, and the bound.
+    double area = 0.0, error = 0.0;
+};
+
+/// The way of nodes from one net to another; see Net::morphed.
+enum class MorphPath : uint32_t { linear = GUSSET_MORPH_LINEAR, rigid = GUSSET_MORPH_RIGID };
+
+/// How cells are made plane; see gusset_planarise_options.
+struct PlanariseOptions {
+    /// The distance that is plane enough, as a part of the diagonal of the box; 0: the default.
+    double tolerance = 0.0;
+    /// 0: the default.
+    uint32_t max_iterations = 0;
+    /// The boundary of the surface stays.
+    bool keep_boundary = false;
+    /// A byte for each node, 1 for one that stays; none: all may move.
+    std::vector<uint8_t> fixed;
+};
+
 /// The interpolation of positions between nodes.
 enum class Interpolation : uint32_t {
     bicubic = GUSSET_INTERPOLATION_BICUBIC,
@@ -419,6 +440,27 @@ public:
         context.call(gusset_net_planarity, get(), tolerance, found.cells.data(), found.cells.size(), &written,
                      &found.summary);
         return found;
+    }
+    /// The area of the bilinear patches of the cells, to rounding.
+    BilinearArea bilinear_area(const Context &context = Context()) const {
+        BilinearArea found;
+        context.call(gusset_net_bilinear_area, get(), &found.area, &found.error);
+        return found;
+    }
+    /// Moves nodes as little as possible so that all cells are plane; see gusset_net_planarise.
+    gusset_planarise_report planarise(const PlanariseOptions &options = {}, const Context &context = Context()) {
+        auto given = detail::sized<gusset_planarise_options>();
+        given.tolerance = options.tolerance;
+        given.max_iterations = options.max_iterations;
+        given.keep_boundary = options.keep_boundary;
+        given.fixed = options.fixed.empty() ? nullptr : options.fixed.data();
+        given.fixed_count = options.fixed.size();
+        return context.result(gusset_net_planarise, get(), &given);
+    }
+    /// The net at a time from 0 to 1 on the way to another; see gusset_net_morph_create.
+    Net morphed(const Net &other, double t, MorphPath path = MorphPath::linear,
+                const Context &context = Context()) const {
+        return Net(context.result(gusset_net_morph_create, get(), other.get(), t, static_cast<gusset_morph_path>(path)));
     }
     /// T is the type that the net has.
     template <class T>

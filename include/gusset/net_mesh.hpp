@@ -81,6 +81,10 @@ public:
                      const Context &context = Context()) {
         grid_.reset(context.result(gusset_net_grid_create, &mesh.get(), face.value_or(UINT32_MAX)));
     }
+    /// Of a mesh of triangles, two for each cell; see gusset_net_triangle_grid_create.
+    static NetGrid of_triangles(const MeshView &mesh, const Context &context = Context()) {
+        return NetGrid(context.result(gusset_net_triangle_grid_create, &mesh.get()));
+    }
 
     /// The net itself, which outlives this.
     Net net(const Context &context = Context()) const {
@@ -94,6 +98,7 @@ public:
     Indices face_of_cell() const && = delete;
 
 private:
+    explicit NetGrid(gusset_net_grid *owned) : grid_(owned) {}
     gusset_net_grid_view view() const { return detail::lent(gusset_net_grid_get_view, grid_.get()); }
     detail::Handle<gusset_net_grid, gusset_net_grid_destroy> grid_;
 };

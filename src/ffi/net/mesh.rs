@@ -5,7 +5,7 @@ use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
 use crate::geom::strided::Strided;
 use crate::mesh::{NONE, Scalar};
-use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights};
+use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights, net_of_triangles};
 use crate::net::{Coordinates, Net, Planes, Real, Shape};
 use std::sync::Arc;
 
@@ -303,6 +303,37 @@ pub unsafe extern "C" fn gusset_net_grid_create(
     create(context, grid, "grid", |job| {
         let view = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let found = net_of_grid(&view, (face != NONE).then_some(face), &job.part(0.1, 1.0))?;
+        let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
+        Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })
+    })
+}
+
+/// Finds rows and columns in a mesh of triangles: a grid of quads, each cut in two along either
+/// diagonal, which may be closed round, with fans of triangles round a pole at its first and last
+/// row.
+///
+/// Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
+/// Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
+/// taken always the same way; a torus whose diagonals run without any rule may be refused.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh triangles; see gusset_mesh_view.
+/// @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of the view, NO_GRID with a triangle that shows it,
+///     OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets whose poles do
+///     not show by their degrees some attempts of that.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_triangle_grid_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    grid: *mut *mut gusset_net_grid,
+) -> gusset_status {
+    create(context, grid, "grid", |job| {
+        let view = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let found = net_of_triangles(&view, &job.part(0.1, 1.0))?;
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })
     })

@@ -1,14 +1,16 @@
 //! Conversion: nets to polygon meshes and back, and nets from height fields.
 //!
 //! `mesh` makes meshes and their texture coordinates; `used_links` lists the edges that diagonals
-//! must avoid; `grid` finds the rows and columns of a mesh of quads; `heights` builds nets from
-//! height fields.
+//! must avoid; `grid` finds the rows and columns of a mesh of quads, `triangles` those of
+//! quads that are cut in two; `heights` builds nets from height fields.
 
 mod grid;
 mod heights;
 mod mesh;
+mod triangles;
 mod used_links;
 
 pub use grid::{GridNet, net_of_grid};
 pub use heights::{Heights, net_of_heights};
 pub use mesh::{Diagonal, MeshOptions, NetMesh, Texture};
+pub use triangles::net_of_triangles;
