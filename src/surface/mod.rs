@@ -57,6 +57,6 @@ pub use nodes::{MAX_NODES, Nodes};
 pub use normal::{Normal, NormalKind};
 pub use patch::{Jet, Patch};
 pub use patches::{MAX_DEGREE, Patches};
-pub use path::Paths;
+pub use path::{Contact, ContactKind, Paths};
 pub use sheet::Sheet;
 pub(crate) use sheet::each_sheet;

@@ -25,6 +25,33 @@ pub struct Paths {
     /// Cells in which something may be that could not be resolved: tangency, or pieces smaller than
     /// the tolerance.
     pub unresolved: Vec<Place>,
+    /// Of intersections: where the surfaces touch.
+    pub contacts: Vec<Contact>,
+}
+
+/// What surfaces have in common where they touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactKind {
+    /// One point: all round it they are apart, or deeper in each other by less than the tolerance.
+    Point,
+    /// A point where two branches of the intersection cross.
+    Crossing,
+}
+
+/// A place where two surfaces touch, to the tolerance: their normals there are parallel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// What is there.
+    pub kind: ContactKind,
+    /// Where it is on the first surface.
+    pub place: Place,
+    /// Where it is on the second one.
+    pub other: Place,
+    /// How far the first surface is above the second one, along the normal of the first.
+    pub gap: f64,
+    /// All points near there at which the surfaces are within the tolerance of each other are
+    /// within this distance.
+    pub radius: f64,
 }
 
 impl Paths {

@@ -5,7 +5,7 @@ use crate::pairs::{ball, changes, distance, flat, from_torus, grid, length, meet
 use crate::shapes::{Random, Shape};
 use glam::{DMat3, DVec3};
 use gusset::Job;
-use gusset::surface::{Patches, Place, Scheme, Sheet, Surface};
+use gusset::surface::{ContactKind, Patches, Place, Scheme, Sheet, Surface};
 use std::f64::consts::TAU;
 
 #[test]
@@ -89,10 +89,11 @@ fn what_touches_is_reported() {
         let a = surface(&bowl, |p| p + shift);
         for plane in [flat(4, 4), flat(5, 7)] {
             let paths = meet(&a, &surface(&plane, |p| p));
-            assert!(!paths.unresolved.is_empty() && paths.is_empty(), "{}", summary(&paths));
-            for &place in &paths.unresolved {
-                assert!(a.jet(place).point.distance(shift) < 1e-3, "{place:?}");
-            }
+            assert!(paths.unresolved.is_empty() && paths.is_empty(), "{}", summary(&paths));
+            assert_eq!(paths.contacts.len(), 1);
+            let contact = paths.contacts[0];
+            assert_eq!(contact.kind, ContactKind::Point);
+            assert!(a.jet(contact.place).point.distance(shift) < 1e-9, "{contact:?}");
         }
     }
     // A torus under its top circle.
@@ -152,7 +153,10 @@ fn patches_of_any_degree_and_several_sheets() {
         // it; they cross where the surfaces touch.
         let paths = meet(&a, &quarters(0.0));
         assert!((length(&paths) - 4.0).abs() < 1e-3, "{} {}", summary(&paths), length(&paths));
-        assert!(!paths.unresolved.is_empty());
+        let crossing = paths.contacts[0];
+        assert!(paths.contacts.len() == 1 && crossing.kind == ContactKind::Crossing, "{:?}", paths.contacts);
+        assert!(a.jet(crossing.place).point.length() < 1e-9, "{crossing:?}");
+        assert!(paths.unresolved.is_empty(), "{:?}", paths.unresolved);
     }
 }
 

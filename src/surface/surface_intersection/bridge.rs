@@ -6,6 +6,7 @@
 //!
 //! Cost: O(log n) for each ball, end of a chain, and pair of the two that are near each other.
 
+use super::contact::CriticalPoint;
 use super::links::{Chain, Links, NONE};
 use super::solve::{FoundArcs, UnresolvedBall};
 use crate::geom::kd_tree::{KdTree, Radius};
@@ -104,13 +105,89 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
+    /// Leaves out chains that are within a contact: rims of lenses that are thinner than the
+    /// tolerance, and scraps of branches that cross.
+    pub(super) fn drop_within_contacts(&self, points: &[CriticalPoint], chains: &[Chain], dropped: &mut [bool]) -> Result<()> {
+        let firsts = alloc::collect(chains.iter().map(|chain| self.pieces.arcs[chain.arcs[0] as usize].ends[0]))?;
+        let tree = tree(&firsts)?;
+        for point in points.iter().filter(|point| !point.is_saddle || point.gap.abs() <= self.tolerance) {
+            let limit = point.radius + POINT_TOLERANCES * self.tolerance;
+            tree.for_each_within(point.point, radius(limit), &mut |_, n| {
+                let arcs = || chains[n as usize].arcs.iter().map(|&arc| &self.pieces.arcs[arc as usize]);
+                let within = |end: DVec3| end.distance(point.point) <= limit;
+                if arcs().all(|arc| arc.ends.into_iter().all(within)) {
+                    chains[n as usize].arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// Joins the four ends round each point where two branches cross or pass each other, and adds
+    /// the arcs after which a path is at a point where they cross, with the number of the point;
+    /// tells of each point whether its ends are joined.
+    ///
+    /// Branches that pass each other keep the middle on the side that the sign of the gap says.
+    /// Where they cross, N_A x N_B points to the point and away from it in turn, so that paths turn
+    /// there: each into itself if it can, else as straight as can be.
+    pub(super) fn join_crossings(
+        &self,
+        points: &[CriticalPoint],
+        chains: &[Chain],
+        links: &mut Links,
+    ) -> Result<(Vec<(u32, u32)>, Vec<bool>)> {
+        let (mut nodes, mut joined) = (Vec::new(), alloc::filled(false, points.len())?);
+        let ends = self.loose_ends(chains)?;
+        let places = alloc::collect(ends.iter().map(|end| end.point))?;
+        let tree = tree(&places)?;
+        for (k, point) in points.iter().enumerate().filter(|(_, point)| point.is_saddle) {
+            let mut near = [[0; 2]; 2];
+            let mut counts = [0; 2];
+            let limit = point.radius + POINT_TOLERANCES * self.tolerance;
+            tree.for_each_within(point.point, radius(limit), &mut |_, n| {
+                let of = n as usize % 2;
+                if counts[of] < 2 {
+                    near[of][counts[of]] = n as usize;
+                }
+                counts[of] += 1;
+            });
+            if counts != [2, 2] {
+                continue;
+            }
+            near.iter_mut().for_each(|pair| pair.sort_unstable());
+            let [starts, lasts] = near;
+            let is_crossing = point.gap.abs() <= self.tolerance;
+            let score = |last: usize, start: usize| {
+                let (from, to) = (ends[last].direction, ends[start].direction);
+                if is_crossing {
+                    let is_one = last / 2 == start / 2;
+                    from.dot(to) + if is_one { 4.0 } else { 0.0 }
+                } else {
+                    point.turn() * from.cross(to).dot(point.normal)
+                }
+            };
+            let straight = score(lasts[0], starts[0]) + score(lasts[1], starts[1]);
+            let crossed = score(lasts[0], starts[1]) + score(lasts[1], starts[0]);
+            let order = if straight >= crossed { [0, 1] } else { [1, 0] };
+            for (last, start) in lasts.into_iter().zip(order.map(|n| starts[n])) {
+                links.join(ends[last].arc, ends[start].arc);
+                if is_crossing {
+                    alloc::push(&mut nodes, (ends[last].arc, k as u32))?;
+                }
+            }
+            joined[k] = true;
+        }
+        nodes.sort_unstable();
+        Ok((nodes, joined))
+    }
+
     /// Joins loose ends in a ball, or in two that touch: as straight as can be. Where two branches
     /// cross, N_A x N_B points to the crossing on the one and away from it on the other, so that a
-    /// path turns from the one into the other.
-    pub(super) fn join(&self, chains: &[Chain], links: &mut Links) -> Result<()> {
+    /// path turns from the one into the other. `is_used`: by ball, whether it joins.
+    pub(super) fn join(&self, chains: &[Chain], links: &mut Links, is_used: &dyn Fn(u32) -> bool) -> Result<()> {
         let ends = self.loose_ends(chains)?;
         let mut bridges = Vec::new();
-        for [end, start] in self.pairs(&ends)? {
+        for [end, start] in self.pairs(&ends, is_used)? {
             let (from, to) = (ends[end as usize], ends[start as usize]);
             let chord = to.point - from.point;
             let is_point = chord.length() <= POINT_TOLERANCES * self.tolerance;
@@ -147,9 +224,10 @@ impl<S: Surroundings> Bridges<'_, S> {
     }
 
     /// Ends and starts of chains that are in one ball, or in two that touch.
-    fn pairs(&self, ends: &[LooseEnd]) -> Result<Vec<[u32; 2]>> {
+    fn pairs(&self, ends: &[LooseEnd], is_used: &dyn Fn(u32) -> bool) -> Result<Vec<[u32; 2]>> {
         let points = alloc::collect(ends.iter().map(|end| (end.point, self.pieces.arcs[end.arc as usize].pair)))?;
-        let members = self.members(&points)?;
+        let mut members = self.members(&points)?;
+        members.retain(|&(ball, _)| is_used(ball));
         let groups: Vec<&[(u32, u32)]> =
             alloc::gather(members.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() <= MAX_ENDS))?;
         let ball = |k: usize| &self.pieces.balls[groups[k][0].0 as usize];

@@ -3,6 +3,7 @@
 //! Cost: O(n log n) for n arcs.
 
 use super::bridge::{Bridges, Surroundings};
+use super::contact::{CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
 use super::solve::{Arc, FoundArcs};
 use crate::geom::kd_tree::{KdTree, Radius};
@@ -66,17 +67,30 @@ fn add_pairs_of_many(
     Ok(())
 }
 
-/// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each
-/// unresolved ball whether a joint explains it.
+/// Chains of arcs.
+#[derive(Debug, Default)]
+pub(super) struct Chained {
+    /// Arcs each of which goes on where the one before ends, to the tolerance.
+    pub(super) chains: Vec<Chain>,
+    /// Arcs after which a path is at a critical point, with the number of the point, in order.
+    pub(super) nodes: Vec<(u32, u32)>,
+    /// By critical point, whether the branches round it are joined.
+    pub(super) joined: Vec<bool>,
+    /// By unresolved ball, whether a joint explains it.
+    pub(super) passed: Vec<bool>,
+}
+
+/// Chains the arcs. `critical`: where the surfaces touch, or nearly do.
 pub(super) fn chains(
     pieces: &FoundArcs,
+    critical: &CriticalPoints,
     surroundings: &impl Surroundings,
     tolerance: f64,
-) -> Result<(Vec<Chain>, Vec<bool>)> {
+) -> Result<Chained> {
     let arcs = &pieces.arcs;
     // Starts and ends, in turn.
-    let points = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&points, 2.0 * tolerance)?;
+    let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
+    let near = near_pairs(&ends, 2.0 * tolerance)?;
     let mut dropped = repeated(arcs, &near, tolerance)?;
     let mut links = Links::new(arcs.len())?;
     let mut joints = Vec::new();
@@ -92,12 +106,17 @@ pub(super) fn chains(
     joints.iter().for_each(|&(_, end, start)| links.join(end, start));
     let chains = links.chains(&dropped)?;
     if pieces.balls.is_empty() {
-        return Ok((chains, Vec::new()));
+        return Ok(Chained { chains, ..Chained::default() });
     }
     let bridges = Bridges { pieces, surroundings, tolerance };
     bridges.drop_scraps(&chains, &mut dropped)?;
-    bridges.join(&links.chains(&dropped)?, &mut links)?;
-    Ok((links.chains(&dropped)?, bridges.passed(&links)?))
+    bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
+    // Branches that cross are joined when each is whole elsewhere.
+    let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;
+    bridges.join(&links.chains(&dropped)?, &mut links, &elsewhere)?;
+    let (nodes, joined) = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
+    bridges.join(&links.chains(&dropped)?, &mut links, &|_| true)?;
+    Ok(Chained { chains: links.chains(&dropped)?, nodes, joined, passed: bridges.passed(&links)? })
 }
 
 /// Arcs that are others once more, found from both sides of a side between sheets: by pairs of

@@ -62,11 +62,11 @@ fn scaled_about_middle([low, high]: [f64; 2], by: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
-/// True if A - B, of these fields along a direction, is 0 nowhere, nor as near to it as
-/// `rounding_error`.
-fn are_apart<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>, rounding_error: f64) -> bool {
+/// How far the values of two fields are apart: negative if their bounds overlap.
+fn gap<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>) -> f64 {
     let ([low, high], [others_low, others_high]) = (a.range(), b.range());
-    low - others_high > rounding_error || high - others_low < -rounding_error
+    let (above, below) = (low - others_high, others_low - high);
+    if above > below { above } else { below }
 }
 
 /// The component with the greatest absolute value.
@@ -84,8 +84,9 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     }
 
     /// Tests the box. `frame`: in the middle, by the parameters of the cells; `rounding_error`:
-    /// lengths up to that may be rounding.
-    pub(super) fn prove(&self, frame: &Frame, rounding_error: f64) -> ChartTest {
+    /// lengths up to that may be rounding; `tolerance`: surfaces that are nearer to each other and
+    /// may be parallel may touch.
+    pub(super) fn prove(&self, frame: &Frame, rounding_error: f64, tolerance: f64) -> ChartTest {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
@@ -99,22 +100,27 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let rows = normals.map(|normal| if regular { normal / determinant } else { normal });
 
         let (a, b) = (rows.map(|row| self.nets.a.along(row)), rows.map(|row| self.nets.b.along(row)));
-        if (0..3).any(|k| are_apart(&a[k], &b[k], rounding_error * rows[k].length())) {
-            return BoxTest::Empty;
+        let mut is_apart = false;
+        for k in 0..3 {
+            let (gap, length) = (gap(&a[k], &b[k]), rows[k].length());
+            if gap > tolerance * length {
+                return BoxTest::Empty;
+            }
+            is_apart |= gap > rounding_error * length;
         }
         if !regular {
             // Of degenerate pieces some directions are 0: at least the boxes must meet.
-            let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, rounding_error));
-            return if self.is_apart(frame, rounding_error) || apart() {
-                BoxTest::Empty
-            } else {
-                BoxTest::Undecided(())
-            };
+            let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, tolerance));
+            return if self.is_apart(frame, tolerance) || apart() { BoxTest::Empty } else { BoxTest::Undecided(()) };
         }
         let line = others.map(|k| tangent[k] / tangent[free]);
         let Some(slopes) = slopes(&a, &b, others, free) else {
-            return if self.is_apart(frame, rounding_error) { BoxTest::Empty } else { BoxTest::Undecided(()) };
+            return if self.is_apart(frame, tolerance) { BoxTest::Empty } else { BoxTest::Undecided(()) };
         };
+        // The surfaces are nowhere parallel.
+        if is_apart {
+            return BoxTest::Empty;
+        }
         let mut chart = Chart { free, base: self.middle(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
         for (k, &other) in others.iter().enumerate() {
             // From parts of the box to parameters of the cells.
@@ -136,15 +142,17 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     }
 
     fn separated(&self, axis: DVec3, rounding_error: f64) -> bool {
-        are_apart(&self.nets.a.along(axis), &self.nets.b.along(axis), rounding_error * axis.length())
+        gap(&self.nets.a.along(axis), &self.nets.b.along(axis)) > rounding_error * axis.length()
     }
 
-    /// True if both pieces lie between two planes that are `tolerance` apart, along the one's
-    /// normal and along the other's: how they meet is below the tolerance.
-    pub(super) fn is_within(&self, frame: &Frame, tolerance: f64) -> bool {
+    /// True if each piece lies between two planes that are `thickness` apart, along the one's
+    /// normal and along the other's, and they are within `tolerance` of each other there: how they
+    /// meet is below the tolerance.
+    pub(super) fn is_within(&self, frame: &Frame, thickness: f64, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
             let (a, b) = (self.nets.a.along(normal).range(), self.nets.b.along(normal).range());
-            a[1].max(b[1]) - a[0].min(b[0]) <= tolerance
+            let thickest = (a[1] - a[0]).max(b[1] - b[0]);
+            thickest <= thickness && a[1].max(b[1]) - a[0].min(b[0]) <= tolerance + 2.0 * thickness
         };
         frame.normals().into_iter().all(|normal| normal.try_normalize().is_some_and(thin))
     }

@@ -50,6 +50,12 @@ impl Frame {
         a.cross(b)
     }
 
+    /// Whether the normals are far from parallel.
+    pub(super) fn is_transversal(&self) -> bool {
+        let [a, b] = self.normals();
+        a.cross(b).length() > 0.3 * a.length() * b.length()
+    }
+
     /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other
     /// three.
     fn inverse(&self, fixed: usize) -> [DVec3; 3] {

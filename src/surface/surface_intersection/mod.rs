@@ -17,7 +17,9 @@ mod arc;
 mod bridge;
 mod chain;
 mod chart;
+mod contact;
 mod equation;
+mod graph;
 mod links;
 mod net;
 mod pairs;
@@ -29,12 +31,13 @@ use crate::surface::prelude::*;
 pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
+use super::path::{Contact, ContactKind};
 use super::{Paths, Place, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
-use chain::chains;
+use chain::{Chained, chains};
 use chart::ParameterBox;
+use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
 use glam::{DVec3, DVec4};
-use links::Chain;
 use net::Net;
 use solve::{FoundArcs, PairTask};
 use std::ops::Range;
@@ -99,13 +102,33 @@ impl Surface<'_> {
             chord: chord.max(tolerance),
         };
         let pieces = intersection.solve(&job.part(0.2, 0.9))?;
-        let (chains, explained) = chains(&pieces, &intersection, intersection.tolerance)?;
-        let mut paths = intersection.paths(&pieces, &chains, &job.part(0.9, 1.0))?;
-        for (ball, _) in pieces.balls.iter().zip(explained).filter(|(_, explained)| !explained) {
+        let search = ContactSearch {
+            surfaces: intersection.surfaces,
+            pairs: &pairs,
+            balls: &pieces.balls,
+            origin: intersection.origin,
+            tolerance: intersection.tolerance,
+        };
+        let critical = search.run(&job.part(0.9, 0.92))?;
+        let chained = chains(&pieces, &critical, &intersection, intersection.tolerance)?;
+        let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
+        for (k, ball) in pieces.balls.iter().enumerate() {
+            let is_explained = chained.passed[k]
+                || match critical.of_ball[k] {
+                    UNRESOLVED => false,
+                    APART => true,
+                    n => chained.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
+                };
+            if is_explained {
+                continue;
+            }
             let [place, _] = intersection.places(ball.pair, ball.x);
             if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
+        }
+        for point in critical.points.iter().filter(|point| point.gap.abs() <= tolerance) {
+            alloc::push(&mut paths.contacts, intersection.contact(point))?;
         }
         Ok(paths)
     }
@@ -251,8 +274,21 @@ impl Intersection<'_> {
         ]
     }
 
-    /// The points of chains of arcs.
-    fn paths(&self, pieces: &FoundArcs, chains: &[Chain], job: &Job<'_>) -> Result<Paths> {
+    fn contact(&self, point: &CriticalPoint) -> Contact {
+        let [place, other] = self.places(point.pair, point.x);
+        let kind = if point.is_saddle { ContactKind::Crossing } else { ContactKind::Point };
+        Contact { kind, place, other, gap: point.gap, radius: point.radius }
+    }
+
+    /// The points of chains of arcs, with the critical points that they pass.
+    fn paths(
+        &self,
+        pieces: &FoundArcs,
+        chained: &Chained,
+        critical: &[CriticalPoint],
+        job: &Job<'_>,
+    ) -> Result<Paths> {
+        let chains = &chained.chains;
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
             let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
@@ -272,13 +308,22 @@ impl Intersection<'_> {
                 if skips == 0 {
                     last = Some((arc.pair, arc.ends[0]));
                 }
+                let number = chain.arcs[n];
+                let node = chained.nodes.binary_search_by_key(&number, |&(arc, _)| arc).ok();
                 // Where the next arc begins is where this one ends.
-                let ends_here = n + 1 == chain.arcs.len() && !chain.closed;
+                let ends_here = node.is_some() || n + 1 == chain.arcs.len() && !chain.closed;
                 let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
                     let [place, other] = self.places(arc.pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
+                }
+                if let Some(node) = node {
+                    let CriticalPoint { pair, x, .. } = critical[chained.nodes[node].1 as usize];
+                    let [place, other] = self.places(pair, x);
+                    alloc::push(&mut paths.places, place)?;
+                    alloc::push(&mut paths.others, other)?;
+                    last = None;
                 }
             }
             alloc::push(&mut paths.ends, paths.places.len() as u32)?;

@@ -19,6 +19,14 @@ use std::borrow::Cow;
 /// transversal intersections need fewer.
 const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
+/// Boxes that are shorter than so many tolerances are too small for a contact if the surfaces are
+/// transversal there, and in any case: contacts are as wide as the root of the tolerance times the
+/// radius of curvature.
+const MIN_CONTACT_TOLERANCES: [f64; 2] = [64.0, 4.0];
+/// How thick pieces are, in tolerances, when they are not halved any more: thinner than the lens
+/// between surfaces that overlap by more than the tolerance, so that its rim is found whole.
+const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
+
 /// Spots of one pair that do not touch each other.
 const MAX_BALLS: usize = 64;
 
@@ -55,6 +63,11 @@ pub(super) struct UnresolvedBall {
     pub(super) radius: f64,
     /// How far the cells are apart at x.
     pub(super) gap: f64,
+    /// The box of the parameters.
+    pub(super) low: DVec4,
+    pub(super) high: DVec4,
+    /// Whether it stands for all of both cells.
+    pub(super) is_whole: bool,
 }
 
 /// The arcs over some pairs, and unresolved balls.
@@ -129,7 +142,7 @@ impl PairTask {
             Ok(()) => Ok(()),
             Err(Stop::Degenerate) => {
                 search.pieces.truncate(before);
-                search.report(whole);
+                search.report(whole, true);
                 Ok(())
             }
             Err(Stop::Exhausted) => {
@@ -184,7 +197,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
         }
         let frame = equation.frame(part.middle());
-        match part.prove(&frame, rounding_error) {
+        match part.prove(&frame, rounding_error, tolerance) {
             BoxTest::Empty => return Ok(BoxTest::Empty),
             BoxTest::Unique(chart) => {
                 let followed = self.task.neighbours.map(|[_, above]| above);
@@ -204,7 +217,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         let extents = part.extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
-        let unresolved = extents[longest] <= 0.25 * tolerance || part.is_within(&frame, tolerance);
+        let [small, tiny] = MIN_CONTACT_TOLERANCES.map(|factor| extents[longest] <= factor * tolerance);
+        if (tiny || small && frame.is_transversal()) && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty) {
+            return Ok(BoxTest::Empty);
+        }
+        let unresolved = extents[longest] <= 0.25 * tolerance
+            || part.is_within(&frame, (CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance);
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(longest) })
     }
 
@@ -241,7 +259,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     }
 
     fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), Stop> {
-        self.report(&part);
+        self.report(&part, false);
         Ok(())
     }
 
@@ -253,14 +271,15 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
 
 impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     /// Reports a box by a ball round it: those of the same pair that touch are merged.
-    fn report(&mut self, part: &ParameterBox<N, M>) {
+    fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
         let (PairTask { pair, tolerance, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
         let centre = equation.point(x);
         let from_centre = |corner: &DVec3| corner.distance(centre);
         let radius = part.nets.a.patch().points.as_flattened().iter().map(from_centre).fold(0.0, f64::max);
         let gap = equation.frame(x).miss.length();
-        let ball = UnresolvedBall { pair, x, centre, radius, gap };
+        let (low, high) = (part.low, part.low + part.size);
+        let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
         let own = &mut self.pieces.balls[self.first_ball..];
         let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + tolerance;
         // Of too many apart from each other, the nearest one takes another.
@@ -271,7 +290,13 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
             Some(k) => {
                 let nearer = if gap < own[k].gap { ball } else { own[k] };
                 let radius = |ball: &UnresolvedBall| nearer.centre.distance(ball.centre) + ball.radius;
-                own[k] = UnresolvedBall { radius: radius(&ball).max(radius(&own[k])), ..nearer };
+                own[k] = UnresolvedBall {
+                    radius: radius(&ball).max(radius(&own[k])),
+                    low: low.min(own[k].low),
+                    high: high.max(own[k].high),
+                    is_whole: is_whole || own[k].is_whole,
+                    ..nearer
+                };
             }
             None => self.pieces.balls.push(ball),
         }
