@@ -57,7 +57,7 @@ static void curves(void) {
     /* The line x = 0, z = 0, along N_A x N_B. */
     EXPECT(GUSSET_OK, gusset_surface_intersection_create(context, a, b, &options, &paths));
     EXPECT(GUSSET_OK, gusset_surface_paths_get_view(paths, &parts));
-    CHECK(parts.path_count == 1 && parts.closed[0] == 0 && parts.unresolved_count == 0 && parts.others != NULL);
+    CHECK(parts.path_count == 1 && parts.closed[0] == 0 && parts.unresolved_count == 0 && parts.others != NULL && parts.contact_count == 0);
     CHECK(parts.point_count >= 2 && fabs(fabs(parts.points[1]) - 1.0) < 1e-12);
     for (k = 0; k < parts.point_count; ++k) {
         CHECK(fabs(parts.points[3 * k]) < 1e-12 && fabs(parts.points[3 * k + 2]) < 1e-12 && parts.normals[3 * k + 2] == 1.0);

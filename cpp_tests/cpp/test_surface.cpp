@@ -56,6 +56,7 @@ GUSSET_LENDS(Begin, begin());
 GUSSET_LENDS(End, end());
 GUSSET_LENDS(Points, points());
 GUSSET_LENDS(Unresolved, unresolved());
+GUSSET_LENDS(Contacts, contacts());
 GUSSET_LENDS(HitsOf, hits());
 GUSSET_LENDS(OnCurve, on_curve());
 GUSSET_LENDS(Cells, cells());
@@ -75,7 +76,7 @@ template <class T>
 constexpr bool lasting_range = lasting<Begin, T> && lasting<End, T>;
 
 static_assert(lasting_range<gusset::SurfacePaths> && lasting<At, gusset::SurfacePaths>, "paths");
-static_assert(lasting<Points, gusset::SurfacePaths> && lasting<Unresolved, gusset::SurfacePaths>, "points of paths");
+static_assert(lasting<Points, gusset::SurfacePaths> && lasting<Unresolved, gusset::SurfacePaths> && lasting<Contacts, gusset::SurfacePaths>, "points of paths");
 static_assert(lasting_range<gusset::SurfaceHits> && lasting<At, gusset::SurfaceHits>, "hits");
 static_assert(lasting<HitsOf, gusset::SurfaceHits> && lasting<OnCurve, gusset::SurfaceHits>, "hits of all lines");
 static_assert(lasting_range<gusset::SurfacePoints> && lasting<Points, gusset::SurfacePoints>, "points");
@@ -377,6 +378,26 @@ TEST_CASE("stacks of planes, contours, angles") {
     CHECK(std::abs(nearest.deviation - 0.5) < 1e-9);
     CHECK(nearest.bound <= nearest.deviation);
     CHECK(torus.nearest_angle({0, 0, 1}, 1.0).deviation < 1e-9);
+}
+
+TEST_CASE("a paraboloid touches the plane in its lowest point, and a saddle crosses it in two lines") {
+    const auto bent = [](double sign) {
+        return Surface(Sheet::from_nodes(9, 9, shapes::nodes(8, 8, false, false, [sign](double u, double v) {
+            const double x = 2 * u - 1, y = 2 * v - 1;
+            return Point3{x, y, x * x + sign * y * y};
+        })));
+    };
+    const Surface plane(Sheet::from_nodes(2, 2, std::vector<Point3>{{-2, -2, 0}, {-2, 2, 0}, {2, -2, 0}, {2, 2, 0}}));
+    const gusset::SurfacePaths touching = bent(1).intersect(plane), crossing = bent(-1).intersect(plane);
+    CHECK(touching.empty());
+    CHECK(touching.unresolved().empty());
+    REQUIRE(touching.contacts().size() == 1);
+    CHECK(touching.contacts()[0].kind == GUSSET_CONTACT_POINT);
+    CHECK(std::abs(touching.contacts()[0].gap) < 1e-12);
+    CHECK(crossing.size() == 2);
+    CHECK(crossing.unresolved().empty());
+    REQUIRE(crossing.contacts().size() == 1);
+    CHECK(crossing.contacts()[0].kind == GUSSET_CONTACT_CROSSING);
 }
 
 TEST_CASE("surfaces meet in the curves of formulas") {

@@ -348,6 +348,8 @@ static void intersections(const gusset_surface *a, const gusset_surface *b) {
     MUST(gusset_surface_intersection_create(NULL, a, b, NULL, &paths));
     MUST(gusset_surface_paths_get_view(paths, &parts));
     HOLDS(parts.path_count == 1 && parts.closed[0] == 1 && parts.others != NULL && about(parts.points[2], 1.7));
+    /* They touch nowhere, and all is resolved. */
+    HOLDS(parts.contact_count == 0 && parts.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
     /* Cells that may meet, for a search of the host's own. */
     MUST(gusset_surface_cell_pairs_create(NULL, a, b, 0.0, &pairs));

@@ -8,6 +8,8 @@ namespace gusset {
 
 /// A place on a surface; see gusset_surface_place.
 using SurfacePlace = gusset_surface_place;
+/// A point where two surfaces touch; see gusset_surface_contact.
+using SurfaceContact = gusset_surface_contact;
 /// The place with the parameters u and v, 0 to 1, in a cell.
 inline SurfacePlace surface_place(uint32_t sheet, uint32_t row, uint32_t column, double u = 0.5, double v = 0.5) {
     return {sheet, row, column, 0, u, v};
@@ -74,6 +76,12 @@ public:
         return {all.unresolved, all.unresolved_count};
     }
     Span<const SurfacePlace> unresolved() const && = delete;
+    /// Of intersections of two surfaces: points where they touch, and where branches cross.
+    Span<const SurfaceContact> contacts() const & {
+        const gusset_surface_paths_view all = view();
+        return {all.contacts, all.contact_count};
+    }
+    Span<const SurfaceContact> contacts() const && = delete;
 
 private:
     gusset_surface_paths_view view() const { return detail::lent(gusset_surface_paths_get_view, paths_.get()); }

@@ -6,8 +6,8 @@ pub(super) const FILTER: Filter = Filter {
     id: "smooth_intersect",
     name: "Intersection of smooth surfaces",
     category: CATEGORY,
-    help: "Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed; places \
-           where the surfaces touch or coincide are counted as unresolved.",
+    help: "Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed; points \
+           where the surfaces touch, or branches cross, are resolved; cells where they touch along a curve or coincide are counted as unresolved.",
     reference: REFERENCE,
     params: &[SCHEME, CHORD_ERROR],
     ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, run)

@@ -34,7 +34,7 @@ pub struct Paths {
 pub enum ContactKind {
     /// One point: all round it they are apart, or deeper in each other by less than the tolerance.
     Point,
-    /// A point where two branches of the intersection cross.
+    /// A point where two branches of the intersection cross, or pass it within the tolerance.
     Crossing,
 }
 
@@ -49,8 +49,8 @@ pub struct Contact {
     pub other: Place,
     /// How far the first surface is above the second one, along the normal of the first.
     pub gap: f64,
-    /// All points near there at which the surfaces are within the tolerance of each other are
-    /// within this distance.
+    /// Near the contact, points of the one surface that are within the tolerance of the other one
+    /// are within this distance of it, but for those on branches that cross there.
     pub radius: f64,
 }
 

@@ -32,5 +32,5 @@ mod reference;
 mod shapes;
 mod surface_intersection;
 mod surface_intersection_contact;
-mod surface_tangency;
 mod surface_intersection_degenerate;
+mod surface_tangency;

@@ -17,10 +17,10 @@ fn only(paths: &Paths) -> Contact {
 
 /// The patch z = f(x, y) over [-1, 1]^2, moved: f by its coefficients of x^2, xy, y^2, x^3, y^4 and
 /// 1.
-fn height([xx, xy, yy, xxx, yyyy, one_]: [f64; 6], motion: impl Fn(DVec3) -> DVec3) -> Surface<'static> {
-    // The blossom of a power of 2 t - 1, by the numbers of ends that are 1.
+fn height([xx, xy, yy, xxx, yyyy, constant]: [f64; 6], motion: impl Fn(DVec3) -> DVec3) -> Surface<'static> {
+    // The Bernstein coefficient n of (2 t - 1)^k, of degree 4: the mean of the products of k of the
+    // arguments of its blossom.
     let power = |k: usize, n: usize| -> f64 {
-        // Bernstein coefficients of (2 t - 1)^k of degree 4: means of products of k of the ends.
         let ends: Vec<f64> = (0..4).map(|i| if i < n { 1.0 } else { -1.0 }).collect();
         let (mut sum, mut count) = (0.0, 0.0);
         for mask in (0u32..16).filter(|mask| mask.count_ones() as usize == k) {
@@ -33,7 +33,7 @@ fn height([xx, xy, yy, xxx, yyyy, one_]: [f64; 6], motion: impl Fn(DVec3) -> DVe
         .map(|k| {
             let (a, b) = (k / 5, k % 5);
             let z = xx * power(2, a) + xy * power(1, a) * power(1, b) + yy * power(2, b);
-            let z = z + xxx * power(3, a) + yyyy * power(4, b) + one_;
+            let z = z + xxx * power(3, a) + yyyy * power(4, b) + constant;
             motion(DVec3::new(power(1, a), power(1, b), z))
         })
         .collect();
@@ -155,15 +155,16 @@ fn tube(cells: [usize; 2], radius: f64) -> Surface<'static> {
 
 #[test]
 fn vivianis_curve() {
-    // The poles away from the curve, and on it.
-    let spheres = [surface(&ball(24, 48), |p| 2.0 * DVec3::new(p.x, p.z, -p.y)), surface(&ball(24, 48), |p| 2.0 * p)];
+    // With the poles away from the curve.
+    let sphere = surface(&ball(24, 48), |p| 2.0 * DVec3::new(p.x, p.z, -p.y));
     // Its length, by chords.
     let viviani = |t: f64| DVec3::new(1.0 + t.cos(), t.sin(), 2.0 * (0.5 * t).sin());
     let step = 2.0 * TAU / 1e5;
-    let exact: f64 = (0..100_000).map(|k| viviani(step * f64::from(k)).distance(viviani(step * f64::from(k + 1)))).sum();
-    for (n, cells) in [(0, [8, 24]), (0, [9, 23]), (0, [16, 32]), (1, [8, 24]), (1, [9, 23])] {
-        let (sphere, tube) = (&spheres[n], tube(cells, 1.0));
-        for paths in [meet(sphere, &tube), meet(&tube, sphere)] {
+    let exact: f64 =
+        (0..100_000).map(|k| viviani(step * f64::from(k)).distance(viviani(step * f64::from(k + 1)))).sum();
+    for cells in [[8, 24], [9, 23], [16, 32]] {
+        let tube = tube(cells, 1.0);
+        for paths in [meet(&sphere, &tube), meet(&tube, &sphere)] {
             let contact = only(&paths);
             assert!(contact.kind == ContactKind::Crossing, "{contact:?}");
             // Two loops through the double point, above and below.
@@ -180,8 +181,9 @@ fn vivianis_curve() {
 
 #[test]
 fn vivianis_curve_perturbed() {
-    // A tube that ends before the double point gives two loops, and one that goes beyond it one.
-    let sphere = surface(&ball(24, 48), |p| 2.0 * p);
+    // A tube inside the sphere at the double point gives two loops, and one that pierces it there
+    // gives one.
+    let sphere = surface(&ball(24, 48), |p| 2.0 * DVec3::new(p.x, p.z, -p.y));
     for by in [1e-3, 1e-5, 1e-7] {
         for (radius, count) in [(1.0 - by, 2), (1.0 + by, 1)] {
             let tube = tube([9, 32], radius);

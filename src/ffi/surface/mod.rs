@@ -19,7 +19,7 @@ pub mod surface_intersection;
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
 use crate::ffi::surface::sheet::gusset_sheet;
-use crate::surface::{Paths, Place, Sheet, Surface};
+use crate::surface::{Contact, ContactKind, Paths, Place, Sheet, Surface};
 
 /// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all
 /// functions may use it from any thread, and many at the same time, each with a context of its own;
@@ -42,6 +42,31 @@ pub struct gusset_surface_place {
     pub u: f64,
     /// The same from column to column.
     pub v: f64,
+}
+
+/// Two surfaces touch in a point: all round it they are apart, or overlap by no more than the
+/// tolerance.
+pub const GUSSET_CONTACT_POINT: u32 = 1;
+/// Two branches of an intersection cross in a point, or pass it within the tolerance.
+pub const GUSSET_CONTACT_CROSSING: u32 = 2;
+
+/// A point where two surfaces touch, to the tolerance: their normals there are parallel.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_contact {
+    /// Where it is on the first surface.
+    pub place: gusset_surface_place,
+    /// Where it is on the second one.
+    pub other: gusset_surface_place,
+    /// A length: how far the first surface is above the second one, along the normal of the first.
+    pub gap: f64,
+    /// A length: near the contact, points of the one surface that are within the tolerance of the
+    /// other one are within this distance of it, but for those on branches that cross there.
+    pub radius: f64,
+    /// A GUSSET_CONTACT_ constant.
+    pub kind: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// How a surface is built.
@@ -71,6 +96,7 @@ pub struct gusset_surface_paths {
     places: Vec<gusset_surface_place>,
     others: Vec<gusset_surface_place>,
     unresolved: Vec<gusset_surface_place>,
+    contacts: Vec<gusset_surface_contact>,
 }
 
 /// The curves. Pointers are valid until the handle is destroyed.
@@ -104,15 +130,28 @@ pub struct gusset_surface_paths_view {
     pub unresolved: *const gusset_surface_place,
     /// How many.
     pub unresolved_count: usize,
+    /// Of intersections of two surfaces: points where they touch.
+    pub contacts: *const gusset_surface_contact,
+    /// How many.
+    pub contact_count: usize,
 }
 
 versioned! { gusset_surface_options: 16 reserved, gusset_surface_paths_view: 104 }
-fixed! { gusset_surface_place: 32 }
+fixed! { gusset_surface_place: 32, gusset_surface_contact: 88 }
+c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROSSING => Crossing } }
 
 impl From<Place> for gusset_surface_place {
     fn from(place: Place) -> Self {
         let Place { sheet, cell: [row, column], u, v } = place;
         gusset_surface_place { sheet, row, column, reserved: 0, u, v }
+    }
+}
+
+impl From<Contact> for gusset_surface_contact {
+    fn from(contact: Contact) -> Self {
+        let Contact { kind, place, other, gap, radius } = contact;
+        let (place, other) = (place.into(), other.into());
+        gusset_surface_contact { place, other, gap, radius, kind: kind.number(), reserved: 0 }
     }
 }
 
@@ -135,6 +174,7 @@ impl TryFrom<Paths> for gusset_surface_paths {
             places: places(paths.places)?,
             others: places(paths.others)?,
             unresolved: places(paths.unresolved)?,
+            contacts: alloc::collect(paths.contacts.into_iter().map(gusset_surface_contact::from))?,
         })
     }
 }
@@ -222,6 +262,8 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
         others: lent(&paths.others),
         unresolved: lent(&paths.unresolved),
         unresolved_count: paths.unresolved.len(),
+        contacts: lent(&paths.contacts),
+        contact_count: paths.contacts.len(),
     })
 }
 

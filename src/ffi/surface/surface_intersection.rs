@@ -15,8 +15,8 @@ pub struct gusset_intersection_options {
     /// of cells of either surface. (In gusset_contour_options `spacing` says which of these is
     /// meant.)
     pub chord: f64,
-    /// A length, finite: branches that are shorter may be lost, and surfaces that are nearer to
-    /// each other all over are reported as touching; 0: the smaller one of the tolerances of the
+    /// A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
+    /// overlap, by no more than that touch; 0: the smaller one of the tolerances of the
     /// two surfaces.
     pub tolerance: f64,
 }
@@ -60,11 +60,20 @@ fixed! { gusset_cell_pair: 24 }
 /// The curves in which two surfaces meet, with the places of their points on both: ordered along
 /// N_A x N_B, closed ones marked so.
 ///
-/// Points and normals are those of a; the points of b at `others` are the same but for rounding.
-/// Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of
-/// a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves
-/// may end there; they are joined across such a place where a chord is as near to both surfaces as
-/// elsewhere. Intersections of one surface with itself are not looked for.
+/// Points and normals are those of a; the points of b at `others` are the same but for rounding,
+/// and at crossings to the tolerance. Every branch longer than the tolerance is found, relative to
+/// the surfaces as declared.
+///
+/// A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
+/// be alone: near it both are graphs over a plane, and the second derivatives of their difference
+/// are a definite form (GUSSET_CONTACT_POINT) or an indefinite one (GUSSET_CONTACT_CROSSING), and
+/// the gap is within the tolerance; if it is larger, there is a loop, or nothing, or two branches
+/// that pass each other. A path that comes to a crossing turns there, as N_A x N_B points to it and
+/// away from it in turn, and goes back the way that closes it if there is one: a figure of eight is
+/// two closed paths that have one point in common. Cells of a where the surfaces touch in another
+/// way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
+/// unresolved, and curves may end there; they are joined across such a place where a chord is as
+/// near to both surfaces as elsewhere. Intersections of one surface with itself are not looked for.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param a the one surface.

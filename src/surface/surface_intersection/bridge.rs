@@ -107,7 +107,12 @@ impl<S: Surroundings> Bridges<'_, S> {
 
     /// Leaves out chains that are within a contact: rims of lenses that are thinner than the
     /// tolerance, and scraps of branches that cross.
-    pub(super) fn drop_within_contacts(&self, points: &[CriticalPoint], chains: &[Chain], dropped: &mut [bool]) -> Result<()> {
+    pub(super) fn drop_within_contacts(
+        &self,
+        points: &[CriticalPoint],
+        chains: &[Chain],
+        dropped: &mut [bool],
+    ) -> Result<()> {
         let firsts = alloc::collect(chains.iter().map(|chain| self.pieces.arcs[chain.arcs[0] as usize].ends[0]))?;
         let tree = tree(&firsts)?;
         for point in points.iter().filter(|point| !point.is_saddle || point.gap.abs() <= self.tolerance) {

@@ -197,9 +197,8 @@ impl ContactSearch<'_> {
             let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(|range| range.middle()));
             let (g, h) = (second(&one), second(&other));
             let step = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
-            let by_parameters = |graph: &Graph, step: DVec2| {
-                graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y)
-            };
+            let by_parameters =
+                |graph: &Graph, step: DVec2| graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y);
             let ([s, t], [u, v]) = (by_parameters(&one, step), by_parameters(&other, step + away));
             let step = DVec4::new(s, t, u, v);
             if !step.is_finite() || step.abs().max_element() > 1.0 {
@@ -219,10 +218,12 @@ impl ContactSearch<'_> {
                 let form = g - h;
                 let curvature = form.determinant() / (form.x_axis.x + form.y_axis.y);
                 let rim = (2.0 * (self.tolerance + gap.abs()) / curvature.abs().max(f64::MIN_POSITIVE)).sqrt();
-                let radius = if curvature.is_finite() && form.determinant() > 0.0 { radius.max(1.1 * rim) } else { radius };
+                let radius =
+                    if curvature.is_finite() && form.determinant() > 0.0 { radius.max(1.1 * rim) } else { radius };
                 let is_near = inside && balls.iter().any(within);
                 let is_opposed = jets[1].normal().dot(normal) < 0.0;
-                let found = CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
+                let found =
+                    CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
                 return is_near.then_some(found);
             }
         }

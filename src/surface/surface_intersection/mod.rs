@@ -4,11 +4,14 @@
 //! 2. Over a pair the points with A(s, t) = B(u, v) are curves in the four parameters. A box of
 //!    parameters is excluded, or proved to have a graph (`chart`), whose arc is followed from side
 //!    to side (`arc`); else it is halved (`solve`).
-//! 3. Arcs are chained (`chain`, `links`), across unresolved places too (`bridge`).
+//! 3. Unresolved boxes are clustered, and clusters resolved by the relative second form (`contact`,
+//!    `graph`): points where the surfaces touch, and points where branches cross.
+//! 4. Arcs are chained (`chain`, `links`), through crossings and across unresolved places too
+//!    (`bridge`).
 //!
 //! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
-//! and in a box that has an arc through it, or is shorter than the tolerance, or is reported as
-//! unresolved. Bounds are computed in double precision, with room for rounding (`rounding_error`).
+//! and in a box that has an arc through it, or is shorter than the tolerance, or is within the
+//! radius of a contact, or is reported as unresolved. Bounds are computed in double precision, with room for rounding (`rounding_error`).
 //! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
 //! of the tolerance to a side of a box runs along it, touches it or crosses it, which decides
 //! between the boxes on both sides. Self-intersections of one surface are not looked for.
@@ -50,7 +53,7 @@ const BOXES_PER_STEP: usize = 1 << 16;
 const FIRST_MAX_BOXES: usize = 256;
 /// Boxes examined for all the pairs that were put back: shared among them, but each gets
 /// [`FIRST_MAX_BOXES`] again at least.
-const SECOND_TOTAL_BOXES: usize = 1 << 20;
+const SECOND_TOTAL_BOXES: usize = 1 << 22;
 /// The most for one of them.
 const SECOND_MAX_BOXES: usize = 1 << 16;
 
@@ -77,10 +80,20 @@ fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f6
 impl Surface<'_> {
     /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they
     /// run along N_A x N_B, closed ones closed. Every branch longer than the tolerance is found.
-    /// Cells of this surface where the two touch, coincide, or meet in a point only are in
-    /// `unresolved`, and curves may end there; they are joined across such a place where a chord is
-    /// as near to both surfaces as elsewhere. The points are those of this surface; the other one's
-    /// are the same but for rounding.
+    ///
+    /// Where the surfaces touch in a point, or two branches cross, to the tolerance, the point is
+    /// in `contacts`: if they are graphs over a plane there whose second derivatives differ by a
+    /// definite or an indefinite form, proved over all that is not resolved otherwise. Surfaces
+    /// that overlap by more than the tolerance have a curve there, and those that are farther apart
+    /// have nothing. As N_A x N_B points to a crossing and away from it in turn, paths turn there:
+    /// each of the four branches is joined with the neighbour that leads back to it, so that a
+    /// figure of eight is two closed paths with one point in common; else as straight as can be.
+    ///
+    /// Cells of this surface where the two touch along a curve, at a pole, at the border of a
+    /// sheet, or to a higher order, or coincide, are in `unresolved`, and curves may end there; they are
+    /// joined across such a place where a chord is as near to both surfaces as elsewhere. The
+    /// points are those of this surface; the other one's are the same but for rounding, and but for
+    /// the tolerance at crossings.
     ///
     /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each;
     /// where surfaces coincide there are many. Intersections of a surface with itself are out of
@@ -93,7 +106,7 @@ impl Surface<'_> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
-        let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;
+        let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
         let intersection = Intersection {
             surfaces: [self, other],
             pairs: &pairs,
@@ -281,13 +294,7 @@ impl Intersection<'_> {
     }
 
     /// The points of chains of arcs, with the critical points that they pass.
-    fn paths(
-        &self,
-        pieces: &FoundArcs,
-        chained: &Chained,
-        critical: &[CriticalPoint],
-        job: &Job<'_>,
-    ) -> Result<Paths> {
+    fn paths(&self, pieces: &FoundArcs, chained: &Chained, critical: &[CriticalPoint], job: &Job<'_>) -> Result<Paths> {
         let chains = &chained.chains;
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {

@@ -218,7 +218,9 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let extents = part.extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
         let [small, tiny] = MIN_CONTACT_TOLERANCES.map(|factor| extents[longest] <= factor * tolerance);
-        if (tiny || small && frame.is_transversal()) && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty) {
+        if (tiny || small && frame.is_transversal())
+            && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty)
+        {
             return Ok(BoxTest::Empty);
         }
         let unresolved = extents[longest] <= 0.25 * tolerance
