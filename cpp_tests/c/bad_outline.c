@@ -267,6 +267,7 @@ static void frames(void) {
     const double axis[6] = {0.5, 0.5, 0, 0.5, 0.5, 1};
     gusset_outlines sections = given(points, 8);
     gusset_frame_options options;
+    uint32_t missing = 99;
     gusset_outline_options curves;
     gusset_frame_view parts;
     gusset_section_report measure;
@@ -333,6 +334,17 @@ static void frames(void) {
     EXPECT(GUSSET_OK, gusset_frame_get_view(frame, &parts));
     CHECK(parts.rows == 2 && parts.columns == 4 && parts.max_gap < 1e-15);
     gusset_frame_destroy(frame);
+    /* Points that are missing: of landmarks; that do not exist; in an end section. */
+    options.missing.count = 1;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, &sections, &options, &frame));
+    options.missing.data = &missing;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_GIVEN;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_frame_create(context, &sections, &options, &frame));
+    missing = 6;
+    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_create(context, &sections, &options, &frame));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_SECTION && report.index == 1 && report.value == 2);
     sections.offsets = uneven;
     EXPECT(GUSSET_ERROR_SECTIONS_DIFFER, gusset_frame_create(context, &sections, NULL, &frame));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));

@@ -107,6 +107,8 @@ static void a_body_and_a_new_section(void) {
     gusset_outline_view columns = {.struct_size = sizeof columns};
     gusset_outline *slice = NULL;
     gusset_section_report measure;
+    gusset_frame_options options = {.struct_size = sizeof options};
+    const uint32_t lost = 8 + 3;
     int k;
 
     for (k = 0; k < 3; ++k) {
@@ -122,6 +124,14 @@ static void a_body_and_a_new_section(void) {
     MUST(gusset_outline_measure(slice, 0, &measure));
     HOLDS(about(measure.centre[2], 0.5) && fabs(measure.girth - 2.0 * pi) < 0.1);
     gusset_outline_destroy(slice);
+    gusset_frame_destroy(frame);
+
+    /* A point that was not measured: it is filled along the body, half-way up as its section. */
+    points[8 + 3][0] = points[8 + 3][1] = points[8 + 3][2] = NAN;
+    options.missing = (gusset_indices){&lost, 1};
+    MUST(gusset_frame_create(NULL, &sections, &options, &frame));
+    MUST(gusset_frame_get_view(frame, &parts));
+    HOLDS(parts.filled.count == 1 && parts.filled.data[0] == lost && about(parts.nodes[3 * lost + 2], 1.0));
     gusset_frame_destroy(frame);
 }
 //! [frame]

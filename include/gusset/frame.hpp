@@ -64,6 +64,13 @@ public:
         made.options_.smooth_corners = 1;
         return made;
     }
+    /// The same of sections that lack these points, counted over all of them, which must outlive the
+    /// call that reads this; of given points only.
+    Correspondence missing(Span<const uint32_t> points) const {
+        Correspondence made = *this;
+        made.options_.missing = {points.data(), points.size()};
+        return made;
+    }
     /// As the C interface takes it, without the options of the curves.
     const gusset_frame_options &get() const noexcept { return options_; }
 

@@ -2,6 +2,7 @@
 
 mod construct;
 mod curves;
+mod frame_missing;
 mod intersect;
 mod lines;
 mod near;

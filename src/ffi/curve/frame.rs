@@ -74,6 +74,11 @@ pub struct gusset_frame_options {
     pub across: *const gusset_outline_options,
     /// How the curves along are made; NULL for the defaults.
     pub along: *const gusset_outline_options,
+    /// For GIVEN: points that are missing, counted over all sections, in any order. What stands in
+    /// their places is not read, and may be NaN. Each is filled along the body: on the curve of
+    /// Catmull and Rom through the nodes of its column before and behind it, two of each if there
+    /// are as many, by the centripetal parameters of the columns next to it.
+    pub missing: gusset_indices,
 }
 
 /// The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
@@ -107,6 +112,8 @@ pub struct gusset_frame_view {
     pub max_gap: f64,
     /// The smallest sine of the angle at which two curves cross at a node.
     pub min_sine: f64,
+    /// Nodes that were missing and are filled, ascending.
+    pub filled: gusset_indices,
 }
 
 /// What a section measures.
@@ -125,7 +132,12 @@ versioned! { gusset_frame_options: 152 reserved, gusset_frame_view: 112 }
 fixed! { gusset_section_report: 40 }
 
 impl gusset_frame_options {
-    fn checked<'a>(&self, landmarks: &'a [u32], axis: Option<&'a [DVec3]>) -> Result<FrameOptions<'a>, Failure> {
+    fn checked<'a>(
+        &self,
+        landmarks: &'a [u32],
+        missing: &'a [u32],
+        axis: Option<&'a [DVec3]>,
+    ) -> Result<FrameOptions<'a>, Failure> {
         let ring = flag(self.ring, "ring")?;
         let given_starts = flag(self.given_starts, "given_starts")?;
         let smooth_corners = flag(self.smooth_corners, "smooth_corners")?;
@@ -149,7 +161,7 @@ impl gusset_frame_options {
         };
         let across = input::nested(self.across, "across", gusset_outline_options::checked)?;
         let along = input::nested(self.along, "along", gusset_outline_options::checked)?;
-        Ok(FrameOptions { correspondence, across, along, ring, given_starts, smooth_corners })
+        Ok(FrameOptions { correspondence, across, along, ring, given_starts, smooth_corners, missing })
     }
 }
 
@@ -162,8 +174,10 @@ impl gusset_frame_options {
 /// @param[out] frame receives the result, for gusset_frame_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (too few sections
 ///     or columns; landmarks that are not as many for each section, or not in order; an axis
-///     without direction, or points of it that are not as many as sections), SECTIONS_DIFFER,
-///     NO_NODE (a section that a half-plane does not meet, or that is no curve).
+///     without direction, or points of it that are not as many as sections; missing points of
+///     another correspondence than GIVEN), NO_SUCH_ELEMENT (a missing point), SECTIONS_DIFFER,
+///     NO_NODE (a section that a half-plane does not meet, or that is no curve; with the section
+///     and the column, a missing node with none before it, or none behind, in its column).
 /// @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <= 128
 ///     of them, none are shared by sections with more.
 /// @source Nadopta, introduction; the correspondences are ours.
@@ -182,7 +196,8 @@ pub unsafe extern "C" fn gusset_frame_create(
         let axis = input::list::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
         let axis = alloc::collect(axis.into_iter().map(DVec3::from_array))?;
         let axis = if options.axis_points.is_null() { None } else { Some(axis.as_slice()) };
-        let options = options.checked(&landmarks, axis)?;
+        let missing = mesh::indices(&raw const options.missing, "missing")?.unwrap_or_default();
+        let options = options.checked(&landmarks, &missing, axis)?;
         let given = Given::read(sections)?;
         let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
         let closed = given.outlines().closed;
@@ -228,6 +243,7 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             max_twist: grid.max_twist,
             max_gap: grid.max_gap,
             min_sine: grid.min_sine,
+            filled: gusset_indices::lend(&grid.filled),
         }
     })
 }

@@ -302,15 +302,10 @@ fn add_parts(
 }
 
 fn add_given(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
-    let columns = if found.rows == 0 { 0 } else { sections.span(0).len() };
+    let columns = sections.columns(found.rows)?;
     found.reserve(columns)?;
     for (k, corners) in corners.iter().enumerate() {
-        let span = sections.span(k);
-        if span.len() != columns {
-            let (count, expected) = (span.len() as u32, columns as u32);
-            return Err(Error::SectionsDiffer { section: k as u32, count, expected });
-        }
-        found.nodes.extend(span.map(|i| sections.points.get(i)));
+        found.nodes.extend(sections.span(k).map(|i| sections.points.get(i)));
         alloc::extend(&mut found.corners, corners.iter().map(|&corner| (k * columns) as u32 + corner))?;
     }
     Ok(())

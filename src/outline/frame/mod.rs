@@ -8,6 +8,7 @@
 //! * correspond: the nodes; which points of one section belong to which of the next.
 //! * align: where closed sections start, and by how much a body is wrung.
 //! * axis: the axis that angles are counted about.
+//! * missing: nodes that sections lack.
 //! * corners: the corners of sections, and which of them belong together.
 //! * [`frame`](frame()): the curves through them.
 //! * slice: new sections, and girth and area along the body.
@@ -20,6 +21,7 @@ mod align;
 mod axis;
 mod corners;
 mod correspond;
+mod missing;
 mod options;
 mod slice;
 
@@ -53,6 +55,8 @@ pub struct NodeGrid {
     pub ambiguous: Vec<u32>,
     /// Nodes at which the curve across turns sharply, ascending.
     pub corners: Vec<u32>,
+    /// Nodes that were missing and are filled, ascending.
+    pub filled: Vec<u32>,
     /// The largest angle, in radians, by which the nodes of a closed section are turned against those
     /// of the section before it: a body that is not meant to be wrung has a small one. 0 of open ones.
     pub max_twist: f64,
@@ -80,9 +84,17 @@ pub struct Frame {
 /// Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3
 /// in a ring; columns: fewer than 2, or than 3 of closed sections; landmarks: not as many for each
 /// section, or not in order; axis, reference), [`Error::SectionsDiffer`], [`Error::NoNode`] (a
-/// section that a half-plane does not meet, or that is no curve). Time and memory: those of the
-/// fits; with angles O(columns x segments) for each section.
+/// section that a half-plane does not meet, or that is no curve; a missing node that no node of its
+/// column is before, or none behind), [`Error::NoSuch`] (a missing point). Time and memory: those of
+/// the fits; with angles O(columns x segments) for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
+    if !options.missing.is_empty() {
+        let (points, filled) = missing::filled(sections, options)?;
+        let sections = Outlines { points: Points::from(&points[..]), ..*sections };
+        let mut made = frame(&sections, &FrameOptions { missing: &[], ..*options }, job)?;
+        made.grid.filled = filled;
+        return Ok(made);
+    }
     let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
     let (rows, columns) = (found.rows, found.columns);
     for (option, count, closed) in [("sections", rows, options.ring), ("columns", columns, sections.closed)] {
@@ -106,6 +118,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         turned: found.turned,
         ambiguous: found.ambiguous,
         corners: found.corners,
+        filled: Vec::new(),
         max_twist: 0.0,
         max_gap: 0.0,
         min_sine: 1.0,

@@ -71,6 +71,9 @@ pub struct FrameOptions<'a> {
     /// where that turns by 40 degrees and far more than usual, or by [`Options::corner_angle`] if
     /// that is less than pi: curves across turn sharply there.
     pub smooth_corners: bool,
+    /// Points that are missing, counted over all sections, in any order; what stands in their places
+    /// is not read. With [`Correspondence::Given`] only: they are filled along the body.
+    pub missing: &'a [u32],
 }
 
 impl<'a> FrameOptions<'a> {
@@ -84,6 +87,7 @@ impl<'a> FrameOptions<'a> {
             ring: false,
             given_starts: false,
             smooth_corners: false,
+            missing: &[],
         }
     }
 }

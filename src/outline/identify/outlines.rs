@@ -164,6 +164,17 @@ impl Outlines<'_> {
         Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
     }
 
+    /// How many points each of the outlines has, if that is the same.
+    pub(in crate::outline) fn columns(&self, rows: usize) -> Result<usize> {
+        let columns = if rows == 0 { 0 } else { self.span(0).len() };
+        match (0..rows).map(|k| (k, self.span(k).len())).find(|&(_, count)| count != columns) {
+            Some((k, count)) => {
+                Err(Error::SectionsDiffer { section: k as u32, count: count as u32, expected: columns as u32 })
+            }
+            None => Ok(columns),
+        }
+    }
+
     /// The points of outline `k`.
     pub(in crate::outline) fn span(&self, k: usize) -> Range<usize> {
         match self.offsets {
