@@ -122,9 +122,9 @@ impl Rows {
             let mut complete = away.filter(|&other| (0..count - 1).all(|k| step(other, k).is_some()));
             if let Some(other) = complete.next() {
                 let mut at = 0.0;
-                for k in 1..count {
-                    at += step(other, k - 1).unwrap_or(0.0);
-                    sum[k] += at;
+                for (k, sum) in sum[1..].iter_mut().enumerate() {
+                    at += step(other, k).unwrap_or(0.0);
+                    *sum += at;
                 }
                 found = true;
             }
