@@ -1,6 +1,6 @@
 //! The vertices of a net: the points that glued nodes are. O(nodes).
 
-use super::PlanariseOptions;
+use super::options::PlanariseOptions;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
