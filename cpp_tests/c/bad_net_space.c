@@ -164,7 +164,7 @@ static void wrong_fields(void) {
     EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_deform(context, net, &good, SIZE_MAX, 0));
     bad = good, bad.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_deform(context, net, &bad, 1, 0));
-    bad = good, bad.kind = 13;
+    bad = good, bad.kind = 15;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
     bad = good, bad.axis = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
@@ -382,7 +382,9 @@ static void areas_and_plane_cells(void) {
     options.keep_boundary = 1, options.fixed = fixed, options.fixed_count = NODES;
     EXPECT(GUSSET_OK, gusset_net_planarise(context, net, &options, &report));
     options.fixed_count = NODES - 1;
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_planarise(context, net, &options, &report));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_planarise(context, net, &options, &report));
+    options.fixed_count = 0;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_planarise(context, net, &options, &report));
     options.fixed_count = NODES, options.fixed = NULL;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_planarise(context, net, &options, &report));
     options.fixed = fixed, fixed[3] = 2;

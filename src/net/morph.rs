@@ -139,9 +139,9 @@ fn best_rotation(m: DMat3) -> DQuat {
         for row in &mut k {
             (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);
         }
-        for i in 0..4 {
-            (k[p][i], k[q][i]) = (cosine * k[p][i] - sine * k[q][i], sine * k[p][i] + cosine * k[q][i]);
-        }
+        let (first, second) = (k[p], k[q]);
+        k[p] = std::array::from_fn(|i| cosine * first[i] - sine * second[i]);
+        k[q] = std::array::from_fn(|i| sine * first[i] + cosine * second[i]);
         for row in &mut vectors {
             (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);
         }

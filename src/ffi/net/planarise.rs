@@ -67,8 +67,8 @@ versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 /// @param[out] report receives what was done, its struct_size set; that the steps did not converge
 ///     is no error.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     OUT_OF_RANGE (tolerance), UNKNOWN_VALUE (keep_boundary, a byte of fixed), BUFFER_TOO_SMALL
-///     (fixed), OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
+///     OUT_OF_RANGE (tolerance), UNKNOWN_VALUE (keep_boundary, a byte of fixed), SIZE_OVERFLOW
+///     (fixed_count is too small), OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
 /// @complexity For each step O(n^1.5) operations and O(n log n) memory for n cells.
 /// @threads One thread; the same bits always.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
@@ -84,8 +84,11 @@ pub unsafe extern "C" fn gusset_net_planarise(
     answer_struct(context, (report, "report"), |job| {
         let given = input::read(options, true, "options")?;
         let net = edit(net)?;
-        let count =
-            if given.fixed.is_null() { given.fixed_count } else { given.fixed_count.min(net.shape().node_count()) };
+        let (needed, count) = (net.shape().node_count(), given.fixed_count);
+        if !given.fixed.is_null() && count < needed {
+            return Err(Error::ArrayTooShort { what: "fixed", needed: needed as u64, given: count as u64 }.into());
+        }
+        let count = if given.fixed.is_null() { count } else { needed };
         let bytes = input::bytes(given.fixed.cast(), count, 1, "fixed")?;
         let fixed: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "fixed")))?;
         let options = PlanariseOptions {
