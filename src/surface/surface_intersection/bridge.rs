@@ -39,6 +39,15 @@ struct LooseEnd {
     at_border: bool,
 }
 
+/// Branches that are joined where they cross, or pass each other.
+#[derive(Debug, Default)]
+pub(super) struct JoinedCrossings {
+    /// Arcs after which a path is at a critical point, with the number of the point, in order.
+    pub(super) nodes: Vec<(u32, u32)>,
+    /// By critical point, whether the branches round it are joined.
+    pub(super) joined: Vec<bool>,
+}
+
 /// Arcs and unresolved balls.
 pub(super) struct Bridges<'a, S> {
     pub(super) pieces: &'a FoundArcs,
@@ -128,9 +137,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
-    /// Joins the four ends round each point where two branches cross or pass each other, and adds
-    /// the arcs after which a path is at a point where they cross, with the number of the point;
-    /// tells of each point whether its ends are joined.
+    /// Joins the four ends round each point where two branches cross or pass each other.
     ///
     /// Branches that pass each other keep the middle on the side that the sign of the gap says.
     /// Where they cross, N_A x N_B points to the point and away from it in turn, so that paths turn
@@ -140,8 +147,8 @@ impl<S: Surroundings> Bridges<'_, S> {
         points: &[CriticalPoint],
         chains: &[Chain],
         links: &mut Links,
-    ) -> Result<(Vec<(u32, u32)>, Vec<bool>)> {
-        let (mut nodes, mut joined) = (Vec::new(), alloc::filled(false, points.len())?);
+    ) -> Result<JoinedCrossings> {
+        let mut done = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
         let ends = self.loose_ends(chains)?;
         let places = alloc::collect(ends.iter().map(|end| end.point))?;
         let tree = tree(&places)?;
@@ -177,13 +184,13 @@ impl<S: Surroundings> Bridges<'_, S> {
             for (last, start) in lasts.into_iter().zip(order.map(|n| starts[n])) {
                 links.join(ends[last].arc, ends[start].arc);
                 if is_crossing {
-                    alloc::push(&mut nodes, (ends[last].arc, k as u32))?;
+                    alloc::push(&mut done.nodes, (ends[last].arc, k as u32))?;
                 }
             }
-            joined[k] = true;
+            done.joined[k] = true;
         }
-        nodes.sort_unstable();
-        Ok((nodes, joined))
+        done.nodes.sort_unstable();
+        Ok(done)
     }
 
     /// Joins loose ends in a ball, or in two that touch: as straight as can be. Where two branches

@@ -2,7 +2,7 @@
 //!
 //! Cost: O(n log n) for n arcs.
 
-use super::bridge::{Bridges, Surroundings};
+use super::bridge::{Bridges, JoinedCrossings, Surroundings};
 use super::contact::{CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
 use super::solve::{Arc, FoundArcs};
@@ -72,10 +72,7 @@ fn add_pairs_of_many(
 pub(super) struct Chained {
     /// Arcs each of which goes on where the one before ends, to the tolerance.
     pub(super) chains: Vec<Chain>,
-    /// Arcs after which a path is at a critical point, with the number of the point, in order.
-    pub(super) nodes: Vec<(u32, u32)>,
-    /// By critical point, whether the branches round it are joined.
-    pub(super) joined: Vec<bool>,
+    pub(super) crossings: JoinedCrossings,
     /// By unresolved ball, whether a joint explains it.
     pub(super) passed: Vec<bool>,
 }
@@ -114,9 +111,9 @@ pub(super) fn chains(
     // Branches that cross are joined when each is whole elsewhere.
     let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;
     bridges.join(&links.chains(&dropped)?, &mut links, &elsewhere)?;
-    let (nodes, joined) = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
+    let crossings = bridges.join_crossings(&critical.points, &links.chains(&dropped)?, &mut links)?;
     bridges.join(&links.chains(&dropped)?, &mut links, &|_| true)?;
-    Ok(Chained { chains: links.chains(&dropped)?, nodes, joined, passed: bridges.passed(&links)? })
+    Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.passed(&links)? })
 }
 
 /// Arcs that are others once more, found from both sides of a side between sheets: by pairs of

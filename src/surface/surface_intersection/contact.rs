@@ -17,7 +17,7 @@
 //!
 //! Cost: O(n log n) for n balls, O(N^3) a ball, and a few evaluations a cluster.
 
-use super::graph::{Form, Graph};
+use super::graph::{Form, Graph, Interval};
 use super::pairs::CellPair;
 use super::solve::UnresolvedBall;
 use crate::geom::disjoint_sets::DisjointSets;
@@ -191,10 +191,10 @@ impl ContactSearch<'_> {
             let [one, other] = [Graph::at(&jets[0], &frame)?, Graph::at(&jets[1], &frame)?];
             let away = (frame.transpose() * (jets[0].point - jets[1].point)).truncate();
             let second = |graph: &Graph| {
-                let [xx, xy, yy] = graph.second.map(|range| range.middle());
+                let [xx, xy, yy] = graph.second.map(Interval::middle);
                 DMat2::from_cols(DVec2::new(xx, xy), DVec2::new(xy, yy))
             };
-            let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(|range| range.middle()));
+            let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(Interval::middle));
             let (g, h) = (second(&one), second(&other));
             let step = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
             let by_parameters =

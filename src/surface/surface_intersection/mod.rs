@@ -130,7 +130,7 @@ impl Surface<'_> {
                 || match critical.of_ball[k] {
                     UNRESOLVED => false,
                     APART => true,
-                    n => chained.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
+                    n => chained.crossings.joined[n as usize] || critical.points[n as usize].gap.abs() <= tolerance,
                 };
             if is_explained {
                 continue;
@@ -316,7 +316,8 @@ impl Intersection<'_> {
                     last = Some((arc.pair, arc.ends[0]));
                 }
                 let number = chain.arcs[n];
-                let node = chained.nodes.binary_search_by_key(&number, |&(arc, _)| arc).ok();
+                let nodes = &chained.crossings.nodes;
+                let node = nodes.binary_search_by_key(&number, |&(arc, _)| arc).ok();
                 // Where the next arc begins is where this one ends.
                 let ends_here = node.is_some() || n + 1 == chain.arcs.len() && !chain.closed;
                 let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
@@ -326,7 +327,7 @@ impl Intersection<'_> {
                     alloc::push(&mut paths.others, other)?;
                 }
                 if let Some(node) = node {
-                    let CriticalPoint { pair, x, .. } = critical[chained.nodes[node].1 as usize];
+                    let CriticalPoint { pair, x, .. } = critical[nodes[node].1 as usize];
                     let [place, other] = self.places(pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
