@@ -106,6 +106,23 @@ TEST_CASE("the bisector's section halves the angle") {
     CHECK(angle(points[2]) == doctest::Approx(48.56).epsilon(1e-4));
 }
 
+TEST_CASE("points that sections of a frame lack") {
+    std::vector<Space> points;
+    for (int k = 0; k < 24; ++k) {
+        points.push_back({std::cos(turn * (k % 6) / 6), std::sin(turn * (k % 6) / 6), double(k / 6)});
+    }
+    const Space lost = points[8];
+    points[8] = {NAN, NAN, NAN};
+    const std::vector<uint32_t> offsets{0, 6, 12, 18, 24}, missing{8};
+    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
+                              gusset::Correspondence::given().missing(missing));
+    REQUIRE(frame.view().filled.count == 1);
+    CHECK(frame.view().filled.data[0] == 8);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::abs(frame.nodes()[8][i] - lost[i]) < 1e-14);
+    }
+}
+
 TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures") {
     std::vector<Space> points;
     std::vector<uint32_t> offsets = {0};
