@@ -36,7 +36,7 @@ fn letters_and_orders_are_those_that_counting_finds() {
         let kind = GluingType::from_number(number).unwrap();
         for on_cell in [false, true] {
             let Some(signature) = (if on_cell { kind.cell_signature() } else { kind.node_signature() }) else {
-                assert_eq!(on_cell, number <= 12 && number >= 6, "{number}");
+                assert_eq!(on_cell, (6..=12).contains(&number), "{number}");
                 continue;
             };
             let (topology, element) = with(kind, on_cell);

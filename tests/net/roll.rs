@@ -78,7 +78,7 @@ fn a_sphere_closes_at_1_and_keeps_the_lengths_of_its_roll_before() {
     let tube = rolled(&net, &wrap, 0.5);
     let ratios = analyse_field(&net, &[Step { field: &wrap, strength: 0.5 }], 1e-9, &Job::default()).unwrap().links;
     let within = |link: usize| {
-        link % 2 == 1 && link / 2 < (rows - 1) * columns || link % 2 == 0 && link / 2 % columns + 1 < columns
+        link % 2 == 1 && link / 2 < (rows - 1) * columns || link.is_multiple_of(2) && link / 2 % columns + 1 < columns
     };
     let worst = (0..ratios.len()).filter(|&l| within(l)).map(|l| (ratios[l] - 1.0).abs()).fold(0.0, f64::max);
     assert!(worst < 0.01 && worst > 1e-4, "{worst}");
