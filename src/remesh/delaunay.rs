@@ -23,7 +23,7 @@ impl PatchMesh {
     /// rim vertices, those below `rim`, that must not get an edge.
     ///
     /// O(triangles) a pass.
-    pub(crate) fn relax(&mut self, rim: usize, taken: &impl Fn(u32, u32) -> bool, job: &Job<'_>) -> Result<()> {
+    pub(crate) fn relax(&mut self, rim: usize, taken: &dyn Fn(u32, u32) -> bool, job: &Job<'_>) -> Result<()> {
         for pass in 0..MAX_PASSES {
             job.step(pass as f64 / MAX_PASSES as f64, "refining")?;
             let mut flipped = false;
@@ -43,7 +43,7 @@ impl PatchMesh {
     pub(crate) fn relax_round(
         &mut self,
         rim: usize,
-        taken: &impl Fn(u32, u32) -> bool,
+        taken: &dyn Fn(u32, u32) -> bool,
         triangles: &[usize],
     ) -> Result<()> {
         let mut waiting = alloc::copied(triangles)?;
@@ -65,7 +65,7 @@ impl PatchMesh {
     pub(crate) fn relax_side(
         &mut self,
         rim: usize,
-        taken: &impl Fn(u32, u32) -> bool,
+        taken: &dyn Fn(u32, u32) -> bool,
         t: usize,
         k: usize,
     ) -> Option<usize> {

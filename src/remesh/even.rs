@@ -31,7 +31,7 @@ pub(crate) fn even(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<()> {
     let side = |t: usize, k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
@@ -52,7 +52,7 @@ fn even_once(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<()> {
     let mut star = Vec::new();
@@ -128,7 +128,7 @@ fn collapse(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &Sizing,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     (t, k): (usize, usize),
     star: &mut Vec<(usize, usize)>,
 ) -> Result<()> {

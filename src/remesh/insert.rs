@@ -55,7 +55,7 @@ pub(crate) fn insert(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,
 ) -> Result<()> {
     for pass in 1..=MAX_PASSES {
@@ -148,7 +148,7 @@ fn enter(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,
-    taken: &impl Fn(u32, u32) -> bool,
+    taken: &dyn Fn(u32, u32) -> bool,
     place: &Place,
     spacing: f64,
 ) -> Result<()> {

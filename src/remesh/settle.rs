@@ -17,7 +17,7 @@ impl PatchMesh {
     pub(crate) fn settle(
         &mut self,
         rim: usize,
-        taken: &impl Fn(u32, u32) -> bool,
+        taken: &dyn Fn(u32, u32) -> bool,
         rounds: u32,
         job: &Job<'_>,
     ) -> Result<()> {
