@@ -21,6 +21,8 @@ use crate::geom::Aabb;
 use crate::geom::box_tree::{BoxTree, spatial_order};
 use crate::job::Job;
 use crate::mesh::MeshView;
+use crate::sort;
+use std::cmp::Ordering;
 
 /// Loops are near each other if their boxes meet, each larger on all sides by this part of its
 /// diagonal.
@@ -142,7 +144,7 @@ impl Search<'_> {
             alloc::append(&mut near, &self.near(k)?)?;
         }
         // The nearest ones first, as far as trials go.
-        near.sort_unstable_by(|(i, a), (k, b)| by_distance(a, b).then(i.cmp(k)));
+        near.sort_unstable_by(nearest_first);
         near.dedup();
         let mut pairs = Vec::new();
         self.try_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
@@ -174,9 +176,9 @@ impl Search<'_> {
                 alloc::push(&mut found, (other, distance))?;
             }
         }
-        found.sort_unstable_by(|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
+        sort::stable(&mut found, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
         found.dedup_by_key(|&mut (other, _)| other);
-        found.sort_unstable_by(|(i, a), (k, b)| by_distance(a, b).then(i.cmp(k)));
+        found.sort_unstable_by(nearest_first);
         found.truncate(MAX_NEIGHBOURS);
         let pair = |&(other, distance): &(usize, Distance)| ([group.min(other), group.max(other)], distance);
         alloc::collect(found.iter().map(pair))
@@ -242,8 +244,13 @@ fn take_best(pairs: &mut Vec<Pair>) -> Option<Pair> {
     Some(pairs.swap_remove(best))
 }
 
-fn by_distance(a: &Distance, b: &Distance) -> std::cmp::Ordering {
+fn by_distance(a: &Distance, b: &Distance) -> Ordering {
     a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+}
+
+/// The order of distances, and of equal ones that of what they are of.
+fn nearest_first<T: Ord>((i, a): &(T, Distance), (k, b): &(T, Distance)) -> Ordering {
+    by_distance(a, b).then(i.cmp(k))
 }
 
 /// Pairs of boxes that are near each other, the nearest first: of each its nearest ones, but no box
@@ -262,11 +269,10 @@ fn near(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
             let distance = |k: usize| [boxes[i].distance(&boxes[k]), boxes[i].centre().distance(boxes[k].centre())];
             alloc::extend(&mut found, others.map(|k| (k, distance(k))))
         })?;
-        found.sort_unstable_by(|(i, a), (k, b)| by_distance(a, b).then(i.cmp(k)));
+        found.sort_unstable_by(nearest_first);
         found.truncate(MAX_NEIGHBOURS);
         alloc::extend(&mut pairs, found.iter().map(|&(k, distance)| ([i, k], distance)))?;
     }
-    let nearest_first = |(i, a): &Near, (k, b): &Near| by_distance(a, b).then(i.cmp(k));
     pairs.sort_unstable_by(nearest_first);
     let mut counts = alloc::filled(0, boxes.len())?;
     pairs.retain(|&([_, k], _)| {

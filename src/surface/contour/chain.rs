@@ -209,7 +209,7 @@ fn link_arcs(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
 /// Links exits with entries of the same level and group, in order; returns the ends that are left
 /// over.
 fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
-    ends.sort_unstable_by(|a, b| {
+    sort::stable(&mut ends, &|a, b| {
         let by = |end: &End| (end.level, end.group);
         by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
     });

@@ -108,7 +108,7 @@ impl SheetContours {
         let head = |k: usize| self.points[self.contours[k].range[0]];
         let tail = |k: usize| self.points[self.contours[k].range[1] - 1];
         let mut heads = alloc::gather(open())?;
-        heads.sort_unstable_by(|&a, &b| {
+        sort::stable(&mut heads, &|&a, &b| {
             let by = |k: usize| self.contours[k].level;
             by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x)).then(a.cmp(&b))
         });
@@ -200,7 +200,7 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
     }
     let frames = alloc::collect(points.iter().map(|&(_, place)| surface.point_and_normal(place)))?;
     let mut by: Vec<usize> = alloc::collect(0..points.len())?;
-    by.sort_unstable_by(|&a, &b| {
+    sort::stable(&mut by, &|&a, &b| {
         points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b))
     });
     let mut dropped = alloc::filled(false, points.len())?;
