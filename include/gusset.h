@@ -591,7 +591,8 @@
 #define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
 
 /**
- * A vertex (index) where the surface touches itself: its faces form more than one fan.
+ * A vertex (index) where the surface touches itself: its faces form more than one fan. Fans end at
+ * edges with three or more faces, whose own ends are therefore listed too where a loop passes them.
  */
 #define GUSSET_DEFECT_BOW_TIE 4
 
@@ -1094,6 +1095,17 @@
 #define GUSSET_PYRAMID_LEVELS 32
 
 /**
+ * Two surfaces touch in a point: all round it they are apart, or overlap by no more than the
+ * tolerance.
+ */
+#define GUSSET_CONTACT_POINT 1
+
+/**
+ * Two branches of an intersection cross in a point, or pass it within the tolerance.
+ */
+#define GUSSET_CONTACT_CROSSING 2
+
+/**
  * gusset_sheet_curve_create: u stays and v runs: along rows.
  */
 #define GUSSET_ALONG_ROWS 0
@@ -1102,6 +1114,18 @@
  * gusset_sheet_curve_create: v stays and u runs: along columns.
  */
 #define GUSSET_ALONG_COLUMNS 1
+
+/**
+ * gusset_surface_distance: the distance is proved: bound is within the tolerance of it, or within
+ * the rounding of coordinates. Not set: that would take too long, as it may where much of the
+ * surface is equally near; bound is right nevertheless.
+ */
+#define GUSSET_DISTANCE_PROVEN 1
+
+/**
+ * gusset_surface_distance: the two meet at the points, but for rounding, and the distance is 0.
+ */
+#define GUSSET_DISTANCE_MEETS 2
 
 /**
  * There is no normal: the tangents are 0, or parallel all along the lines to the point.
@@ -1340,6 +1364,10 @@ enum gusset_status
      * A net is glued elsewhere than along whole sides, or has bridges.
      */
     GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /**
+     * Two nets are glued differently.
+     */
+    GUSSET_ERROR_GLUINGS_DIFFER = 1322,
     /**
      * Knots of a spline: their number does not fit, or one is out of order or repeated too often.
      */
@@ -2016,6 +2044,13 @@ typedef struct gusset_frame_options {
      * How the curves along are made; NULL for the defaults.
      */
     const struct gusset_outline_options *along;
+    /**
+     * For GIVEN: points that are missing, counted over all sections, in any order. What stands in
+     * their places is not read, and may be NaN. Each is filled along the body: on the curve of
+     * Catmull and Rom through the nodes of its column before and behind it, two of each if there
+     * are as many, by the centripetal parameters of the columns next to it.
+     */
+    struct gusset_indices missing;
 } gusset_frame_options;
 
 /**
@@ -2073,6 +2108,10 @@ typedef struct gusset_frame_view {
      * The smallest sine of the angle at which two curves cross at a node.
      */
     double min_sine;
+    /**
+     * Nodes that were missing and are filled, ascending.
+     */
+    struct gusset_indices filled;
 } gusset_frame_view;
 
 /**
@@ -2119,7 +2158,7 @@ typedef struct gusset_places_view {
     const struct gusset_place *others;
     /**
      * Parts that two segments have in common: start and end on the first, the same start and end
-     * on the second; four places each.
+     * on the second; four places each. Of tangent angles: start and end of a part, twice.
      */
     const struct gusset_place *overlaps;
     /**
@@ -3133,7 +3172,8 @@ typedef struct gusset_check_view {
      */
     struct gusset_indices non_manifold_vertices;
     /**
-     * Vertices whose faces form more than one fan.
+     * Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
+     * own ends are therefore among them, as a rule.
      */
     struct gusset_indices bow_ties;
     /**
@@ -4268,6 +4308,48 @@ typedef struct gusset_gluing {
 typedef uint32_t gusset_gluing_type;
 
 /**
+ * A local gluing of a net: where it is, and what it is in the letters of the paper's Fig. 4.
+ */
+typedef struct gusset_gluing_occurrence {
+    /**
+     * 0: at the node `element`, a type n(a, b); 1: of the cell `element`, a type c(a, b).
+     */
+    uint32_t on_cell;
+    /**
+     * The node, row * columns + column, or the cell, row * (columns - 1) + column.
+     */
+    uint32_t element;
+    /**
+     * One of GUSSET_TYPE_...
+     */
+    gusset_gluing_type kind;
+    /**
+     * Of a node, how many nodes are glued to it; of a cell, how many of its links are glued, three
+     * for all; 1 for a diagonal.
+     */
+    uint32_t a;
+    /**
+     * Of a node with two glued links, 1 if they are adjacent and 2 if they are opposite; of a cell
+     * with two, how many of the other links lie between them, 0 or 1; 2 for a diagonal; UINT32_MAX
+     * for types that have one letter.
+     */
+    uint32_t b;
+    /**
+     * How many nodes the gluing makes one.
+     */
+    uint32_t node_order;
+    /**
+     * How many links it makes one; 1 if none.
+     */
+    uint32_t link_order;
+    /**
+     * How many nodes of the net are one point there: more than node_order where gluings meet, as
+     * at a pole.
+     */
+    uint32_t class_size;
+} gusset_gluing_occurrence;
+
+/**
  * The physical properties of a bridge: kept for the host, and not used.
  */
 typedef struct gusset_bridge_properties {
@@ -4390,7 +4472,8 @@ typedef struct gusset_net_measure_report {
      */
     size_t struct_size;
     /**
-     * The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
+     * The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones; for
+     * others see gusset_net_bilinear_area.
      */
     double area;
     /**
@@ -4607,6 +4690,91 @@ typedef struct gusset_net_grid_view {
      */
     struct gusset_indices face_of_cell;
 } gusset_net_grid_view;
+
+/**
+ * The way of nodes from one net to another.
+ */
+typedef uint32_t gusset_morph_path;
+
+/**
+ * How gusset_net_planarise works. All zeros: the defaults.
+ */
+typedef struct gusset_planarise_options {
+    /**
+     * sizeof(gusset_planarise_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The distance of corners from their plane that is plane enough, as a part of the diagonal of
+     * the net's box; 0: 1e-10, or 4e-7 for coordinates of float.
+     */
+    double tolerance;
+    /**
+     * A byte for each node, 1 for one that stays with those glued to it and 0 for others; NULL:
+     * all may move.
+     */
+    const uint8_t *fixed;
+    /**
+     * The number of bytes: rows * columns; 0 with NULL.
+     */
+    size_t fixed_count;
+    /**
+     * The largest number of steps; 0: 100.
+     */
+    uint32_t max_iterations;
+    /**
+     * 1: vertices on the boundary of the surface stay.
+     */
+    uint32_t keep_boundary;
+} gusset_planarise_options;
+
+/**
+ * What gusset_net_planarise has done.
+ */
+typedef struct gusset_planarise_report {
+    /**
+     * sizeof(gusset_planarise_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The diagonal of the net's box, before.
+     */
+    double size;
+    /**
+     * The distance that is plane enough: the tolerance times the size.
+     */
+    double tolerance;
+    /**
+     * The largest distance of the corners of a cell from the plane that lies evenly between them,
+     * before.
+     */
+    double deviation_before;
+    /**
+     * The same of the net as it is now.
+     */
+    double deviation_after;
+    /**
+     * The largest displacement of a point.
+     */
+    double max_displacement;
+    /**
+     * The root of the mean square of the displacements of all points of cells of four corners.
+     */
+    double rms_displacement;
+    /**
+     * The cell of deviation_after; 2^64 - 1 without cells of four corners.
+     */
+    uint64_t worst_cell;
+    /**
+     * The steps that were taken; 0 if all cells were plane, and then no bit has changed.
+     */
+    uint32_t iterations;
+    /**
+     * 1 if deviation_after is within the tolerance; else 0, and the net is as near as the steps
+     * came.
+     */
+    uint32_t converged;
+} gusset_planarise_report;
 
 /**
  * A shape.
@@ -5007,6 +5175,37 @@ typedef struct gusset_surface_place {
 } gusset_surface_place;
 
 /**
+ * A point where two surfaces touch, to the tolerance: their normals there are parallel.
+ */
+typedef struct gusset_surface_contact {
+    /**
+     * Where it is on the first surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * Where it is on the second one.
+     */
+    struct gusset_surface_place other;
+    /**
+     * A length: how far the first surface is above the second one, along the normal of the first.
+     */
+    double gap;
+    /**
+     * A length: near the contact, points of the one surface that are within the tolerance of the
+     * other one are within this distance of it, but for those on branches that cross there.
+     */
+    double radius;
+    /**
+     * A GUSSET_CONTACT_ constant.
+     */
+    uint32_t kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_contact;
+
+/**
  * The curves. Pointers are valid until the handle is destroyed.
  */
 typedef struct gusset_surface_paths_view {
@@ -5061,6 +5260,14 @@ typedef struct gusset_surface_paths_view {
      * How many.
      */
     size_t unresolved_count;
+    /**
+     * Of intersections of two surfaces: points where they touch.
+     */
+    const struct gusset_surface_contact *contacts;
+    /**
+     * How many.
+     */
+    size_t contact_count;
 } gusset_surface_paths_view;
 
 /**
@@ -5164,6 +5371,61 @@ typedef struct gusset_line {
      */
     double to;
 } gusset_line;
+
+/**
+ * The nearest points of a surface and something else.
+ */
+typedef struct gusset_surface_distance {
+    /**
+     * sizeof(gusset_surface_distance), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where the nearest point of the surface is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of it.
+     */
+    double point[3];
+    /**
+     * The unit normal there, or its limit at a pole; 0 where there is none.
+     */
+    double normal[3];
+    /**
+     * x, y, z of the nearest point of the other.
+     */
+    double other_point[3];
+    /**
+     * Their distance.
+     */
+    double distance;
+    /**
+     * No points of the two are nearer to each other than this.
+     */
+    double bound;
+    /**
+     * Of another surface: where its nearest point is; else 0.
+     */
+    struct gusset_surface_place other_place;
+    /**
+     * Of a curve: where its nearest point is; else 0.
+     */
+    struct gusset_place curve_place;
+    /**
+     * Of a line: its parameter at the nearest point. Of a plane: the distance, negative if the
+     * surface's point is not on the side that the normal points to. Else 0.
+     */
+    double parameter;
+    /**
+     * GUSSET_DISTANCE_...
+     */
+    uint32_t flags;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_distance;
 
 /**
  * What there is to know of a point of a surface. Derivatives are by the parameters within the
@@ -5306,6 +5568,34 @@ typedef struct gusset_surface_hits_view {
      */
     const struct gusset_place *on_curve;
 } gusset_surface_hits_view;
+
+/**
+ * What a cell region is like.
+ */
+typedef struct gusset_mask_report {
+    /**
+     * sizeof(gusset_mask_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells it has.
+     */
+    uint64_t cells;
+    /**
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no
+     * cells, 2^64 - 1 if the region is in several parts.
+     */
+    uint64_t integer_diameter;
+    /**
+     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     */
+    int64_t euler;
+    /**
+     * No two points of the region are farther apart: the integer diameter times the greatest
+     * Euclidean diameter of its cells; infinite if the region is in several parts.
+     */
+    double diameter;
+} gusset_mask_report;
 
 /**
  * What is looked for.
@@ -5459,34 +5749,6 @@ typedef struct gusset_surface_region_view {
 } gusset_surface_region_view;
 
 /**
- * What a cell region is like.
- */
-typedef struct gusset_mask_report {
-    /**
-     * sizeof(gusset_mask_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells it has.
-     */
-    uint64_t cells;
-    /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no
-     * cells, 2^64 - 1 if the region is in several parts.
-     */
-    uint64_t integer_diameter;
-    /**
-     * Vertices less edges plus cells: 1 for a region in one part without holes.
-     */
-    int64_t euler;
-    /**
-     * No two points of the region are farther apart: the integer diameter times the greatest
-     * Euclidean diameter of its cells; infinite if the region is in several parts.
-     */
-    double diameter;
-} gusset_mask_report;
-
-/**
  * What distances are measured from, or angles.
  */
 typedef uint32_t gusset_reference_object;
@@ -5546,6 +5808,14 @@ typedef struct gusset_reference_task {
      * 1: lines of nodes that a block covers from side to side are not left out at once.
      */
     uint32_t keep_lines;
+    /**
+     * Of GUSSET_REFERENCE_CURVE: the curve; else not read.
+     */
+    const struct gusset_curve *curve;
+    /**
+     * Of GUSSET_REFERENCE_SURFACE: the surface; else not read.
+     */
+    const struct gusset_surface *surface;
 } gusset_reference_task;
 
 /**
@@ -5752,13 +6022,17 @@ typedef struct gusset_tangents {
 } gusset_tangents;
 
 /**
- * A tensor-product B-spline, not rational.
+ * A tensor-product B-spline, rational (NURBS) if it has weights that differ.
  *
  * Knots of an open direction: as many as control points and the degree and 1, not decreasing,
  * finite, clamped or not; the surface is defined between knot degree and knot count. Of a closed
  * one: one more than control points, one period; the control points are not repeated, and span k,
  * from knot k to the next, is made by the control points k - degree to k, counted round. Inner
  * knots may be repeated degree times.
+ *
+ * The control points of a rational spline are points of space (Euclidean), not multiplied by their
+ * weights. A Bézier patch is the spline whose knots are 0 and 1, degree + 1 times each; patches
+ * that share sides and their weights are one spline with inner knots repeated degree times.
  */
 typedef struct gusset_spline {
     /**
@@ -5809,6 +6083,21 @@ typedef struct gusset_spline {
      * 1: closed in v.
      */
     uint32_t closed_v;
+    /**
+     * The weights of the control points, in their order, finite and above 0, none less than 2^-900
+     * of the greatest; a factor common to all changes nothing. NULL: all are 1.
+     */
+    const double *weights;
+    /**
+     * How far the sheet may be from a rational spline at equal parameters, a length; no less than
+     * rounding allows, some 1e-13 of the size. 0: 1e-12 of the diagonal of the control points' box,
+     * or more where rounding asks for it, far from the origin.
+     */
+    double tolerance;
+    /**
+     * The most cells that a rational spline may take; 0: 2^20.
+     */
+    size_t max_cells;
 } gusset_spline;
 
 /**
@@ -5958,6 +6247,20 @@ typedef struct gusset_sheet_report {
      * 1: the side v = columns is.
      */
     uint32_t pole_v1;
+    /**
+     * Of a rational spline, a bound of how far the sheet is from it at equal parameters, rounding
+     * included; 0 of any other sheet.
+     */
+    double deviation;
+    /**
+     * Of a spline, the knots of rows: rows + 1 parameters that rise, between which the spline's
+     * parameter runs evenly; NULL of any other sheet. Valid as long as the sheet.
+     */
+    const double *knots_u;
+    /**
+     * The knots of columns: columns + 1.
+     */
+    const double *knots_v;
 } gusset_sheet_report;
 
 /**
@@ -5976,8 +6279,8 @@ typedef struct gusset_intersection_options {
      */
     double chord;
     /**
-     * A length, finite: branches that are shorter may be lost, and surfaces that are nearer to
-     * each other all over are reported as touching; 0: the smaller one of the tolerances of the
+     * A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
+     * overlap, by no more than that touch; 0: the smaller one of the tolerances of the
      * two surfaces.
      */
     double tolerance;
@@ -6121,16 +6424,19 @@ typedef struct gusset_cell_pairs_view {
 
 /**
  * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the
- * second the height above a cylinder of the radius values[0] > 0: with the first u and the second
- * v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part: that part of the straight way.
+ * second the height above a cylinder of the radius r = values[0] > 0: with the first u and the
+ * second v they become (r + v) sin(u / r) and (r + v) cos(u / r). In part, t: rolled to the
+ * curvature t / r, so that a sheet of height 0 keeps all its lengths.
  */
 #define GUSSET_FIELD_CYLINDER_WRAP 7
 
 /**
  * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube)
  * and values[1] > 0 (of the tube): of the two axes that follow, the first goes round the axis and
- * the second round the tube; the axis itself becomes the height above the torus. In part: that
- * part of the straight way.
+ * the second round the tube; the axis itself becomes the height above the torus. In part, t: up to
+ * 1/2 the sheet rolls to a straight tube, to the curvature 2 t / values[1], and keeps all its
+ * lengths; then the tube bends to the curvature (2 t - 1) / values[0] of its middle, and the circles
+ * round it keep their lengths.
  */
 #define GUSSET_FIELD_TORUS_WRAP 8
 
@@ -6159,6 +6465,26 @@ typedef struct gusset_cell_pairs_view {
  * eye values[0..2]. Not defined level with the eye.
  */
 #define GUSSET_FIELD_PERSPECTIVE 12
+
+/**
+ * Rolls space up to a cone about `axis`: of the two axes that follow, the first becomes the arc of
+ * the circle of the radius r = values[0] > 0 and the second the height above the cone; the axis
+ * itself, w, becomes the length along the generators, which lean towards the axis by values[1],
+ * from -pi / 2 to pi / 2: the apex is at w = r / sin(values[1]). In part, t: leaning by t values[1]
+ * and rolled to the curvature t / r; generators keep their lengths, and the circle at w becomes
+ * 1 - (t / r) w sin(t values[1]) times as long.
+ */
+#define GUSSET_FIELD_CONE_WRAP 13
+
+/**
+ * Rolls space up to a sphere about `axis` of the radius r = values[0] > 0: of the two axes that
+ * follow, the first, from 0 to 2 pi r, goes round the equator, and the second, from -pi / 2 r to
+ * pi / 2 r, along the meridians; the axis itself becomes the height above the sphere. In part, t: up
+ * to 1/2 the sheet rolls to a tube, to the curvature 2 t / r, and keeps all its lengths; then the
+ * meridians bend to the curvature q / r, q = 2 t - 1, and keep their lengths, and the parallel at v
+ * becomes 1 - (1 - cos(q v / r)) / q times as long.
+ */
+#define GUSSET_FIELD_SPHERE_WRAP 14
 
 /**
  * Evenly.
@@ -6408,6 +6734,17 @@ typedef struct gusset_cell_pairs_view {
  * Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
  */
 #define GUSSET_NET_TRIANGLES_FIXED 2
+
+/**
+ * Straight.
+ */
+#define GUSSET_MORPH_LINEAR 0
+
+/**
+ * The rotation that fits best is done evenly; the rest goes straight in the frame that turns, so
+ * that a net moved rigidly keeps its shape on the way.
+ */
+#define GUSSET_MORPH_RIGID 1
 
 /**
  * A rectangle in the plane z = 0: size[0], size[1].
@@ -6820,6 +7157,21 @@ typedef struct gusset_cell_pairs_view {
  * Normals at an angle to the direction; distances are deviations from the angle, in radians.
  */
 #define GUSSET_REFERENCE_ANGLE 4
+
+/**
+ * The curve.
+ */
+#define GUSSET_REFERENCE_CURVE 5
+
+/**
+ * The surface.
+ */
+#define GUSSET_REFERENCE_SURFACE 6
+
+/**
+ * The ray from the point along the direction.
+ */
+#define GUSSET_REFERENCE_RAY 7
 
 /**
  * Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the
@@ -7254,8 +7606,10 @@ gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
  * @param[out] frame receives the result, for gusset_frame_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_outline_create, OUT_OF_RANGE (too few sections
  *     or columns; landmarks that are not as many for each section, or not in order; an axis
- *     without direction, or points of it that are not as many as sections), SECTIONS_DIFFER,
- *     NO_NODE (a section that a half-plane does not meet, or that is no curve).
+ *     without direction, or points of it that are not as many as sections; missing points of
+ *     another correspondence than GIVEN), NO_SUCH_ELEMENT (a missing point), SECTIONS_DIFFER,
+ *     NO_NODE (a section that a half-plane does not meet, or that is no curve; with the section
+ *     and the column, a missing node with none before it, or none behind, in its column).
  * @complexity O(points), with ANGLE O(columns x points); with corners O(n^3) a section for n <= 128
  *     of them, none are shared by sections with more.
  * @source Nadopta, introduction; the correspondences are ours.
@@ -7411,6 +7765,34 @@ gusset_status gusset_curve_intersect_create(const struct gusset_context *context
                                             const struct gusset_curve *curve,
                                             const struct gusset_curve *other,
                                             struct gusset_places **places);
+
+/**
+ * The points of a curve whose tangents make a given angle with a direction: all of them, each
+ * once.
+ *
+ * At a cusp, where the derivative is 0, the tangents before and after it count, to 1e-6; at a joint
+ * those of both segments, but not those between. Angles within 1e-7 of 0, pi / 2 and pi are taken
+ * for these; tangents count as along the direction, or against it, to 1e-9.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve, of any dimension and degree.
+ * @param direction x, y, z, of any length but 0, packed.
+ * @param angle 0 to pi.
+ * @param[out] places receives the places; overlaps are parts all of whose tangents make the angle,
+ *     as those of straight segments: where each begins and ends, twice. NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (direction,
+ *     angle), NOT_FINITE (direction), OUT_OF_MEMORY.
+ * @complexity O(points), and O(degree^2) for each place.
+ * @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_tangent_angle_create(const struct gusset_context *context,
+                                                const struct gusset_curve *curve,
+                                                const double *direction,
+                                                double angle,
+                                                struct gusset_places **places);
 
 /**
  * Points along a curve, in its order; of a closed curve the start is not repeated at the end.
@@ -9399,6 +9781,31 @@ gusset_status gusset_net_histogram(const struct gusset_context *context,
                                    uint64_t *cells);
 
 /**
+ * Writes all local gluings of a net with their types and orders: those at its nodes, in order, then
+ * those of its cells.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param cyclic 0, or 1 to count links that lead back to the first row or column too.
+ * @param[out] found room for capacity of them.
+ * @param capacity see found.
+ * @param[out] written receives their number. NULL and 0 ask for it.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (cyclic),
+ *     BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes); 4 bytes a node, and as much as is written.
+ * @source Deryagin, Fig. 4.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_gluing_occurrences(const struct gusset_context *context,
+                                            const struct gusset_net *net,
+                                            uint32_t cyclic,
+                                            struct gusset_gluing_occurrence *found,
+                                            size_t capacity,
+                                            size_t *written);
+
+/**
  * Glues a net otherwise; positions stay what they are.
  *
  * On failure the net is as it was.
@@ -9608,6 +10015,29 @@ gusset_status gusset_net_measure(const struct gusset_context *context,
                                  struct gusset_net_measure_report *measures);
 
 /**
+ * Computes the area of the bilinear patches of all cells of a net, to rounding: on cells that are
+ * not plane more than that of gusset_net_measure.
+ *
+ * Cells that are not there do not count; a patch that is folded over itself counts with all its
+ * sheets.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param net the net.
+ * @param[out] area receives the area.
+ * @param[out] error receives a bound of its error; may be NULL.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes), some ten times the work of gusset_net_measure; no memory.
+ * @threads From any thread; the same bits for any number of threads.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_bilinear_area(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       double *area,
+                                       double *error);
+
+/**
  * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly
  * but for rounding for the bilinear patches of its cells.
  *
@@ -9753,6 +10183,30 @@ gusset_status gusset_net_grid_create(const struct gusset_context *context,
                                      struct gusset_net_grid **grid);
 
 /**
+ * Finds rows and columns in a mesh of triangles: a grid of quads, each cut in two along either
+ * diagonal, which may be closed round, with fans of triangles round a pole at its first and last
+ * row.
+ *
+ * Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
+ * Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
+ * taken always the same way; a torus whose diagonals run without any rule may be refused.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh triangles; see gusset_mesh_view.
+ * @param[out] grid receives the result, for gusset_net_grid_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of the view, NO_GRID with a triangle that shows it,
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log d) for H half-edges and vertices of degree d; for closed nets whose poles do
+ *     not show by their degrees some attempts of that.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_triangle_grid_create(const struct gusset_context *context,
+                                              const struct gusset_mesh_view *mesh,
+                                              struct gusset_net_grid **grid);
+
+/**
  * Destroys a grid; NULL is allowed.
  *
  * @param[in,out] grid the handle; NULL is allowed.
@@ -9791,6 +10245,36 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
                                        struct gusset_net_grid_view *parts);
 
 /**
+ * Makes the net at a time on the way from one net to another of the same rows, columns, type and
+ * gluing.
+ *
+ * Nodes that have equal bits in both nets, as glued ones have, have equal bits in it. It is glued as
+ * the first, and has its bridges; a node missing in one of them is missing between.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param first the net at 0.
+ * @param second the net at 1.
+ * @param t the time, from 0 for the bits of the first to 1 for those of the second.
+ * @param path one of GUSSET_MORPH_...
+ * @param[out] between receives the net, for gusset_net_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE (path),
+ *     OUT_OF_RANGE (t), SIDES_DIFFER (other rows or columns: see gusset_net_reformat_create),
+ *     MIXED_SCALARS, GLUINGS_DIFFER with the node, ORIENTATION_CONFLICT (one is reversed),
+ *     OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(nodes).
+ * @source Horn 1987, for the rotation.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_morph_create(const struct gusset_context *context,
+                                      const struct gusset_net *first,
+                                      const struct gusset_net *second,
+                                      double t,
+                                      gusset_morph_path path,
+                                      struct gusset_net **between);
+
+/**
  * Computes the unit normal of every node of a net.
  *
  * Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the
@@ -9823,6 +10307,34 @@ gusset_status gusset_net_normals(const struct gusset_context *context,
                                  void *z,
                                  size_t capacity,
                                  uint64_t *missing_count);
+
+/**
+ * Moves the nodes of a net as little as possible, in the sum of squares, so that all cells are
+ * plane: facing by plane tiles.
+ *
+ * Glued nodes stay one point. Cells of three corners and less, hidden ones and those with missing
+ * nodes do not count. The result is a local least: no plane net near it is nearer to the given
+ * one, but for the accuracy of the steps.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param options NULL for the defaults.
+ * @param[out] report receives what was done, its struct_size set; that the steps did not converge
+ *     is no error.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     OUT_OF_RANGE (tolerance), UNKNOWN_VALUE (keep_boundary, a byte of fixed), SIZE_OVERFLOW
+ *     (fixed_count is too small), OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
+ * @complexity For each step O(n^1.5) operations and O(n log n) memory for n cells.
+ * @threads One thread; the same bits always.
+ * @source Deryagin, "Closures"; Liu et al. 2006.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_planarise(const struct gusset_context *context,
+                                   struct gusset_net *net,
+                                   const struct gusset_planarise_options *options,
+                                   struct gusset_planarise_report *report);
 
 /**
  * Makes a net of a standard shape, centred at the origin, its axis along z.
@@ -10815,6 +11327,99 @@ gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *
                                                    struct gusset_places **places);
 
 /**
+ * The nearest points of a surface and a line, ray or segment.
+ *
+ * Of several pairs of points that are equally near it is always the same one. Where much of the
+ * surface is equally near, as a tube is to its axis, the search ends without a proof, and says so.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param line one, at any alignment.
+ * @param tolerance a length, to which the distance is proved, finite; 0: that of the surface.
+ * @param[out] distance struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     OUT_OF_RANGE for a line that is not finite, has no direction or ends before it begins, and
+ *     for the tolerance; OUT_OF_MEMORY, CANCELLED.
+ * @complexity About O(log cells), and at most 50,000 pairs of pieces.
+ * @source Ours; Leus, "Carcasses on smooth surfaces", task c, where there is no intersection.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_line_distance(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const struct gusset_line *line,
+                                           double tolerance,
+                                           struct gusset_surface_distance *distance);
+
+/**
+ * The point of a surface that is nearest to a plane; where they meet, a point of the section.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param point x, y, z of a point of the plane, up to 1e150, at any alignment.
+ * @param normal x, y, z across it, of any length but 0, at any alignment.
+ * @param tolerance a length, to which the distance is proved, finite; 0: that of the surface.
+ * @param[out] distance struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: those of gusset_surface_line_distance, OUT_OF_RANGE for what is
+ *     not finite, too large, or has no direction.
+ * @complexity As for gusset_surface_line_distance.
+ * @source Ours; Leus, "Carcasses on smooth surfaces", task d, where there is no section.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_plane_distance(const struct gusset_context *context,
+                                            const struct gusset_surface *surface,
+                                            const double *point,
+                                            const double *normal,
+                                            double tolerance,
+                                            struct gusset_surface_distance *distance);
+
+/**
+ * The nearest points of a surface and a curve in space.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param curve the curve, of coordinates up to 1e150; of any degrees.
+ * @param tolerance a length, to which the distance is proved, finite; 0: that of the surface.
+ * @param[out] distance struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: those of gusset_surface_line_distance, EMPTY_CURVE.
+ * @complexity As for gusset_surface_line_distance.
+ * @source Ours; Leus, "Carcasses on smooth surfaces", task c, where there is no intersection.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_curve_distance(const struct gusset_context *context,
+                                            const struct gusset_surface *surface,
+                                            const struct gusset_curve *curve,
+                                            double tolerance,
+                                            struct gusset_surface_distance *distance);
+
+/**
+ * The nearest points of two surfaces.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param other the other one; of both only what is needed is looked at.
+ * @param tolerance a length, to which the distance is proved, finite; 0: the greater one of both
+ *     surfaces.
+ * @param[out] distance struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: those of gusset_surface_line_distance.
+ * @complexity As for gusset_surface_line_distance.
+ * @source Ours; Leus, "Carcasses on smooth surfaces", task e, where there is no intersection.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_surface_distance(const struct gusset_context *context,
+                                              const struct gusset_surface *surface,
+                                              const struct gusset_surface *other,
+                                              double tolerance,
+                                              struct gusset_surface_distance *distance);
+
+/**
  * Points, derivatives, normals and curvatures at places.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -10961,6 +11566,116 @@ gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hit
  * @since 0.1
  */
 GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+
+/**
+ * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in
+ * common, across corners too.
+ *
+ * The sum of their diameters bounds the distance between points of from and of to.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
+ *     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
+ * @param count the words, at least as many as the cells need.
+ * @param from row and column of a cell of the region, two numbers, at any alignment.
+ * @param to the same of the other cell.
+ * @param[out] cells receives row and column of each cell of the chain, from and to included, two
+ *     numbers each; NULL with capacity 0 to ask for the size.
+ * @param capacity how many cells it has room for.
+ * @param[out] written receives the number of cells, the integer length; 0 if there is no chain.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
+ *     words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells).
+ * @source Leus, eq. (3).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
+                                      const struct gusset_sheet *sheet,
+                                      const uint64_t *words,
+                                      size_t count,
+                                      const uint32_t *from,
+                                      const uint32_t *to,
+                                      uint32_t *cells,
+                                      size_t capacity,
+                                      size_t *written);
+
+/**
+ * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
+ * Euler characteristic.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param words the region, as for gusset_sheet_mask_chain.
+ * @param count the region, as for gusset_sheet_mask_chain.
+ * @param[out] report struct_size set by the caller; all else is overwritten.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
+ * @source Leus, eqs. (4) to (6).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
+                                        const struct gusset_sheet *sheet,
+                                        const uint64_t *words,
+                                        size_t count,
+                                        struct gusset_mask_report *report);
+
+/**
+ * The cells of a mask, row after row: those that a search leaves.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param words the mask, as for gusset_sheet_mask_chain.
+ * @param count the mask, as for gusset_sheet_mask_chain.
+ * @param[out] cells receives row and column of each cell, two numbers each; NULL with capacity 0 to
+ *     ask for the size.
+ * @param capacity how many cells it has room for.
+ * @param[out] written receives the number of cells.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
+ *     words), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells / 64), and the cells of the mask.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_cells(const struct gusset_context *context,
+                                      const struct gusset_sheet *sheet,
+                                      const uint64_t *words,
+                                      size_t count,
+                                      uint32_t *cells,
+                                      size_t capacity,
+                                      size_t *written);
+
+/**
+ * The nodes of a mask, row after row: the corners of its cells, each once. Lines that close the
+ * sheet count as the first ones.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet the sheet.
+ * @param words the mask, as for gusset_sheet_mask_chain.
+ * @param count the mask, as for gusset_sheet_mask_chain.
+ * @param[out] nodes receives row and column of each node, two numbers each; NULL with capacity 0 to
+ *     ask for the size.
+ * @param capacity how many nodes it has room for.
+ * @param[out] written receives the number of nodes.
+ * @return GUSSET_OK, or an error: those of gusset_sheet_mask_cells.
+ * @complexity O(nodes).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_nodes(const struct gusset_context *context,
+                                      const struct gusset_sheet *sheet,
+                                      const uint64_t *words,
+                                      size_t count,
+                                      uint32_t *nodes,
+                                      size_t capacity,
+                                      size_t *written);
 
 /**
  * The nearest points of a surface to queries, one or many.
@@ -11138,64 +11853,6 @@ gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
                                            double *bound);
 
 /**
- * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in
- * common, across corners too.
- *
- * The sum of their diameters bounds the distance between points of from and of to.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param sheet the sheet.
- * @param words the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k %
- *     64 of word k / 64, k = i * columns + j, columns of cells; NULL with count 0 for all cells.
- * @param count the words, at least as many as the cells need.
- * @param from row and column of a cell of the region, two numbers, at any alignment.
- * @param to the same of the other cell.
- * @param[out] cells receives row and column of each cell of the chain, from and to included, two
- *     numbers each; NULL with capacity 0 to ask for the size.
- * @param capacity how many cells it has room for.
- * @param[out] written receives the number of cells, the integer length; 0 if there is no chain.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few
- *     words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells).
- * @source Leus, eq. (3).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
-                                      const struct gusset_sheet *sheet,
-                                      const uint64_t *words,
-                                      size_t count,
-                                      const uint32_t *from,
-                                      const uint32_t *to,
-                                      uint32_t *cells,
-                                      size_t capacity,
-                                      size_t *written);
-
-/**
- * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its
- * Euler characteristic.
- *
- * @param context threads, progress, cancellation and error report; NULL for the defaults.
- * @param sheet the sheet.
- * @param words the region, as for gusset_sheet_mask_chain.
- * @param count the region, as for gusset_sheet_mask_chain.
- * @param[out] report struct_size set by the caller; all else is overwritten.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(cells) for compact regions; for the worst O(cells^2), which can be cancelled.
- * @source Leus, eqs. (4) to (6).
- * @since 0.1
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
-                                        const struct gusset_sheet *sheet,
-                                        const uint64_t *words,
-                                        size_t count,
-                                        struct gusset_mask_report *report);
-
-/**
  * The paper's search with its logical scale, corrected: which cells of a sheet may have a point
  * within a distance of an object, or the nearest one, or a normal at an angle.
  *
@@ -11222,6 +11879,44 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_sheet_reference_mask(const struct gusset_context *context,
                                           const struct gusset_sheet *sheet,
+                                          const struct gusset_reference_task *task,
+                                          uint64_t *words,
+                                          size_t capacity,
+                                          size_t *written,
+                                          struct gusset_reference_report *report);
+
+/**
+ * The same search over a curve's own points, with the lengths of its arcs for diameters: which
+ * arcs may have a point within a distance of an object, or the nearest one, or a tangent at an
+ * angle.
+ *
+ * Each segment is divided into as many arcs of equal length in the parameter; the cells of the mask
+ * are the arcs in the order of the curve, its nodes their ends. No arc that has what is looked for
+ * is missing.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param curve the curve.
+ * @param parts arcs of each segment, at least 1; 2^30 of all at most.
+ * @param task what is looked for; angles are those of tangents, for which curvature and lines are
+ *     not read, and unsigned_normals counts tangents of either direction.
+ * @param[out] words receives a bit for each arc: that of arc k is bit k % 64 of word k / 64; NULL
+ *     with capacity 0 for the size and the report alone; all words are 0 on failure.
+ * @param capacity how many words it has room for.
+ * @param[out] written receives the number of words.
+ * @param[out] report what was done: columns are points of the curve, rows 0; its struct_size set by
+ *     the caller; may be NULL.
+ * @return GUSSET_OK, or an error: those of gusset_sheet_reference_mask; EMPTY_CURVE, OUT_OF_RANGE
+ *     (parts), TOO_LARGE.
+ * @complexity O(arcs degree^2) for the lengths; O(arcs / 64) and the nodes looked at for the
+ *     search.
+ * @source Leus, the last paragraph.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_reference_mask(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          size_t parts,
                                           const struct gusset_reference_task *task,
                                           uint64_t *words,
                                           size_t capacity,
@@ -11396,14 +12091,25 @@ gusset_status gusset_sheet_from_patches_create(const struct gusset_context *cont
  * cells are its spans that are not empty, so that knots become the whole numbers of rows and
  * columns.
  *
+ * If weights differ, spans are cut further, whole rows and columns at a time, and the patch of each
+ * cell is the polynomial of degree 7 with the values and the first derivatives of the rational
+ * surface at corners, and its values at points between. It is proven, not sampled, that the sheet
+ * is within the tolerance of the rational surface at equal parameters: gusset_sheet_get_report has
+ * the bound, rounding included, and the knots of rows and columns, between which parameters run
+ * evenly. Tangents go on over sides where those of the rational surface do. Sides that are one
+ * point, as the poles of spheres, stay so to the bit.
+ *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param spline its arrays are at any alignment.
  * @param[out] sheet receives the surface, for gusset_sheet_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with
- *     the first knot that is not finite, out of order or repeated too often, TOO_LARGE,
- *     SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED.
- * @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536.
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (degree; tolerance; a weight, with its control point as a node),
+ *     NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out
+ *     of order or repeated too often, or that begins a span too short to be cut where that is
+ *     needed, TOO_LARGE (control points, cells), SIZE_OVERFLOW, NOT_FINITE with the control point
+ *     (as a node), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(spans x degree^3); 384 bytes a span up to degree 3, else 1536. Of rational splines
+ *     O(cells x degree^2), threads; 1536 bytes a cell, three times that while it is made.
  * @since 0.1
  */
 GUSSET_API
@@ -11585,11 +12291,20 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * The curves in which two surfaces meet, with the places of their points on both: ordered along
  * N_A x N_B, closed ones marked so.
  *
- * Points and normals are those of a; the points of b at `others` are the same but for rounding.
- * Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of
- * a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves
- * may end there; they are joined across such a place where a chord is as near to both surfaces as
- * elsewhere. Intersections of one surface with itself are not looked for.
+ * Points and normals are those of a; the points of b at `others` are the same but for rounding,
+ * and at crossings to the tolerance. Every branch longer than the tolerance is found, relative to
+ * the surfaces as declared.
+ *
+ * A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
+ * be alone: near it both are graphs over a plane, and the second derivatives of their difference
+ * are a definite form (GUSSET_CONTACT_POINT) or an indefinite one (GUSSET_CONTACT_CROSSING), and
+ * the gap is within the tolerance; if it is larger, there is a loop, or nothing, or two branches
+ * that pass each other. A path that comes to a crossing turns there, as N_A x N_B points to it and
+ * away from it in turn, and goes back the way that closes it if there is one: a figure of eight is
+ * two closed paths that have one point in common. Cells of a where the surfaces touch in another
+ * way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
+ * unresolved, and curves may end there; they are joined across such a place where a chord is as
+ * near to both surfaces as elsewhere. Intersections of one surface with itself are not looked for.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.
