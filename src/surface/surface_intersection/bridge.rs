@@ -10,6 +10,7 @@ use super::contact::CriticalPoint;
 use super::links::{Chain, Links, NONE};
 use super::solve::{FoundArcs, UnresolvedBall};
 use crate::geom::kd_tree::{KdTree, Radius};
+use crate::sort;
 use crate::surface::prelude::*;
 use glam::DVec4;
 
@@ -213,7 +214,7 @@ impl<S: Surroundings> Bridges<'_, S> {
                 alloc::push(&mut bridges, (-straightness, end, start, is_point))?;
             }
         }
-        bridges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort::stable(&mut bridges, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (_, end, start, is_point) in bridges {
             let (from, to) = (ends[end as usize], ends[start as usize]);
             if links.are_free(from.arc, to.arc) && (is_point || self.surroundings.contain([from.point, to.point])) {

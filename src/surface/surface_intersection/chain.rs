@@ -7,6 +7,7 @@ use super::contact::{CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
 use super::solve::{Arc, FoundArcs};
 use crate::geom::kd_tree::{KdTree, Radius};
+use crate::sort;
 use crate::surface::prelude::*;
 
 /// Neighbours of a point that are compared: more of them can only be the same point again and
@@ -25,7 +26,7 @@ fn near_pairs(points: &[DVec3], within: f64) -> Result<Vec<(f64, u32, u32)>> {
     // Not along the axes, to which surfaces are often parallel.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
     let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
-    order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut pairs = Vec::new();
     // Keys are rounded.
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
@@ -99,7 +100,7 @@ pub(super) fn chains(
         }
     }
     // The nearest first.
-    joints.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     joints.iter().for_each(|&(_, end, start)| links.join(end, start));
     let chains = links.chains(&dropped)?;
     if pieces.balls.is_empty() {

@@ -192,7 +192,7 @@ impl Intersection<'_> {
         if !again.is_empty() {
             let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
             self.solve_all(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
-            pieces.arcs.sort_unstable_by_key(|arc| (arc.pair, arc.from));
+            sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
             sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         }
         Ok(pieces)
