@@ -233,7 +233,6 @@ static void deformed(void) {
 
 /* A sheet rolls up to a tube and the tube to a sphere, at the time t of the paper's Fig. 3. */
 static gusset_net *rolled_sheet(double t) {
-    const double pi = acos(-1.0);
     const gusset_field fields[2] = {
         {.struct_size = sizeof *fields, .kind = GUSSET_FIELD_AFFINE, .strength = 1.0,
          .values = {pi / 8, 0, 0, 0, 0, pi / 8, 0, -pi / 2, 0, 0, 1, 0}},
