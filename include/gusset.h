@@ -1117,7 +1117,7 @@
 
 /**
  * gusset_surface_distance: the distance is proved: bound is within the tolerance of it, or within
- * the rounding of coordinates. Not set: that would take too long, as it may where much of the
+ * 2^-45 of the greatest coordinate. Not set: that would take too long, as it may where much of the
  * surface is equally near; bound is right nevertheless.
  */
 #define GUSSET_DISTANCE_PROVEN 1
@@ -3654,7 +3654,7 @@ typedef struct gusset_strip_view {
      */
     const double *weights;
     /**
-     * Interior rows; the matrix has two rows more.
+     * Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no face.
      */
     uint32_t row_count;
     /**
@@ -9997,7 +9997,7 @@ gusset_status gusset_net_set_bridge(const struct gusset_context *context,
  *
  * Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
  * for the bilinear patches of the cells (divergence theorem). Where squares or cubes of coordinates
- * overflow, beyond about 1e100, results are infinite or NaN.
+ * overflow, beyond about 1e77, results are infinite or NaN.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
@@ -10189,7 +10189,10 @@ gusset_status gusset_net_grid_create(const struct gusset_context *context,
  *
  * Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
  * Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
- * taken always the same way; a torus whose diagonals run without any rule may be refused.
+ * taken, always the same for the same mesh; of a torus that may be one that closes with a shift, so
+ * that rows and columns are others than it was made from. Tubes and tori whose diagonals run without
+ * any rule may be refused, and so are fans of fewer than six triangles at the pole of an open sheet;
+ * at least one row of quads is needed.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh triangles; see gusset_mesh_view.
@@ -10248,8 +10251,8 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
  * Makes the net at a time on the way from one net to another of the same rows, columns, type and
  * gluing.
  *
- * Nodes that have equal bits in both nets, as glued ones have, have equal bits in it. It is glued as
- * the first, and has its bridges; a node missing in one of them is missing between.
+ * Two nodes that have the same bits as each other in both nets, as glued ones have, have the same
+ * bits as each other in it. It is glued as the first, and has its bridges; a node missing in one of them is missing between.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param first the net at 0.
@@ -12303,8 +12306,8 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * away from it in turn, and goes back the way that closes it if there is one: a figure of eight is
  * two closed paths that have one point in common. Cells of a where the surfaces touch in another
  * way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
- * unresolved, and curves may end there; they are joined across such a place where a chord is as
- * near to both surfaces as elsewhere. Intersections of one surface with itself are not looked for.
+ * unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
+ * across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one surface with itself are not looked for.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.

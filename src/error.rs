@@ -233,8 +233,8 @@ pub enum Error {
     /// Two loops of one mesh are to be stitched, and it has no two.
     #[error("the mesh has {count} boundary loop{} that can be stitched; two without a common vertex are needed", if *.count == 1 { "" } else { "s" })]
     NoPairOfLoops { count: u32 },
-    /// A loop of fewer than three vertices.
-    #[error("loop {side} has {count} vertices; it needs three")]
+    /// A loop of fewer than three vertices, or a polyline without points.
+    #[error("loop {side} has {count} vertices; {}", if *.count == 0 { "it needs some" } else { "it needs three" })]
     LoopTooShort { side: Side, count: u32 },
     /// A loop passes a vertex twice.
     #[error("loop {side} passes vertex {vertex} twice")]
@@ -303,7 +303,7 @@ pub enum Error {
     NoSuch { element: Element, index: u64 },
     /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse
     /// to equalise them.
-    #[error("the sides to be joined have {a} and {b} nodes")]
+    #[error("the sides have {a} and {b} nodes")]
     SidesDiffer {
         /// Nodes of the first net's side.
         a: u32,

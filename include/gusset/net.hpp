@@ -193,7 +193,7 @@ public:
         context.call(gusset_net_clear_no_data, get(), value);
     }
 
-    /// The sides, if they describe the whole gluing.
+    /// The sides, if they describe all links; seams glue besides.
     std::optional<Sides> sides() const {
         gusset_sides sides = 0;
         detail::check(gusset_net_get_topology(get(), &sides, nullptr, nullptr));

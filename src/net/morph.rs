@@ -5,6 +5,7 @@
 
 use super::{Classes, Net, Real, each};
 use crate::error::{Error, Result};
+use crate::geom::scale::common_unit;
 use crate::job::Job;
 use glam::{DMat3, DQuat, DVec3};
 
@@ -72,6 +73,9 @@ fn check(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
 /// The means of two nets, and the rotations of the first and of the second at a time.
 struct Way {
     t: f64,
+    /// A power of two in which products of coordinates are in range.
+    unit: f64,
+    /// In the unit.
     means: [DVec3; 2],
     /// R^t and R^(t - 1); `None` on straight ways.
     rotations: Option<[DMat3; 2]>,
@@ -80,10 +84,14 @@ struct Way {
 impl Way {
     fn new(a: &Net<'_>, b: &Net<'_>, t: f64, path: MorphPath, job: &Job<'_>) -> Result<Self> {
         if path == MorphPath::Linear {
-            return Ok(Way { t, means: [DVec3::ZERO; 2], rotations: None });
+            return Ok(Way { t, unit: 1.0, means: [DVec3::ZERO; 2], rotations: None });
         }
         let (nodes, job) = (a.shape().node_count() as u32, *job);
-        let pairs = || (0..nodes).map(|n| [a.position(n), b.position(n)]).filter(|p| (p[0] + p[1]).is_finite());
+        let exist = |pair: &[DVec3; 2]| pair.iter().all(|p| p.is_finite());
+        let given = || (0..nodes).map(|n| [a.position(n), b.position(n)]).filter(exist);
+        let largest = given().flatten().fold(DVec3::ZERO, |most, p| most.max(p.abs()));
+        let unit = common_unit([&largest]);
+        let pairs = || given().map(|pair| pair.map(|p| p / unit));
         let (mut sums, mut count) = ([DVec3::ZERO; 2], 0.0);
         pairs().for_each(|[p, q]| (sums, count) = ([sums[0] + p, sums[1] + q], count + 1.0));
         job.step(0.5, "morph")?;
@@ -95,7 +103,7 @@ impl Way {
         });
         let (axis, angle) = best_rotation(covariance).to_axis_angle();
         let part = |t: f64| DMat3::from_axis_angle(axis, t * angle);
-        Ok(Way { t, means, rotations: Some([part(t), part(t - 1.0)]) })
+        Ok(Way { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
     }
 
     /// Moves the nodes of a row of the first net.
@@ -108,7 +116,8 @@ impl Way {
                 None => (1.0 - t) * from + t * to,
                 Some([first, second]) => {
                     let mean = (1.0 - t) * self.means[0] + t * self.means[1];
-                    mean + (1.0 - t) * (first * (from - self.means[0])) + t * (second * (to - self.means[1]))
+                    let [from, to] = [from / self.unit - self.means[0], to / self.unit - self.means[1]];
+                    (mean + (1.0 - t) * (first * from) + t * (second * to)) * self.unit
                 }
             };
             (*x, *y, *z) = (T::of(at.x), T::of(at.y), T::of(at.z));

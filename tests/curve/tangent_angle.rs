@@ -127,7 +127,7 @@ fn every_change_of_sign_is_found() {
         let mut point = || DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0));
         let flat = if case % 3 == 0 { DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0)) } else { DMat3::IDENTITY };
         let controls: Vec<DVec3> = (0..=2 * degree).map(|_| flat * point()).collect();
-        let (direction, angle) = (flat * point(), [0.3, 1.2, 2.0, FRAC_PI_2, 1.57, 2.9][case % 6]);
+        let (direction, angle) = (flat * point(), [0.3, 1.2, 2.0, FRAC_PI_2, 1.57, 2.9, 1.5679, 0.83][case % 8]);
         let made = curve(&controls, &[0, degree as u32, 2 * degree as u32], false);
         let found = at(&made, direction, angle);
         let unit = direction.normalize();
@@ -139,6 +139,9 @@ fn every_change_of_sign_is_found() {
             assert!(off(place).abs() < 1e-6, "{case}: {place:?} {}", off(place));
         }
         found_all += found.places.len();
+        // Each once, in order.
+        let along = |place: &Place| f64::from(place.segment) + place.t;
+        assert!(found.places.windows(2).all(|pair| along(&pair[0]) + 1e-9 < along(&pair[1])), "{case}: {found:?}");
         for segment in 0..2 {
             const N: usize = 1500;
             let at = |k: usize| Place { segment, t: k as f64 / N as f64 };

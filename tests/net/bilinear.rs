@@ -132,3 +132,57 @@ fn scans_are_larger_than_their_diagonals_say() {
         assert!(found.area > diagonals && found.area < 1.1 * diagonals && found.error < 1e-10 * found.area, "{file}");
     }
 }
+
+/// Plane cells, folded over themselves as they please: the integral of |A + B u + C v| has the second
+/// antiderivative |x|^3 / (6 B C), which is exact for whole numbers.
+#[test]
+fn folded_plane_cells_have_the_area_of_their_formula() {
+    let mut random = Random(91);
+    let mut folded = 0;
+    for case in 0..6000 {
+        let mut corner = || [0; 2].map(|_| (random.next() * 4.5).floor() as i64);
+        let [a, b, c, d] = [corner(), corner(), corner(), corner()];
+        let minus = |p: [i64; 2], q: [i64; 2]| [p[0] - q[0], p[1] - q[1]];
+        let cross = |p: [i64; 2], q: [i64; 2]| p[0] * q[1] - p[1] * q[0];
+        let (p, q) = (minus(b, a), minus(d, a));
+        let e = minus(minus(c, d), p);
+        let (n0, n1, n2) = (cross(p, q), cross(p, e), cross(e, q));
+        if n1 * n2 == 0 {
+            continue;
+        }
+        let cube = |x: i64| x.abs().pow(3);
+        let whole = cube(n0 + n1 + n2) - cube(n0 + n1) - cube(n0 + n2) + cube(n0);
+        let expected = whole as f64 / (6 * n1 * n2) as f64;
+        let signs = [n0, n0 + n1, n0 + n2, n0 + n1 + n2].map(i64::signum);
+        folded += i32::from(signs.contains(&1) && signs.contains(&-1));
+        let corners = [a, b, c, d].map(|[x, y]| DVec3::new(x as f64, y as f64, 0.0));
+        for unit in [1.0, 1e-140, 1e-40, 1e40, 1e140] {
+            let found = bilinear_area(&cell(corners.map(|p| p * unit)), &Job::default()).unwrap();
+            let [area, error] = [found.area, found.error].map(|x| x / unit / unit);
+            assert!((area - expected).abs() <= error + 1e-13, "{case} {unit}: {area} {expected} {error}");
+            assert!(error <= 1e-11, "{case} {unit}: {error}");
+        }
+    }
+    assert!(folded > 1000, "{folded}");
+}
+
+/// Cells that are nearly plane, and folded: turned by a quarter, and cut in four, they are as large.
+#[test]
+fn folded_cells_are_as_large_however_they_are_cut() {
+    let mut random = Random(92);
+    for case in 0..2000 {
+        let height = [1e-12, 1e-9, 1e-6, 1e-3][case % 4];
+        let corners = [(); 4].map(|()| random.vector() * DVec3::new(1.0, 1.0, height));
+        let [a, b, c, d] = corners;
+        let area = |corners| bilinear_area(&cell(corners), &Job::default()).unwrap();
+        let (whole, turned) = (area(corners), area([b, c, d, a]));
+        let (ab, bc, cd, da, middle) =
+            (a.midpoint(b), b.midpoint(c), c.midpoint(d), d.midpoint(a), (a + b + c + d) / 4.0);
+        let parts = [[a, ab, middle, da], [ab, b, bc, middle], [middle, bc, c, cd], [da, middle, cd, d]].map(area);
+        let sum: f64 = parts.iter().map(|part| part.area).sum();
+        let bound = 4.0 * (whole.error + turned.error) + parts.iter().map(|part| part.error).sum::<f64>();
+        assert!(bound < 1e-11, "{case}: {bound}");
+        assert!((whole.area - turned.area).abs() <= bound, "{case}: {} {}", whole.area, turned.area);
+        assert!((whole.area - sum).abs() <= bound, "{case}: {} {sum}", whole.area);
+    }
+}

@@ -64,6 +64,14 @@ fn what_moves_rigidly_keeps_its_shape() {
             }
         }
     }
+    // In any unit.
+    let (a, turn) = (sheet(6, 8, Scalar::F64), |part: f64| DMat3::from_rotation_z(2.0 * part));
+    for unit in [1e-300, 1e-160, 1e155, 1e306] {
+        let [first, second] = [0.0, 1.0].map(|part| moved(&a, |p| turn(part) * p * unit));
+        let (made, mean) = (between(&first, &second, 0.5, MorphPath::Rigid), mean(&a));
+        let expected = turn(0.5) * (a.get(2, 3) - mean) + 0.5 * (mean + turn(1.0) * mean);
+        assert!((made.get(2, 3) / unit).distance(expected) < 1e-9, "{unit}");
+    }
     // A net and its mirror image: the best rotation is none of the reflections.
     let a = moved(&sheet(6, 8, Scalar::F64), |p| p + 0.5 * random.vector());
     let mirrored = moved(&a, |p| DVec3::new(-p.x, p.y, p.z));

@@ -216,3 +216,41 @@ fn real_grids_become_plane() {
         assert!(report.deviation_before > 1e-8 * report.size && report.max_displacement < 0.1 * report.size, "{file}");
     }
 }
+
+#[test]
+fn whatever_stops_it_the_net_stays_and_any_unit_will_do() {
+    struct StopAt(std::cell::Cell<u32>);
+    impl gusset::job::Progress for StopAt {
+        fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
+            let left = self.0.get();
+            self.0.set(left.wrapping_sub(1));
+            if left == 0 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
+        }
+    }
+    let before = bumpy(5, 6, 0.3, 4);
+    let mut done = false;
+    for stop in 0..2000 {
+        let mut net = before.copied().unwrap();
+        let at = StopAt(std::cell::Cell::new(stop));
+        match planarise(&mut net, &PlanariseOptions::default(), &Job::new(1, &at)) {
+            Ok(report) => {
+                assert!(report.converged);
+                done = true;
+                break;
+            }
+            Err(error) => assert_eq!((error, squares(&net, &before)), (gusset::Error::Cancelled, 0.0), "{stop}"),
+        }
+    }
+    assert!(done);
+    for unit in [1e-250, 1e-150, 1e-90, 1e78, 1e150, 1e250] {
+        let mut net = before.copied().unwrap();
+        for node in 0..30 {
+            let at = before.get(node / 6, node % 6) * unit;
+            net.coordinates_mut().set(node / 6, node % 6, at);
+        }
+        let report = made_plane(&mut net, &PlanariseOptions::default());
+        assert!(report.converged && report.iterations > 0, "{unit}: {report:?}");
+        assert!(report.deviation_before > 1e-3 * report.size && report.size.is_finite(), "{unit}: {report:?}");
+        assert!(report.deviation_after <= 1e-10 * report.size, "{unit}: {report:?}");
+    }
+}

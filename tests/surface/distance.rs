@@ -368,3 +368,26 @@ fn cancelling_is_heard() {
     let found = ring(0.4).distance_to_surface(&ring(0.2), None, &Job::new(1, &Stop));
     assert_eq!(found.unwrap_err(), gusset::Error::Cancelled);
 }
+
+/// A surface of no extent, and tolerances beyond all sizes: there is an answer, and soon.
+#[test]
+fn points_and_wide_tolerances_have_answers() {
+    let square = [DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::X + DVec3::Y];
+    for (origin, size) in [(DVec3::ZERO, 0.0), (DVec3::splat(1e4), 0.0), (DVec3::ZERO, 1.0)] {
+        let points = square.map(|p| origin + size * p);
+        let flat = surface(vec![Sheet::Cubic(Patches::new(&points, [1, 1], 1, 1).unwrap())]);
+        let ends = [DVec3::new(0.25, 0.5, 5.0), DVec3::new(0.75, 0.5, 6.0)];
+        let curve = CurveView::new(&ends, &[0, 1], false).unwrap();
+        for tolerance in [None, Some(1e-3), Some(1.0), Some(1e4), Some(1e300)] {
+            let found = flat.distance_to_curve(&curve, tolerance, &Job::default()).unwrap();
+            let least = if size > 0.0 { 5.0 } else { ends[0].distance(origin).min(ends[1].distance(origin)) };
+            let allowed = tolerance.unwrap_or(1e-6).max(1e-6);
+            assert!(
+                found.bound <= least + 1e-9 && found.distance - least <= allowed,
+                "{size} {tolerance:?}: {found:?}"
+            );
+            let own = flat.distance_to_surface(&flat, tolerance, &Job::default()).unwrap();
+            assert!(own.distance <= allowed, "{size} {tolerance:?}: {own:?}");
+        }
+    }
+}

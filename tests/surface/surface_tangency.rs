@@ -15,20 +15,21 @@ fn only(paths: &Paths) -> Contact {
     paths.contacts[0]
 }
 
+/// The Bernstein coefficient n of (2 t - 1)^k, of degree 4: the mean of the products of k of the
+/// arguments of its blossom.
+fn power(k: usize, n: usize) -> f64 {
+    let ends: Vec<f64> = (0..4).map(|i| if i < n { 1.0 } else { -1.0 }).collect();
+    let (mut sum, mut count) = (0.0, 0.0);
+    for mask in (0u32..16).filter(|mask| mask.count_ones() as usize == k) {
+        sum += (0..4).filter(|i| mask >> i & 1 == 1).map(|i| ends[i]).product::<f64>();
+        count += 1.0;
+    }
+    sum / count
+}
+
 /// The patch z = f(x, y) over [-1, 1]^2, moved: f by its coefficients of x^2, xy, y^2, x^3, y^4 and
 /// 1.
 fn height([xx, xy, yy, xxx, yyyy, constant]: [f64; 6], motion: impl Fn(DVec3) -> DVec3) -> Surface<'static> {
-    // The Bernstein coefficient n of (2 t - 1)^k, of degree 4: the mean of the products of k of the
-    // arguments of its blossom.
-    let power = |k: usize, n: usize| -> f64 {
-        let ends: Vec<f64> = (0..4).map(|i| if i < n { 1.0 } else { -1.0 }).collect();
-        let (mut sum, mut count) = (0.0, 0.0);
-        for mask in (0u32..16).filter(|mask| mask.count_ones() as usize == k) {
-            sum += (0..4).filter(|i| mask >> i & 1 == 1).map(|i| ends[i]).product::<f64>();
-            count += 1.0;
-        }
-        sum / count
-    };
     let points: Vec<DVec3> = (0..25)
         .map(|k| {
             let (a, b) = (k / 5, k % 5);
@@ -226,4 +227,22 @@ fn a_wider_tolerance_touches_more() {
         // The second ball's normals at that side look the other way.
         assert!((contact.gap + gap).abs() < 1e-9, "{}", contact.gap);
     }
+}
+
+/// The saddle of three valleys against its plane, one cell each: three lines through a contact that
+/// no second form decides. What is left unresolved is there, and the lines are found elsewhere.
+#[test]
+fn branches_beside_a_contact_of_higher_order_are_found() {
+    let points: Vec<DVec3> = (0..25)
+        .map(|k| {
+            let (a, b) = (k / 5, k % 5);
+            DVec3::new(power(1, a), power(1, b), power(3, a) - 3.0 * power(1, a) * power(2, b))
+        })
+        .collect();
+    let saddle = one(Sheet::High(Patches::new(&points, [4, 4], 1, 1).unwrap()));
+    let plane = height([0.0; 6], |p| DVec3::new(1.25 * p.x - 0.05, 1.2 * p.y + 0.05, 0.0));
+    let paths = meet(&saddle, &plane);
+    let expected = 2.0 + 4.0 * (4.0f64 / 3.0).sqrt();
+    let found = length(&paths);
+    assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected} {}", summary(&paths));
 }

@@ -66,7 +66,7 @@ versioned! {
 ///
 /// Cells that touch a missing node or belong to a hidden bridge are not there. Volumes are exact
 /// for the bilinear patches of the cells (divergence theorem). Where squares or cubes of coordinates
-/// overflow, beyond about 1e100, results are infinite or NaN.
+/// overflow, beyond about 1e77, results are infinite or NaN.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.

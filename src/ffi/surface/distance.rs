@@ -7,7 +7,7 @@ use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::surface::Approach;
 
 /// gusset_surface_distance: the distance is proved: bound is within the tolerance of it, or within
-/// the rounding of coordinates. Not set: that would take too long, as it may where much of the
+/// 2^-45 of the greatest coordinate. Not set: that would take too long, as it may where much of the
 /// surface is equally near; bound is right nevertheless.
 pub const GUSSET_DISTANCE_PROVEN: u32 = 1;
 /// gusset_surface_distance: the two meet at the points, but for rounding, and the distance is 0.

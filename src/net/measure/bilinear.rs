@@ -11,9 +11,12 @@
 //! |N1| + |N2| being small against its length in the middle, the nearest singularity of the
 //! integrand is far from the square, and Gauss's rule of a few nodes is exact but for rounding.
 //! Elsewhere the integral over u, the mean distance of a segment from the origin, is elementary, and
-//! that over v is divided until halves agree with the whole. O(nodes).
+//! that over v is divided where the normal is least at u = 0 and at u = 1, which is where the
+//! integral of a plane cell that is folded has kinks, and then until halves agree with the whole.
+//! O(nodes).
 
 use crate::error::Result;
+use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::net::chunks::lines_per_block;
 use crate::net::hidden_cells::HiddenCells;
@@ -86,8 +89,17 @@ impl BilinearArea {
 
 fn patch([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     let (p, q, e) = (b - a, d - a, (a - b) + (c - d));
+    // In a unit in which the eighth powers of lengths are in range.
+    let unit = common_unit([&p, &q, &e]);
+    let [p, q, e] = [p, q, e].map(|side| side / unit);
+    let found = in_unit(p, q, e, (c - b) / unit);
+    BilinearArea { area: found.area * unit * unit, error: found.error * unit * unit }
+}
+
+/// Of a patch by its sides from the first corner, its twist, and the third corner from the second.
+fn in_unit(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     let (n0, n1, n2) = (p.cross(q), p.cross(e), e.cross(q));
-    let middle = (c - a).cross(d - b).length() / 2.0;
+    let middle = (p + other).cross(q - p).length() / 2.0;
     let change = n1.length() + n2.length();
     let area = if change <= MAX_RATIO_3 * middle {
         tensor(&GAUSS_3, n0, n1, n2)
@@ -96,7 +108,12 @@ fn patch([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     } else {
         let section = |v: f64| mean_distance(n0 + v * n2, n1);
         let scale = middle + change;
-        return adaptive(&section, 4.0 * f64::EPSILON * scale).add(BilinearArea { area: 0.0, error: ROUNDING * scale });
+        let least = |start: DVec3| (-start.dot(n2) / n2.length_squared()).clamp(0.0, 1.0);
+        let kinks = [least(n0), least(n0 + n1)].map(|v| if v.is_nan() { 0.0 } else { v });
+        let cuts = [0.0, kinks[0].min(kinks[1]), kinks[0].max(kinks[1]), 1.0];
+        let parts = cuts.windows(2).filter(|cut| cut[0] < cut[1]);
+        let parts = parts.map(|cut| adaptive(&section, [cut[0], cut[1]], 4.0 * f64::EPSILON * scale));
+        return parts.fold(BilinearArea { area: 0.0, error: ROUNDING * scale }, BilinearArea::add);
     };
     BilinearArea { area, error: ROUNDING * area }
 }
@@ -125,22 +142,24 @@ fn mean_distance(p: DVec3, q: DVec3) -> f64 {
     (integral(s + length) - integral(s)) / length
 }
 
-/// The integral over [0, 1], halving intervals until halves and wholes differ by less than the
-/// tolerance.
-fn adaptive(f: &dyn Fn(f64) -> f64, tolerance: f64) -> BilinearArea {
+/// The integral over an interval, halving until halves and wholes differ by less than the tolerance
+/// twice: once may be chance.
+fn adaptive(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> BilinearArea {
     let gauss =
         |from: f64, width: f64| width * GAUSS_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>();
     let mut found = BilinearArea::default();
-    // Intervals: from, width, the integral, the depth; the leftmost on top.
-    let mut open = vec![(0.0, 1.0, gauss(0.0, 1.0), 0)];
-    while let Some((from, width, whole, depth)) = open.pop() {
+    // Intervals: from, width, the integral, the depth, and if the one that it is half of agreed; the
+    // leftmost on top.
+    let mut open = vec![(start, end - start, gauss(start, end - start), 0, false)];
+    while let Some((from, width, whole, depth, agreed)) = open.pop() {
         let half = width / 2.0;
         let [left, right] = [from, from + half].map(|from| gauss(from, half));
         let difference = (left + right - whole).abs();
-        if difference <= tolerance || depth == MAX_DEPTH || difference.is_nan() {
+        let agrees = difference <= tolerance;
+        if (agrees && agreed) || depth == MAX_DEPTH || difference.is_nan() {
             found = found.add(BilinearArea { area: left + right, error: difference });
         } else {
-            open.extend([(from + half, half, right, depth + 1), (from, half, left, depth + 1)]);
+            open.extend([(from + half, half, right, depth + 1, agrees), (from, half, left, depth + 1, agrees)]);
         }
     }
     found

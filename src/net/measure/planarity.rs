@@ -3,6 +3,7 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::net::hidden_cells::HiddenCells;
 use crate::net::{Net, chunks, each};
@@ -51,12 +52,15 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
 /// The distance of the corners from their mean plane over the longer diagonal.
 fn relative_distance([a, b, c, d]: [DVec3; 4]) -> f64 {
     let (p, q) = (c - a, d - b);
+    // Products of any lengths stay in range.
+    let unit = common_unit([&p, &q]);
+    let (p, q) = (p / unit, q / unit);
     let diagonal = p.length().max(q.length());
     if !diagonal.is_finite() {
         return f64::NAN;
     }
     // Zero area has no mean plane: the corners are in a line, or twisted by a right angle.
     let normal = p.cross(q).normalize_or_zero();
-    let distance = ((a - b) + (c - d)).dot(normal).abs() / 4.0;
+    let distance = (((a - b) + (c - d)) / unit).dot(normal).abs() / 4.0;
     if diagonal > 0.0 { distance / diagonal } else { 0.0 }
 }

@@ -78,11 +78,12 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     let constraints = Constraints::new(net, &surface, &job.part(0.05, 0.1))?;
     let (deviation_before, worst_cell) = constraints.deviation(&surface.positions);
     let tolerance = relative * surface.size;
+    let unit = surface.unit;
     let mut report = Planarised {
-        size: surface.size,
-        tolerance,
-        deviation_before,
-        deviation_after: deviation_before,
+        size: surface.size * unit,
+        tolerance: tolerance * unit,
+        deviation_before: deviation_before * unit,
+        deviation_after: deviation_before * unit,
         worst_cell,
         max_displacement: 0.0,
         rms_displacement: 0.0,
@@ -95,20 +96,23 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     // Rounding to the net's type needs some room below the tolerance.
     let mut search = Search::new(&constraints, &surface.positions, 0.1 * tolerance, max, &job.part(0.1, 0.98));
-    let moved = search.run()?;
+    let mut stored = search.run()?;
     report.iterations = search.done;
-    surface.write(net, &moved);
-    let stored = surface.positions_of(net, &job.part(0.98, 1.0))?;
-    (report.deviation_after, report.worst_cell) = constraints.deviation(&stored);
-    report.converged = report.deviation_after <= tolerance;
+    surface.round(&mut stored, net.coordinates().scalar());
+    let (deviation_after, worst_cell) = constraints.deviation(&stored);
+    (report.deviation_after, report.worst_cell) = (deviation_after * unit, worst_cell);
+    report.converged = deviation_after <= tolerance;
+    job.step(1.0, "planarise")?;
+    // Nothing can fail any more.
+    surface.write(net, &stored);
     let (mut squares, mut count) = (0.0, 0);
     for v in constraints.vertices() {
         let displacement = stored[v].distance(surface.positions[v]);
-        report.max_displacement = report.max_displacement.max(displacement);
+        report.max_displacement = report.max_displacement.max(displacement * unit);
         squares += displacement * displacement;
         count += 1;
     }
-    report.rms_displacement = (squares / f64::from(count)).sqrt();
+    report.rms_displacement = (squares / f64::from(count)).sqrt() * unit;
     Ok(report)
 }
 

@@ -3,7 +3,9 @@
 use super::options::PlanariseOptions;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::scale::common_unit;
 use crate::job::Job;
+use crate::mesh::Scalar;
 use crate::net::complex::Complex;
 use crate::net::{Classes, Net};
 use glam::DVec3;
@@ -14,13 +16,15 @@ const REPORT_INTERVAL: usize = 1 << 16;
 /// Of each class of nodes what its representative has; entries of other nodes are not read.
 pub(super) struct Surface {
     pub(super) classes: Classes,
-    /// The position, from the origin on, of the first node of the class that exists.
+    /// The position, in the unit and from the origin on, of the first node of the class that exists.
     pub(super) positions: Vec<DVec3>,
     /// True of vertices that stay.
     pub(super) fixed: Vec<bool>,
-    /// The diagonal of the box of all existing nodes.
+    /// The diagonal of the box of all existing nodes, in the unit.
     pub(super) size: f64,
-    /// The middle of the box: distant nets would lose digits.
+    /// A power of two: products of coordinates neither overflow nor vanish.
+    pub(super) unit: f64,
+    /// In the unit, the middle of the box: distant nets would lose digits.
     origin: DVec3,
 }
 
@@ -42,9 +46,15 @@ impl Surface {
             let boundary = Complex::of(net, &job.part(0.3, 0.8))?.boundary;
             boundary.nodes().iter().for_each(|&node| fixed[classes.representative(node) as usize] = true);
         }
-        let (origin, size) =
-            if low.x <= high.x { (low.midpoint(high), low.distance(high)) } else { Default::default() };
-        let mut surface = Surface { classes, positions: Vec::new(), fixed, size, origin };
+        let (mut unit, mut origin, mut size) = (1.0, DVec3::ZERO, 0.0);
+        if low.x <= high.x {
+            // Of the size, not of the distance from 0, which may be far larger.
+            let coarse = common_unit([&low, &high]);
+            let extent = high / coarse - low / coarse;
+            unit = (coarse * common_unit([&extent])).max(f64::MIN_POSITIVE);
+            (origin, size) = ((low / unit).midpoint(high / unit), (low / unit).distance(high / unit));
+        }
+        let mut surface = Surface { classes, positions: Vec::new(), fixed, size, unit, origin };
         surface.positions = surface.positions_of(net, &job.part(0.8, 1.0))?;
         Ok(surface)
     }
@@ -57,10 +67,23 @@ impl Surface {
             job.step_every(REPORT_INTERVAL, node as usize, count, "planarise")?;
             let (class, position) = (self.classes.representative(node) as usize, net.position(node));
             if positions[class].is_nan() && position.is_finite() {
-                positions[class] = position - self.origin;
+                positions[class] = position / self.unit - self.origin;
             }
         }
         Ok(positions)
+    }
+
+    /// Rounds the new positions of vertices that move to what a net of the type will hold.
+    pub(super) fn round(&self, moved: &mut [DVec3], scalar: Scalar) {
+        for (moved, &before) in moved.iter_mut().zip(&self.positions) {
+            if moved.is_finite() && *moved != before {
+                let mut there = (*moved + self.origin) * self.unit;
+                if scalar == Scalar::F32 {
+                    there = there.as_vec3().as_dvec3();
+                }
+                *moved = there / self.unit - self.origin;
+            }
+        }
     }
 
     /// Gives all existing nodes of the vertices that moved their new positions.
@@ -69,7 +92,7 @@ impl Surface {
             let class = self.classes.representative(node) as usize;
             if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {
                 let (i, j) = net.shape().place(node);
-                net.coordinates_mut().set(i, j, moved[class] + self.origin);
+                net.coordinates_mut().set(i, j, (moved[class] + self.origin) * self.unit);
             }
         }
     }

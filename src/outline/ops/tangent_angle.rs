@@ -37,6 +37,9 @@ const CUSP_ANGLE: f64 = 1e-6;
 const MIN_SPEED: f64 = 1e-7;
 /// Parameters at a joint that are as near to it are there.
 const SAME_PARAMETER: f64 = 1e-6;
+/// Parameters of a segment that are as near to each other are one root: those of the squared
+/// equation that lead to one of the other, and double roots in two halves.
+const SAME_ROOT: f64 = 1e-8;
 /// Steps of Newton's method for the equation that is not squared.
 const MAX_STEPS: usize = 8;
 
@@ -239,13 +242,21 @@ fn is_same(a: Place, b: Place) -> bool {
 }
 
 impl TangentAngles {
-    /// Adds a place, but for a joint that is there already.
+    /// Adds a place, but for a joint or a root that is there already.
     fn add(&mut self, place: Place) -> Result<()> {
-        let is_near = |other: &Place| is_same(*other, place) && place.segment != other.segment;
-        if self.places.last().is_some_and(is_near) {
+        let mut own = self.places.len();
+        while own > 0 && self.places[own - 1].segment == place.segment {
+            own -= 1;
+        }
+        let is_known = |other: &Place| (other.t - place.t).abs() <= SAME_ROOT;
+        let is_joint = own.checked_sub(1).is_some_and(|before| is_same(self.places[before], place));
+        if is_joint || self.places[own..].iter().any(is_known) {
             return Ok(());
         }
-        alloc::push(&mut self.places, place)
+        let at = own + self.places[own..].partition_point(|other| other.t < place.t);
+        alloc::reserve(&mut self.places, 1)?;
+        self.places.insert(at, place);
+        Ok(())
     }
 
     /// Removes the end of a closed curve if its start is there, and places at the ends of intervals.

@@ -179,6 +179,10 @@ impl<'a> DistanceSearch<'a> {
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
         }
+        let has_net = [self.a.net(pair.a).is_some(), self.b.net(pair.b).is_some()];
+        if has_net.contains(&false) {
+            return (!has_net[0], 0);
+        }
         let (of_a, of_b) = (self.a.length(pair.a), self.b.length(pair.b));
         if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) }
     }

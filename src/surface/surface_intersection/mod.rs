@@ -55,7 +55,7 @@ const FIRST_MAX_BOXES: usize = 256;
 /// [`FIRST_MAX_BOXES`] again at least.
 const SECOND_TOTAL_BOXES: usize = 1 << 22;
 /// The most for one of them.
-const SECOND_MAX_BOXES: usize = 1 << 16;
+const SECOND_MAX_BOXES: usize = 1 << 17;
 
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

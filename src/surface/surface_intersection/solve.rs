@@ -196,8 +196,11 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         if self.examined > self.task.max_boxes {
             return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
         }
+        // Where half of the boxes did not resolve a contact, others will not: the rest goes to the
+        // branches elsewhere, and contacts are left as they are at the tolerance.
+        let is_fine = self.examined <= self.task.max_boxes / 2;
         let frame = equation.frame(part.middle());
-        match part.prove(&frame, rounding_error, tolerance) {
+        match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
             BoxTest::Empty => return Ok(BoxTest::Empty),
             BoxTest::Unique(chart) => {
                 let followed = self.task.neighbours.map(|[_, above]| above);
@@ -223,8 +226,11 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         {
             return Ok(BoxTest::Empty);
         }
-        let unresolved = extents[longest] <= 0.25 * tolerance
-            || part.is_within(&frame, (CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance);
+        let thin = || match is_fine {
+            true => part.is_within(&frame, (CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance),
+            false => part.is_within(&frame, tolerance, -tolerance),
+        };
+        let unresolved = extents[longest] <= 0.25 * tolerance || thin();
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(longest) })
     }
 
