@@ -5,6 +5,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::triangle::double_area;
 use crate::job::Job;
+use crate::sort;
 use crate::sort::Buckets;
 use glam::DVec3;
 
@@ -79,7 +80,7 @@ impl Rings {
             job.step_every(REPORT_INTERVAL, v, self.start.len(), "fairing")?;
             let to = self.start[v] as usize;
             // By weight too, so that the sum does not depend on the order of the triangles.
-            self.entries[from..to].sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            sort::stable(&mut self.entries[from..to], &|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
             let first = kept;
             for i in from..to {
                 let (w, weight) = self.entries[i];

@@ -2,6 +2,7 @@
 //! triangulation of every other vertex.
 
 use crate::error::Result;
+use crate::sort;
 use crate::sort::Buckets;
 
 /// Chords (i, k), i < k, of n vertices, the edges (i, i + 1) included, each with a number. In
@@ -72,7 +73,7 @@ impl Near {
         let (mut from, mut count) = (0, 0);
         for k in 0..n {
             let to = start[k + 1] as usize;
-            first[from..to].sort_unstable_by(|a, b| b.cmp(a));
+            sort::stable(&mut first[from..to], &|a, b| b.cmp(a));
             let begin = count;
             for at in from..to {
                 if count == begin || first[count - 1] != first[at] {

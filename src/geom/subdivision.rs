@@ -19,6 +19,7 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
+use crate::sort;
 use glam::DVec3;
 
 /// What is proved of a box.
@@ -140,7 +141,7 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
         [middle.x - GROWTH * half.x, middle.x + GROWTH * half.x]
     };
     let mut order = alloc::collect(0..boxes.len() as u32)?;
-    order.sort_unstable_by(|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
+    sort::stable(&mut order, &|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
     let mut sets = DisjointSets::new(boxes.len())?;
     let mut active: Vec<u32> = alloc::with_capacity(boxes.len())?;
     for &k in &order {

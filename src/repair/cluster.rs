@@ -14,6 +14,7 @@ use crate::error::Result;
 use crate::geom::kd_tree::{KdTree, Radius};
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
+use crate::sort;
 use crate::sort::sort;
 use glam::DVec3;
 
@@ -133,7 +134,7 @@ impl<'a> Near<'a> {
                     }
                 });
                 outcome?;
-                out.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                sort::stable(out, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             }
         }
         Ok(())

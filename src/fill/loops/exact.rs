@@ -53,7 +53,7 @@ impl Bridges {
         let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
         let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins(u, v) && !(task.taken)(u, v)))?;
         let squared = |[u, v]: [u32; 2]| task.rims.squared(u, v);
-        sorted.sort_unstable_by(|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
+        sort::stable(&mut sorted, &|&x, &y| squared(x).total_cmp(&squared(y)).then(x.cmp(&y)));
         let mut rank = alloc::filled(0, (n * n) as usize)?;
         for (&[u, v], at) in sorted.iter().zip(0..) {
             rank[(u * n + v) as usize] = at;

@@ -226,11 +226,11 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         {
             return Ok(BoxTest::Empty);
         }
-        let thin = || match is_fine {
-            true => part.is_within(&frame, (CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance),
-            false => part.is_within(&frame, tolerance, -tolerance),
+        let [thickness, reach] = match is_fine {
+            true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
+            false => [tolerance, -tolerance],
         };
-        let unresolved = extents[longest] <= 0.25 * tolerance || thin();
+        let unresolved = extents[longest] <= 0.25 * tolerance || part.is_within(&frame, thickness, reach);
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(longest) })
     }
 
