@@ -8842,7 +8842,8 @@ gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
  *     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
  * @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
- * @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best strips.
+ * @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
+ *     strips.
  * @since 0.1
  */
 GUSSET_API
@@ -10252,7 +10253,8 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
  * gluing.
  *
  * Two nodes that have the same bits as each other in both nets, as glued ones have, have the same
- * bits as each other in it. It is glued as the first, and has its bridges; a node missing in one of them is missing between.
+ * bits as each other in it. It is glued as the first, and has its bridges; a node missing in one of
+ * them is missing between.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param first the net at 0.
@@ -12307,7 +12309,8 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * two closed paths that have one point in common. Cells of a where the surfaces touch in another
  * way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
  * unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
- * across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one surface with itself are not looked for.
+ * across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one
+ * surface with itself are not looked for.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.

@@ -15,8 +15,9 @@
 //! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
 //! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]:
-//!   normals, areas, volumes. [`planarise()`]: plane cells. [`morph()`]: nets between two. [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]:
-//!   meshes and height fields. [`stream`]: nets as bytes.
+//!   normals, areas, volumes. [`planarise()`]: plane cells. [`morph()`]: nets between two.
+//! * [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]: meshes and height fields.
+//!   [`stream`]: nets as bytes.
 
 pub mod analyse;
 mod arrange;

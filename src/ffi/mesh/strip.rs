@@ -91,7 +91,8 @@ impl gusset_strip_options {
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, LOOP_TOO_SHORT, TOO_LARGE,
 ///     SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED.
 /// @complexity Time and memory of the meridians of gusset_stitch_create, and linear in the mesh.
-/// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best strips.
+/// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
+///     strips.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

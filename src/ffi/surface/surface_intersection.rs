@@ -73,7 +73,8 @@ fixed! { gusset_cell_pair: 24 }
 /// two closed paths that have one point in common. Cells of a where the surfaces touch in another
 /// way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
 /// unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
-/// across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one surface with itself are not looked for.
+/// across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one
+/// surface with itself are not looked for.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param a the one surface.

@@ -11,7 +11,8 @@
 //!
 //! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
 //! and in a box that has an arc through it, or is shorter than the tolerance, or is within the
-//! radius of a contact, or is reported as unresolved. Bounds are computed in double precision, with room for rounding (`rounding_error`).
+//! radius of a contact, or is reported as unresolved. Bounds are computed in double precision, with
+//! room for rounding (`rounding_error`).
 //! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
 //! of the tolerance to a side of a box runs along it, touches it or crosses it, which decides
 //! between the boxes on both sides. Self-intersections of one surface are not looked for.
