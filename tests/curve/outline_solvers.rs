@@ -107,7 +107,7 @@ fn stepping_agrees_with_closed_forms_on_sections() {
         let [a, p, c] = [0, 1, 2].map(|k| line.points[k]);
         for method in [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.3)] {
             let fast = method.section(a, p, c);
-            match (fast, step_section(a, p, c, method, &Options::default())) {
+            match (fast, step_section(a, p, c, method, &Options::default(), &Job::default()).unwrap()) {
                 (Ok(fast), Ok((stepped, steps))) => {
                     let size = size(&line).max(fast.control.distance(p));
                     assert!(fast.control.distance(stepped.control) <= 1e-11 * size, "{method:?} {fast:?} {stepped:?}");
@@ -122,9 +122,12 @@ fn stepping_agrees_with_closed_forms_on_sections() {
     assert!(agreed > 1200, "{agreed}");
     // On the chord, at its middle, and there and back.
     let (section, steps) =
-        step_section(DVec3::ZERO, DVec3::X, DVec3::X * 2.0, Method::Median, &Options::default()).unwrap();
+        step_section(DVec3::ZERO, DVec3::X, DVec3::X * 2.0, Method::Median, &Options::default(), &Job::default())
+            .unwrap()
+            .unwrap();
     assert_eq!((section.control, section.t, steps), (DVec3::X, 0.5, 0));
-    let back = step_section(DVec3::ZERO, DVec3::X, DVec3::ZERO, Method::Bisector, &Options::default());
+    let back = step_section(DVec3::ZERO, DVec3::X, DVec3::ZERO, Method::Bisector, &Options::default(), &Job::default())
+        .unwrap();
     assert!(back.is_err() || back.unwrap().0.control.is_finite());
 }
 

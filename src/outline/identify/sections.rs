@@ -49,7 +49,7 @@ pub struct Sections {
 pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Sections> {
     options.check()?;
     let (count, method) = (outlines.check()?, options.method);
-    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)? };
+    let finder = Finder { points: &outlines.points, options, method, scale: scale(outlines)?, job };
     let total = outlines.points.len();
     let mut found = Sections {
         controls: alloc::with_capacity(total)?,
@@ -74,10 +74,10 @@ pub fn sections(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Re
             if let (true, [], Some(_), Solver::Fast) = (closed, own, method.alpha(), options.solver) {
                 finder.unconstrained(&span, some, &mut found);
             } else {
-                some.for_each(|i| {
-                    let section = finder.constrained(&span, own, closed, i, &mut found.steps);
+                for i in some {
+                    let section = finder.constrained(&span, own, closed, i, &mut found.steps)?;
                     found.push(section);
-                });
+                }
             }
         }
     }
@@ -102,6 +102,7 @@ struct Finder<'a> {
     options: &'a Options,
     method: Method,
     scale: f64,
+    job: &'a Job<'a>,
 }
 
 impl Finder<'_> {
@@ -113,11 +114,11 @@ impl Finder<'_> {
         closed: bool,
         i: usize,
         steps: &mut u64,
-    ) -> (Section, PointStatus) {
+    ) -> Result<(Section, PointStatus)> {
         let (first, last) = (outline.start, outline.end - 1);
         let p = self.points.get(i);
         if !closed && (i == first || i == last) {
-            return (Section { control: p, t: if i == first { 0.0 } else { 1.0 } }, PointStatus::Ok);
+            return Ok((Section { control: p, t: if i == first { 0.0 } else { 1.0 } }, PointStatus::Ok));
         }
         let before = self.points.get(if i == first { last } else { i - 1 });
         let after = self.points.get(if i == last { first } else { i + 1 });
@@ -134,7 +135,7 @@ impl Finder<'_> {
         if self.options.solver == Solver::Step && tangents == [None; 3] {
             // Where the bisector stands in for the normal it does so here.
             let method = if status == PointStatus::Ok { self.method } else { Method::Bisector };
-            match step_section(triple[0], triple[1], triple[2], method, self.options) {
+            match step_section(triple[0], triple[1], triple[2], method, self.options, self.job)? {
                 Ok((stepped, count)) => {
                     section = stepped;
                     *steps += count;
@@ -143,7 +144,7 @@ impl Finder<'_> {
                 Err(_) => {}
             }
         }
-        (Section { control: section.control / self.scale, ..section }, status)
+        Ok((Section { control: section.control / self.scale, ..section }, status))
     }
 
     /// The sections of some points of a closed outline without constraints, by a method with an

@@ -11,28 +11,42 @@
 use super::method::{Method, Section};
 use super::options::Options;
 use super::report::PointStatus;
+use crate::error::Result;
+use crate::job::Job;
 use glam::DVec3;
+
+/// Steps of some milliseconds.
+const STEPS_PER_REPORT: usize = 1 << 17;
+const STAGE: &str = "stepping along guides";
 
 /// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the
 /// steps are used up. The deviation falls with x.
-pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64, steps: &mut u64) -> Option<f64> {
+pub(super) fn step(
+    options: &Options,
+    size: f64,
+    deviation: impl Fn(f64) -> f64,
+    steps: &mut u64,
+    job: &Job<'_>,
+) -> Result<Option<f64>> {
     // The deviation has a slope of 0.28 to 1 in all uses: the error of an offset is that much more
     // than the deviation.
     let tolerance = (options.tolerance * 0.125).max(f64::EPSILON) * size;
     let (mut x, mut step) = (0.0f64, options.first_step * size);
     let mut flag = 0.0;
-    for _ in 0..options.max_steps {
+    let most = options.max_steps as usize;
+    for k in 1..=most {
+        job.step_every(STEPS_PER_REPORT, k, most, STAGE)?;
         let left = deviation(x);
         if left.abs() <= tolerance {
-            return Some(x);
+            return Ok(Some(x));
         }
         if left.is_nan() {
-            return None;
+            return Ok(None);
         }
         let sign = 1f64.copysign(left);
         if sign * flag < 0.0 {
             if step <= tolerance {
-                return Some(x);
+                return Ok(Some(x));
             }
             step /= options.step_divisor;
         }
@@ -40,7 +54,7 @@ pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64,
         x += sign * step;
         *steps += 1;
     }
-    None
+    Ok(None)
 }
 
 /// The section from A through P to C by the paper's stepping, and the number of steps: B goes from
@@ -48,15 +62,20 @@ pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64,
 /// wherever B is, as the paper observes of the normal and as holds for all guides.
 ///
 /// # Errors
-/// Those of [`Method::section`]; [`PointStatus::NotConverged`] if the steps are used up.
+/// [`Error::Cancelled`](crate::Error::Cancelled). Of the section: those of [`Method::section`];
+/// [`PointStatus::NotConverged`] if the steps are used up.
 pub fn step_section(
     a: DVec3,
     p: DVec3,
     c: DVec3,
     method: Method,
     options: &Options,
-) -> Result<(Section, u64), PointStatus> {
-    let t = method.section(a, p, c)?.t;
+    job: &Job<'_>,
+) -> Result<Result<(Section, u64), PointStatus>> {
+    let t = match method.section(a, p, c) {
+        Ok(closed) => closed.t,
+        Err(failed) => return Ok(Err(failed)),
+    };
     let s = 1.0 - t;
     let (u, w) = (a - p, c - p);
     let size = u.abs().max_element().max(w.abs().max_element()).max((c - a).abs().max_element());
@@ -66,28 +85,52 @@ pub fn step_section(
     let guide = -still.normalize_or_zero();
     let mut steps = 0;
     let deviation = |x: f64| -(still.dot(guide) + 2.0 * t * s * x);
-    let along = step(options, size, deviation, &mut steps).ok_or(PointStatus::NotConverged)?;
-    Ok((Section { control: p + guide * along, t }, steps))
+    let along = step(options, size, deviation, &mut steps, job)?.ok_or(PointStatus::NotConverged);
+    Ok(along.map(|along| (Section { control: p + guide * along, t }, steps)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Error;
+    use crate::job::Progress;
+    use std::ops::ControlFlow;
 
     #[test]
     fn steps_are_refined_where_the_sign_changes() {
         let mut steps = 0;
         let options = Options { tolerance: 8e-6, ..Options::default() };
+        let mut go = |options: &Options, deviation: fn(f64) -> f64| {
+            step(options, 1.0, deviation, &mut steps, &Job::default()).unwrap()
+        };
         // 0.1 until 0.4, back, then by hundredths and so on.
-        let x = step(&options, 1.0, |x| 0.345_678_9 - x, &mut steps).unwrap();
+        let x = go(&options, |x| 0.345_678_9 - x).unwrap();
         assert!((x - 0.345_678_9).abs() <= 1e-6, "{x}");
-        assert!((15..60).contains(&steps), "{steps}");
         // The other way, and nowhere to go.
-        assert!((step(&options, 1.0, |x| -0.7 - x, &mut steps).unwrap() + 0.7).abs() <= 1e-6);
-        assert_eq!(step(&options, 1.0, |_| 0.0, &mut steps), Some(0.0));
+        assert!((go(&options, |x| -0.7 - x).unwrap() + 0.7).abs() <= 1e-6);
+        assert_eq!(go(&options, |_| 0.0), Some(0.0));
         // Out of reach, and not a number.
         let few = Options { max_steps: 5, ..options };
-        assert_eq!(step(&few, 1.0, |x| 5.0 - x, &mut steps), None);
-        assert_eq!(step(&options, 1.0, |_| f64::NAN, &mut steps), None);
+        assert_eq!(go(&few, |x| 5.0 - x), None);
+        assert_eq!(go(&options, |_| f64::NAN), None);
+        assert!((30..120).contains(&steps), "{steps}");
+    }
+
+    /// Cancels.
+    struct Enough;
+
+    impl Progress for Enough {
+        fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+            ControlFlow::Break(())
+        }
+    }
+
+    #[test]
+    fn small_steps_can_be_cancelled() {
+        let options = Options { max_steps: u32::MAX, first_step: 1e-300, ..Options::default() };
+        let mut steps = 0;
+        let stopped = step(&options, 1.0, |x| 1.0 - x, &mut steps, &Job::new(1, &Enough));
+        assert_eq!(stopped, Err(Error::Cancelled));
+        assert!(steps < 1_000_000, "{steps}");
     }
 }

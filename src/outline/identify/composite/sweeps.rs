@@ -21,6 +21,7 @@ use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
 use super::self_consistent;
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::outline::identify::guide::{guide, plane_normal};
 use crate::outline::identify::method::Method;
 use crate::outline::identify::options::{Lock, Solver};
@@ -114,7 +115,7 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
         for i in sub.sections() {
             out.job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
             let before = solution.controls[i];
-            all_placed &= place(sub, solution, sweep, i, report);
+            all_placed &= place(sub, solution, (sweep, i), report, out.job)?;
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
@@ -130,7 +131,13 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
 }
 
 /// Places one control point. False if the steps are used up.
-fn place(sub: &Subcurve<'_>, solution: &mut Solution, sweep: u32, i: usize, report: &mut Account) -> bool {
+fn place(
+    sub: &Subcurve<'_>,
+    solution: &mut Solution,
+    (sweep, i): (u32, usize),
+    report: &mut Account,
+    job: &Job<'_>,
+) -> Result<bool> {
     let [b, u, v] = solution.legs(sub, i);
     let mut guide = None;
     let t = match sub.options.lock {
@@ -162,16 +169,16 @@ fn place(sub: &Subcurve<'_>, solution: &mut Solution, sweep: u32, i: usize, repo
         Solver::Step => {
             let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
             let deviation = |x: f64| direction.dot(left) - slope * x;
-            match stepping::step(sub.options, sub.size, deviation, &mut report.steps) {
+            match stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)? {
                 Some(along) => start + direction * along,
-                None => return false,
+                None => return Ok(false),
             }
         }
     };
     if placed.is_finite() {
         solution.controls[i] = sub.points[i] + placed;
     }
-    placed.is_finite()
+    Ok(placed.is_finite())
 }
 
 /// The parameter at which the section crosses the guide of its point; `None` if it does not.

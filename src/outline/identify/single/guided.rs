@@ -33,6 +33,9 @@ const MAX_ITERATIONS: u32 = 30;
 /// The largest move of a control point in sweeps, in sizes of the outline.
 const MAX_MOVE: f64 = 1e3;
 
+/// Sweeps of a few points.
+const SWEEPS_PER_REPORT: usize = 1 << 8;
+const STAGE: &str = "placing control points";
 /// The smallest part of a Newton step that is tried.
 const MIN_STEP_FRACTION: f64 = 1e-3;
 
@@ -42,7 +45,7 @@ impl Collocation {
         if sub.options.solver == Solver::Step {
             self.start_at_points();
             let left = sub.options.max_sweeps.saturating_sub(out.report.iterations);
-            if !self.sweep(sub, None, left, out.report)? {
+            if !self.sweep(sub, None, left, out)? {
                 flag_unconverged(out);
             }
         }
@@ -53,12 +56,12 @@ impl Collocation {
     pub(super) fn solve_on_guides(&mut self, sub: &Subcurve<'_>, normal: DVec3, out: &mut Output<'_>) -> Result<bool> {
         self.start_at_points();
         if sub.options.solver == Solver::Fast {
-            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out.report)?;
+            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out)?;
             // They are the start of Newton's method, not part of it.
             out.report.iterations = 0;
             return self.newton(sub, normal, out.report);
         }
-        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps.div_ceil(2), out.report)?;
+        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps.div_ceil(2), out)?;
         if !self.is_in_order() {
             return Ok(false);
         }
@@ -77,10 +80,12 @@ impl Collocation {
 
     /// The paper's sweeps: with the normal of the plane along the guides, else for the parameters
     /// as they are, along the deviations. True if they come to rest.
-    fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, report: &mut Account) -> Result<bool> {
+    fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, out: &mut Output<'_>) -> Result<bool> {
+        let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         let first = self.own().start;
-        for _ in 0..count {
+        for sweep in 0..count {
+            job.step_every(SWEEPS_PER_REPORT, sweep as usize, count as usize, STAGE)?;
             report.iterations += 1;
             let mut farthest = 0.0f64;
             for i in 1..=self.inner() {
@@ -99,7 +104,7 @@ impl Collocation {
                     Solver::Fast => direction.dot(left) / slope,
                     Solver::Step => {
                         let deviation = |x: f64| direction.dot(left) - slope * x;
-                        stepping::step(sub.options, sub.size, deviation, &mut report.steps).unwrap_or(f64::NAN)
+                        stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)?.unwrap_or(f64::NAN)
                     }
                 };
                 // Diverged, or the steps are used up; Newton's method or the lock by parameters may

@@ -1,0 +1,451 @@
+/* What the wrappers of wrappers.py do: hostile values one after another, and what must hold after each call.
+ *
+ * A call is tried in a process of its own, so that what it changes, and how it dies, touches nobody. Which value is in force stands in
+ * memory that both share: when the process dies or does not come back, the parent names the value and goes on after it. */
+#ifndef TORTURE_H
+#define TORTURE_H
+
+#include "memory.h"
+
+#include <float.h>
+#include <gusset.h>
+#include <limits.h>
+#include <math.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum torture_kind {
+    TORTURE_F64, TORTURE_F32, TORTURE_U32, TORTURE_I32, TORTURE_U64, TORTURE_I64, TORTURE_U8,
+    TORTURE_COUNT,       /* elements of an array: what its memory has for certain, or what nothing can have */
+    TORTURE_CAPACITY,    /* of an array that is written: less than it has */
+    TORTURE_STRIDE,      /* between elements of an array: none, or what nothing can have */
+    TORTURE_WIDE,        /* a size that no array has: any */
+    TORTURE_READ_AS,     /* how an array is read: values without meaning */
+    TORTURE_POINTS, TORTURE_FLOAT_POINTS, /* an array of points as a whole */
+    TORTURE_STRUCT_SIZE, TORTURE_POINTER, TORTURE_BYTES /* a pointer of any alignment */
+};
+
+/* No handle that the library makes. */
+#define TORTURE_UNTOUCHED ((uintptr_t)0xDEAD)
+/* Of processor time, which a machine that is busy with other things does not matter to: when a call that goes on is cancelled, and
+ * when it should have heard that. */
+#define TORTURE_PATIENCE 4
+#define TORTURE_SECONDS 6
+
+struct torture_slot {
+    enum torture_kind kind;
+    void *at;
+    size_t count, dimension; /* of points */
+    char path[72];
+};
+
+/* What is tried, one after another: hostile arguments; a cancel at each step; each allocation that fails alone, and with all after it. */
+enum torture_phase { TORTURE_ARGUMENTS, TORTURE_CANCELS, TORTURE_ONE_ALLOCATION, TORTURE_ALL_ALLOCATIONS, TORTURE_PHASES };
+
+struct torture_shared {
+    enum torture_phase phase;
+    size_t value, calls[TORTURE_PHASES], failures;
+    long long allocations; /* of the call as it is */
+    int plain;             /* and its status */
+    double slowest;
+    char now[360], slow[360];
+};
+
+static struct torture_slot torture_slots[4096];
+static size_t torture_slot_count, torture_failures, torture_functions;
+static struct torture_shared *torture_told;
+static const char *torture_function;
+/* The values in force: their slots and what was there. */
+static struct torture_change {
+    struct torture_slot *slot;
+    unsigned char *before;
+} torture_changes[4];
+static size_t torture_change_count;
+static int torture_begun;
+/* When the call began. */
+static double torture_began;
+
+static inline const char *torture_path(const char *path, const char *name) {
+    static char paths[64][72];
+    static size_t next;
+    char *const made = paths[next++ % 64];
+    snprintf(made, 72, "%.34s.%.34s", path, name);
+    return made;
+}
+
+/* Data that programs may not write can be written in a process of one's own. */
+static inline void *torture_writable(const void *data, size_t size) {
+    const uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE), from = (uintptr_t)data & ~(page - 1);
+    mprotect((void *)from, ((uintptr_t)data + size + page - 1 - from) & ~(page - 1), PROT_READ | PROT_WRITE);
+    return (void *)(uintptr_t)data;
+}
+
+/* A copy of a struct with garbage behind it. */
+static inline void *torture_copy(const void *given, size_t size, size_t least) {
+    if (!given) return NULL;
+    size = size > least ? size : least;
+    unsigned char *const copy = malloc(size + 64);
+    memcpy(copy, given, size);
+    memset(copy + size, 0xAB, 64);
+    return copy;
+}
+
+static inline void torture_slot(enum torture_kind kind, const void *at, const char *path) {
+    if (torture_slot_count == sizeof torture_slots / sizeof *torture_slots) return;
+    struct torture_slot *const slot = &torture_slots[torture_slot_count++];
+    slot->kind = kind, slot->at = (void *)(uintptr_t)at, slot->count = slot->dimension = 0;
+    snprintf(slot->path, sizeof slot->path, "%s", path);
+}
+
+static inline size_t torture_width(enum torture_kind kind) {
+    switch (kind) {
+    case TORTURE_U8: return 1;
+    case TORTURE_F32: case TORTURE_U32: case TORTURE_I32: case TORTURE_READ_AS: return 4;
+    default: return 8;
+    }
+}
+
+/* A packed array of points. */
+static inline void torture_points(enum torture_kind kind, const void *array, size_t count, size_t dimension, size_t stride, const char *path) {
+    const size_t width = torture_width(kind);
+    if (!array || count == 0 || count > 100000 || (stride != 0 && stride != dimension * width)) return;
+    torture_writable(array, count * dimension * width);
+    torture_slot(kind == TORTURE_F64 ? TORTURE_POINTS : TORTURE_FLOAT_POINTS, array, path);
+    torture_slots[torture_slot_count - 1].count = count, torture_slots[torture_slot_count - 1].dimension = dimension;
+}
+
+/* Points as a whole, in the n-th way: in one place, on a line, in steps that no grid has, as large and as small as numbers go. */
+static inline void torture_points_as(const struct torture_slot *slot, size_t n) {
+    static const double scales[] = {1e150, 1e-150, 1e300, 1e-300, 1e-310};
+    for (size_t i = 0; i < slot->count * slot->dimension; ++i) {
+        double *const real = (double *)slot->at + i;
+        float *const single = (float *)slot->at + i;
+        const size_t axis = i % slot->dimension;
+        const double was = slot->kind == TORTURE_POINTS ? *real : *single;
+        const double first = slot->kind == TORTURE_POINTS ? ((double *)slot->at)[axis] : ((float *)slot->at)[axis];
+        const double line = slot->kind == TORTURE_POINTS ? real[-(ptrdiff_t)axis] : single[-(ptrdiff_t)axis];
+        const double now = n == 0 ? 0.0 : n == 1 ? first : n == 2 ? line : n == 3 ? was + 1e15 : was * scales[n - 4];
+        if (slot->kind == TORTURE_POINTS) *real = now;
+        else *single = (float)now;
+    }
+}
+#define TORTURE_WAYS 9
+
+/* The first elements of an array. */
+static inline void torture_elements(enum torture_kind kind, const void *array, size_t count, const char *path) {
+    if (!array) return;
+    torture_writable(array, 3 * torture_width(kind));
+    for (size_t i = 0; i < count && i < 3; ++i) torture_slot(kind, (const char *)array + i * torture_width(kind), path);
+}
+
+static inline void torture_summary(void) {
+    const size_t *const calls = torture_told->calls;
+    printf("in place of %zu calls %zu with other arguments, %zu cancelled, %zu and %zu without memory; %zu failures; slowest %.2f s: %s\n",
+           torture_functions, calls[0], calls[1], calls[2], calls[3], torture_failures + torture_told->failures, torture_told->slowest,
+           torture_told->slow);
+    fflush(stdout);
+    if (torture_failures + torture_told->failures) _exit(1);
+}
+
+/* What calls are given instead of the program's own context, so that they can be cancelled and report. */
+static gusset_context *torture_context;
+/* Whether the function changes nothing that it is given, so that it does the same each time. */
+static int torture_pure;
+
+static inline void torture_cancel(int signal) {
+    (void)signal;
+    (gusset_context_cancel)(torture_context);
+}
+
+static inline const gusset_context *torture_own_context(void) {
+    if (!torture_context && (gusset_context_create)(&torture_context) != GUSSET_OK) abort();
+    return torture_context;
+}
+
+static inline double torture_clock(void) {
+    struct rusage used;
+    getrusage(RUSAGE_SELF, &used);
+    return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
+}
+
+/* Tries a call in other processes, as many as die. True in those: they list their slots, try them, and leave. */
+static inline int torture_enter(const char *function) {
+    if (!torture_told) {
+        torture_told = mmap(NULL, sizeof *torture_told, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        atexit(torture_summary);
+    }
+    ++torture_functions;
+    torture_function = function, torture_told->phase = TORTURE_ARGUMENTS, torture_told->value = 0;
+    for (;;) {
+        fflush(NULL);
+        const pid_t child = fork();
+        if (child == 0) return 1;
+        int state = 0;
+        waitpid(child, &state, 0);
+        if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return 0;
+        printf("%s: %s\n", torture_told->now,
+               WIFEXITED(state) ? "ended the process" : WTERMSIG(state) == SIGXCPU ? "went on although it was cancelled" : strsignal(WTERMSIG(state)));
+        ++torture_failures;
+        ++torture_told->value;
+    }
+}
+
+/* The n-th hostile value of a kind; 0 if there are no more. `was` is what it replaces. */
+static inline int torture_hostile(enum torture_kind kind, size_t n, const void *was, void *value) {
+    static const double reals[] = {NAN, INFINITY, -INFINITY, 0, -0.0, -1, 1, 1e300, -1e300, DBL_MAX, 1e150, 1e-150, 1e-300, 5e-324};
+    static const float floats[] = {NAN, INFINITY, -INFINITY, 0, -1, 1, FLT_MAX, -FLT_MAX, FLT_MIN};
+    static const uint32_t words[] = {0, 1, INT32_MAX, 0x80000000u, UINT32_MAX - 1, UINT32_MAX};
+    static const uint32_t meaningless[] = {UINT32_MAX};
+    static const int32_t integers[] = {0, 1, -1, INT32_MIN, INT32_MAX};
+    static const uint64_t longs[] = {0, 1, UINT32_MAX, (uint64_t)1 << 32, INT64_MAX, UINT64_MAX};
+    static const int64_t signed_longs[] = {0, 1, -1, INT64_MIN, INT64_MAX};
+    static const uint8_t bytes[] = {0, 1, 2, 0x80, 0xFF};
+    static const size_t impossible[] = {SIZE_MAX, SIZE_MAX - 1, SIZE_MAX / 2, SIZE_MAX / 4 + 2};
+    uint64_t whole = 0;
+    memcpy(&whole, was, torture_width(kind));
+#define TORTURE_FROM(list)                                                                                             \
+    if (n >= sizeof list / sizeof *list) return 0;                                                                     \
+    memcpy(value, &list[n], sizeof *list);                                                                             \
+    return 1
+    switch (kind) {
+    case TORTURE_F64: TORTURE_FROM(reals);
+    case TORTURE_F32: TORTURE_FROM(floats);
+    case TORTURE_U32: TORTURE_FROM(words);
+    case TORTURE_READ_AS: TORTURE_FROM(meaningless);
+    case TORTURE_I32: TORTURE_FROM(integers);
+    case TORTURE_U64: case TORTURE_WIDE: TORTURE_FROM(longs);
+    case TORTURE_I64: TORTURE_FROM(signed_longs);
+    case TORTURE_U8: TORTURE_FROM(bytes);
+    case TORTURE_COUNT: {
+        const uint64_t fewer[] = {0, whole ? 1 : 0, whole ? whole - 1 : 0};
+        if (n < 3) return memcpy(value, &fewer[n], 8), 1;
+        n -= 3;
+        TORTURE_FROM(impossible);
+    }
+    case TORTURE_CAPACITY: {
+        const uint64_t fewer[] = {0, whole ? 1 : 0, whole ? whole - 1 : 0};
+        TORTURE_FROM(fewer);
+    }
+    case TORTURE_STRIDE: {
+        static const size_t strides[] = {0, SIZE_MAX, SIZE_MAX - 1, SIZE_MAX / 2};
+        TORTURE_FROM(strides);
+    }
+    case TORTURE_STRUCT_SIZE: {
+        const uint64_t sizes[] = {0, 1, 8, whole - 8, whole - 1, whole + 1, whole + 8, whole + 64, SIZE_MAX};
+        TORTURE_FROM(sizes);
+    }
+    case TORTURE_POINTER: {
+        const uint64_t pointers[] = {0, whole + 1, whole + 4};
+        if (n > 0 && !whole) return 0;
+        TORTURE_FROM(pointers);
+    }
+    case TORTURE_BYTES:
+        if (n > 0) return 0;
+        return memset(value, 0, 8), 1;
+    case TORTURE_POINTS: case TORTURE_FLOAT_POINTS:
+        return memcpy(value, &n, 8), n < TORTURE_WAYS;
+    }
+#undef TORTURE_FROM
+    return 0;
+}
+
+static inline void torture_fails(const char *what) {
+    printf("%s: %s\n", torture_told->now, what);
+    ++torture_told->failures;
+}
+
+static inline size_t torture_size(const struct torture_slot *slot) {
+    if (slot->kind == TORTURE_POINTS || slot->kind == TORTURE_FLOAT_POINTS)
+        return slot->count * slot->dimension * (slot->kind == TORTURE_POINTS ? sizeof(double) : sizeof(float));
+    return torture_width(slot->kind);
+}
+
+/* Puts the n-th hostile value of a slot in its place, if there is one. */
+static inline int torture_put(struct torture_slot *slot, size_t n) {
+    unsigned char hostile[8] = {0};
+    uint64_t whole = 0;
+    struct torture_change *const change = &torture_changes[torture_change_count];
+    for (size_t i = 0; i < torture_change_count; ++i)
+        if (torture_changes[i].slot == slot) return 0;
+    if (!torture_hostile(slot->kind, n, slot->at, hostile)) return 0;
+    change->slot = slot, change->before = malloc(torture_size(slot));
+    memcpy(change->before, slot->at, torture_size(slot));
+    if (slot->count) torture_points_as(slot, n);
+    else memcpy(slot->at, hostile, torture_width(slot->kind));
+    memcpy(&whole, hostile, torture_width(slot->kind));
+    const size_t length = torture_change_count++ ? strlen(torture_told->now) : 0;
+    snprintf(torture_told->now + length, sizeof torture_told->now - length, "%s%s%s[%zu] = 0x%llx", length ? "" : torture_function, length ? ", " : ": ",
+             slot->path, (size_t)(slot - torture_slots), (unsigned long long)whole);
+    return 1;
+}
+
+static inline void torture_take_back(void) {
+    while (torture_change_count > 0) {
+        const struct torture_change *const change = &torture_changes[--torture_change_count];
+        memcpy(change->slot->at, change->before, torture_size(change->slot));
+        free(change->before);
+    }
+}
+
+static inline uint64_t torture_random(uint64_t *state) {
+    uint64_t z = *state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u, z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+}
+
+/* The value-th of one hostile value at a time; after these, as many times as TORTURE_TOGETHER says, of two or three at once. */
+static inline int torture_choose(size_t value) {
+    const char *const together = getenv("TORTURE_TOGETHER");
+    size_t singles = 0;
+    for (size_t k = 0; k < torture_slot_count; ++k) {
+        unsigned char hostile[8];
+        for (size_t n = 0; torture_hostile(torture_slots[k].kind, n, torture_slots[k].at, hostile); ++n)
+            if (singles++ == value) return torture_put(&torture_slots[k], n);
+    }
+    if (torture_slot_count == 0 || value - singles >= (together ? strtoul(together, NULL, 10) : 0)) return 0;
+    uint64_t state = value * 1000003u + torture_functions;
+    for (size_t left = 2 + torture_random(&state) % 2; left > 0; --left) {
+        const uint64_t slot = torture_random(&state) % torture_slot_count;
+        for (size_t n = torture_random(&state) % 16; !torture_put(&torture_slots[slot], n) && n > 0; n /= 2) {}
+    }
+    return 1;
+}
+
+/* Of the call that is tried: the steps that were reported, whether one of them was cancelled, and the blocks in use before it. */
+static size_t torture_steps;
+static int torture_fired;
+static long long torture_live;
+
+static inline int torture_step(void *user, double fraction, const char *stage) {
+    (void)fraction, (void)stage;
+    return torture_fired |= torture_steps++ == *(const size_t *)user;
+}
+
+static inline size_t torture_limit(const char *name, size_t usual) {
+    const char *const given = getenv(name);
+    return given ? strtoul(given, NULL, 10) : usual;
+}
+
+/* The value-th step is cancelled; the last call of the phase is one that ended before. */
+static inline int torture_cancel_step(size_t value) {
+    static size_t at;
+    at = value, torture_steps = 0, torture_fired = 0;
+    snprintf(torture_told->now, sizeof torture_told->now, "%s: cancelled at step %zu", torture_function, value);
+    return torture_context && value < torture_limit("TORTURE_CANCELS", 40) &&
+           (gusset_context_set_progress)(torture_context, torture_step, &at) == GUSSET_OK;
+}
+
+/* No allocation fails at first, which counts them; then each, or if there are many, some. */
+static inline int torture_refuse(enum torture_phase phase, size_t value) {
+    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 40);
+    const long long nth = value == 0 ? 0 : all <= most ? (long long)value : 1 + (all - 1) * ((long long)value - 1) / (most - 1);
+    if (!torture_context || (value > 0 && (nth > all || (long long)value > most))) return 0;
+    (gusset_context_destroy)(torture_context);
+    torture_context = NULL, torture_live = atomic_load(&memory_live);
+    torture_own_context();
+    snprintf(torture_told->now, sizeof torture_told->now, "%s: allocation %lld of %lld fails%s", torture_function, nth, all,
+             phase == TORTURE_ALL_ALLOCATIONS ? ", and all after it" : "");
+    atomic_store(&memory_last, phase == TORTURE_ALL_ALLOCATIONS ? LLONG_MAX : nth);
+    atomic_store(&memory_requests, 0);
+    atomic_store(&memory_first, nth);
+    return 1;
+}
+
+/* After a call: all as before, and what its time and its memory were. */
+static inline void torture_finish(void) {
+    const double took = torture_clock() - torture_began;
+    struct torture_shared *const told = torture_told;
+    ++told->calls[told->phase];
+    if (took > told->slowest) {
+        told->slowest = took;
+        memcpy(told->slow, told->now, sizeof told->slow);
+    }
+    torture_take_back();
+    if (told->phase >= TORTURE_ONE_ALLOCATION) {
+        (gusset_context_destroy)(torture_context);
+        torture_context = NULL;
+        if (torture_pure && told->value > 0 && atomic_load(&memory_live) != torture_live) torture_fails("memory is left");
+    }
+    if (told->phase == TORTURE_CANCELS && !torture_fired) ++told->phase, told->value = 0;
+    else ++told->value;
+}
+
+/* Arranges the next call; 0 after the last. */
+static inline int torture_next(void) {
+    const struct itimerval limit = {{0, 0}, {TORTURE_PATIENCE, 0}};
+    struct torture_shared *const told = torture_told;
+    if (torture_begun) {
+        torture_finish();
+    } else {
+        const struct rlimit memory = {(rlim_t)8 << 30, (rlim_t)8 << 30}, core = {0, 0};
+        setrlimit(RLIMIT_AS, &memory);
+        setrlimit(RLIMIT_CORE, &core);
+        signal(SIGPROF, torture_cancel);
+        torture_begun = 1;
+    }
+    torture_own_context();
+    for (; told->phase < TORTURE_PHASES; ++told->phase, told->value = 0) {
+        if (told->phase > TORTURE_CANCELS) (gusset_context_set_progress)(torture_context, NULL, NULL);
+        (gusset_context_reset)(torture_context);
+        torture_began = torture_clock();
+        const struct rlimit seconds = {(rlim_t)torture_began + TORTURE_SECONDS + 1, RLIM_INFINITY};
+        setrlimit(RLIMIT_CPU, &seconds);
+        setitimer(ITIMER_PROF, &limit, NULL);
+        if (told->phase == TORTURE_ARGUMENTS ? torture_choose(told->value)
+            : told->phase == TORTURE_CANCELS ? torture_cancel_step(told->value)
+                                             : torture_refuse(told->phase, told->value))
+            return 1;
+    }
+    return 0;
+}
+
+/* The status of a call: one that the header names, and what the context says is of that call. */
+static inline void torture_check(gusset_status status, const gusset_context *context) {
+    gusset_error_report report = {.struct_size = sizeof report};
+    struct torture_shared *const told = torture_told;
+    const long long requests = atomic_load(&memory_requests);
+    atomic_store(&memory_first, 0);
+    if (told->phase >= TORTURE_ONE_ALLOCATION && told->value == 0) {
+        if (told->phase == TORTURE_ALL_ALLOCATIONS && torture_pure && status != told->plain) torture_fails("not what it was before");
+        told->allocations = requests, told->plain = status;
+    }
+    if (status == GUSSET_ERROR_PANIC) torture_fails("a panic");
+    if (strcmp((gusset_status_text)(status), "unknown status") == 0) torture_fails("a status that the header does not have");
+    if (told->phase == TORTURE_CANCELS && torture_fired && torture_pure && status != GUSSET_ERROR_CANCELLED) torture_fails("the cancel was not heard");
+    if (told->phase >= TORTURE_ONE_ALLOCATION && torture_pure && status != told->plain && status != GUSSET_ERROR_OUT_OF_MEMORY)
+        torture_fails("another status than that of memory");
+    if (status == GUSSET_OK || !context || (gusset_context_get_report)(context, &report) != GUSSET_OK) return;
+    if (report.status != status) torture_fails("the report is of another status");
+    if (strlen((gusset_context_get_message)(context)) == 0) torture_fails("no message");
+}
+
+/* A result: there if the call succeeded, NULL if not. */
+static inline void torture_made(gusset_status status, const void *made) {
+    if (status == GUSSET_OK && (made == NULL || (uintptr_t)made == TORTURE_UNTOUCHED)) torture_fails("no result");
+    if (status != GUSSET_OK && made != NULL) torture_fails((uintptr_t)made == TORTURE_UNTOUCHED ? "the output is not cleared" : "half a result");
+}
+
+/* Coordinates that a result lends. */
+static inline void torture_finite(const void *list, size_t count, int real, const char *name) {
+    for (size_t i = 0; list && i < 2 * count; ++i)
+        if (!isfinite(real ? ((const double *)list)[i] : (double)((const float *)list)[i])) {
+            torture_fails(name);
+            return;
+        }
+}
+
+/* Ends the process of a call: nothing of the program's is to run. */
+static inline void torture_leave(void) {
+    fflush(NULL);
+    _exit(0);
+}
+
+#endif

@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+"""Writes, from gusset.h, a header that puts a wrapper before each function: `wrappers.py gusset.h > wrappers.h`.
+
+A program that is compiled with `-include wrappers.h` does what it did; but before each of its calls the wrapper makes that call
+again and again in another process, each time with one number, pointer or size of the arguments replaced by a hostile one. What is
+reached from the arguments is found from the declarations: fields of structs, elements of arrays, options within options. So the
+examples of the reference, of which there is one for each function, are the rows of the table, and no function can be forgotten.
+torture.h has what is replaced by what, and what must hold after each call.
+"""
+
+import re
+import sys
+from dataclasses import dataclass
+
+NUMBERS = {"double": "F64", "float": "F32", "uint32_t": "U32", "int32_t": "I32", "uint64_t": "U64", "int64_t": "I64",
+           "size_t": "COUNT", "uint8_t": "U8"}
+# Pointers to three numbers for which no count follows.
+VECTORS = {"point", "normal", "direction", "query"}
+# What lies behind a `const void *`: coordinates in the type that the field `scalar` names, or numbers.
+UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "values": "SCALARS", "x": "SCALARS", "y": "SCALARS",
+           "z": "SCALARS", "face_offsets": "U32", "face_corners": "U32"}
+# Arrays of points: three coordinates each, or as many as a field `dimension` says.
+POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points"}
+# Numbers that say how an array is to be read: only values that no array has.
+READ_AS = {"scalar", "index", "dimension", "face_size", "counts"}
+
+
+@dataclass
+class Item:
+    """A field or a parameter: its type without const and struct, its stars, its name and the sizes of an array."""
+    type: str
+    stars: int
+    name: str
+    sizes: list
+    constant: bool
+
+    @staticmethod
+    def of(text):
+        found = re.fullmatch(r"(.*?)(\w+)((?:\[\w+\])*)", " ".join(text.split()))
+        before, name, sizes = found.groups()
+        kind = re.sub(r"\b(const|struct)\b|\*", "", before).strip()
+        return Item(kind, before.count("*"), name, re.findall(r"\[(\w+)\]", sizes), before.startswith("const"))
+
+
+class Header:
+    def __init__(self, text):
+        text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+        text = re.sub(r"^\s*//.*|^\s*#.*", "", text, flags=re.M)
+        self.names = dict(NUMBERS)
+        for kind, name in re.findall(r"typedef (u?int32_t) (\w+);", text):
+            self.names[name] = NUMBERS[kind]
+        self.structs = {name: [Item.of(field) for field in body.split(";")[:-1]]
+                        for name, body in re.findall(r"typedef struct (\w+) \{(.*?)\} \w+;", text, re.S)}
+        self.functions = []
+        for result, name, given in re.findall(r"GUSSET_API\s+(.*?)(\bgusset_\w+)\(([^;]*?)\);", text, re.S):
+            given = [Item.of(one) for one in given.split(",")] if given.strip() != "void" else []
+            result = " ".join(result.replace("GUSSET_MUST_USE", "").split())
+            self.functions.append((result, name, given, re.sub(r"\s+", " ", text[text.index(name + "("):].split(";")[0])))
+
+    def versioned(self, kind):
+        return kind in self.structs and self.structs[kind][0].name == "struct_size"
+
+    def has_pointers(self, kind):
+        return any(one.stars for one in self.structs[kind])
+
+
+def count_after(items, at, within):
+    """How many elements the pointer items[at] has for certain: an expression."""
+    for one in items[at + 1:]:
+        if one.type == "size_t" and not one.stars and "stride" not in one.name:
+            return within + one.name
+        if not one.stars:
+            break
+    return "3" if items[at].name in VECTORS else "1"
+
+
+def number(header, item, kind, lvalue, path, wide):
+    code = header.names[kind]
+    if item.name == "struct_size":
+        code = "STRUCT_SIZE"
+    elif item.name in READ_AS:
+        code = "READ_AS"
+    elif code == "COUNT" and "stride" in item.name:
+        code = "STRIDE"
+    elif item.name == "capacity":
+        code = "CAPACITY"
+    elif code == "COUNT" and wide:
+        code = "WIDE"
+    return f"torture_slot(TORTURE_{code}, &{lvalue}, {path});"
+
+
+def visit(header, items, at, within, path, wide=False):
+    """The statements that list what is reached through items[at]."""
+    item, lines = items[at], []
+    lvalue = within + item.name
+    label = f'torture_path({path}, "{item.name}")' if path else f'"{item.name}"'
+    if item.stars == 0 and item.type in header.names:
+        if not item.sizes:
+            return [number(header, item, item.type, lvalue, label, wide)]
+        total = " * ".join(item.sizes)
+        return [f"for (size_t i = 0; i < {total}; ++i) torture_slot(TORTURE_{header.names[item.type]}, "
+                f"({item.type} *){lvalue} + i, {label});"]
+    if item.stars == 0 and item.type in header.structs:
+        return [f"for (size_t i = 0; i < {' * '.join(item.sizes) or 1}; ++i) visit_{item.type}((struct {item.type} *)&{lvalue} + i, {label});"]
+    if item.stars == 0:
+        return []  # callbacks
+    if item.sizes:
+        return [f"for (size_t i = 0; i < {item.sizes[0]}; ++i) torture_slot(TORTURE_POINTER, &{lvalue}[i], {label});"]
+    # An array of handles may begin anywhere; what it holds then is no handle.
+    loose = item.type in ("void", "char", "uint8_t") and item.stars == 1 or item.stars == 2 and item.constant
+    lines.append(f"torture_slot({'TORTURE_BYTES' if loose else 'TORTURE_POINTER'}, &{lvalue}, {label});")
+    if item.stars > 1 or not item.constant or item.type == "char":
+        if item.stars == 1 and header.versioned(item.type):
+            lines.append(f"if ({lvalue}) torture_slot(TORTURE_STRUCT_SIZE, &{lvalue}->struct_size, {label});")
+        return lines
+    count = count_after(items, at, within)
+    if item.type in header.structs:
+        lines.append(f"if ({lvalue} && {count} > 0) visit_{item.type}((struct {item.type} *)torture_writable({lvalue}, "
+                     f"sizeof *{lvalue}), {label});")
+    else:
+        kind = UNTYPED.get(item.name) if item.type == "void" else header.names.get(item.type)
+        if kind == "SCALARS":
+            told = any(one.name == "scalar" for one in items)
+            kind = f"{within}scalar == GUSSET_F64 ? TORTURE_F64 : TORTURE_F32" if told else "TORTURE_F64"
+        elif kind == "COUNT":
+            kind = "TORTURE_U64"
+        elif kind:
+            kind = f"TORTURE_{kind}"
+        if kind:
+            lines.append(f"torture_elements({kind}, {lvalue}, {count}, {label});")
+        if kind and item.name in POINTS:
+            dimension = within + "dimension" if any(one.name == "dimension" for one in items) else "3"
+            stride = next((within + one.name for one in items if "stride" in one.name), "0")
+            lines.append(f"torture_points({kind}, {lvalue}, {count}, {dimension}, {stride}, {label});")
+    return lines
+
+
+def finite(header, kind):
+    """The statements that look at the coordinates which a result of that kind lends, two at least of each point."""
+    lines = []
+    for _, name, given, _ in header.functions:
+        if not re.fullmatch(kind + "_get_(mesh|view|strip)", name) or len(given) != 2 or not header.versioned(given[1].type):
+            continue
+        view, fields = given[1].type, header.structs[given[1].type]
+        counts = {"gusset_mesh_view": [("positions", "vertex_count")],
+                  "gusset_net_view": [("x", "rows"), ("y", "rows"), ("z", "rows")] if kind != "gusset_net" else []}.get(view)
+        if counts is None:
+            counts = [(one.name, count_after(fields, at, "")) for at, one in enumerate(fields)
+                      if one.type == "double" and one.stars == 1 and one.name in ("points", "controls", "normals")]
+        for field, count in counts:
+            if count == "1":
+                continue
+            real = "seen.scalar == GUSSET_F64" if any(one.name == "scalar" for one in fields) else "1"
+            lines.append(f"    {{ struct {view} seen = {{.struct_size = sizeof seen}}; if (({name})(made, &seen) == GUSSET_OK) "
+                         f'torture_finite(seen.{field}, seen.{count}, {real}, "{field}"); }}')
+    return lines
+
+
+def wrapper(header, result, name, given, declaration):
+    arguments = ", ".join(one.name for one in given)
+    arrays = [one for one in given if one.stars and (one.type in header.names or (one.type in header.structs and not header.versioned(one.type)))]
+    outputs = [one for one in given if one.stars == 2 and not one.constant and one.type not in ("void", "char")]
+    # An array of handles is filled or left.
+    outputs = [] if any(one.name == "capacity" for one in given) else outputs
+    made = next((one for one in outputs if any(f == one.type + "_destroy" for _, f, _, _ in header.functions)), None)
+    context = None if name.startswith("gusset_context_") else "context" if "const struct gusset_context *context" in declaration else None
+    fallible = result == "gusset_status"
+    lines = [f"static {result} torture_{declaration} {{"]
+    if given and not name.endswith("_destroy"):
+        lines.append(f'    if (torture_enter("{name}")) {{')
+        if context:
+            lines.append("        context = torture_own_context();")
+        if made:
+            lines.append(f"        struct {made.type} *made = NULL;\n        {made.name} = &made;")
+        for one in given:
+            # Structs of their own, with garbage behind them: a size that is too large is a size beyond what is known.
+            if one.stars == 1 and header.versioned(one.type) and count_after(given, given.index(one), "") in "13":
+                lines.append(f"        {one.name} = ({'const ' if one.constant else ''}struct {one.type} *)torture_copy({one.name}, "
+                             f"{one.name} ? {one.name}->struct_size : 0, sizeof *{one.name});")
+        if "const void *data, size_t size" in declaration:
+            lines.append("        data = torture_copy(data, size, size);")
+        for at, one in enumerate(given):
+            if one.name != "user":  # what a callback gets is its own affair
+                lines += ["        " + line for line in visit(header, given, at, "", "", wide=not arrays)]
+        if made:
+            lines.append(f"        struct {made.type} **const own = {made.name};")
+        changed = any(one.stars == 1 and not one.constant and one.type not in header.names and one.type not in header.structs
+                      for one in given)
+        lines.append(f"        torture_pure = {int(fallible and not changed)};")
+        lines.append("        while (torture_next()) {")
+        if context:
+            lines.append("            if (torture_told->phase != TORTURE_ARGUMENTS) context = torture_context;")
+        if made:
+            lines.append(f"            made = (struct {made.type} *)TORTURE_UNTOUCHED;")
+        if fallible:
+            lines.append(f"            const gusset_status status = ({name})({arguments});")
+            lines.append(f"            torture_check(status, {f'{context} == torture_context ? context : NULL' if context else 'NULL'});")
+        else:
+            lines.append(f"            {'' if result == 'void' else '(void)'}({name})({arguments});")
+        if made:
+            lines.append(f"            if ({made.name} == own) torture_made(status, made);")
+            lines.append(f"            if (status == GUSSET_OK) finite_{made.type}(made), ({made.type}_destroy)(made);")
+        lines.append("        }\n        torture_leave();\n    }")
+    lines.append(f"    {'' if result == 'void' else 'return '}({name})({arguments});\n}}")
+    return "\n".join(line for line in lines if line)
+
+
+def main():
+    header = Header(open(sys.argv[1]).read())
+    print("/* Written by wrappers.py from gusset.h. */\n#include \"torture.h\"\n")
+    for name in header.structs:
+        print(f"static void visit_{name}(struct {name} *s, const char *path);")
+    for name, fields in header.structs.items():
+        wide = not header.has_pointers(name)
+        print(f"\nstatic void visit_{name}(struct {name} *s, const char *path) {{")
+        for at in range(len(fields)):
+            print("\n".join("    " + line for line in visit(header, fields, at, "s->", "path", wide)))
+        print("}")
+    handles = [name.removesuffix("_destroy") for _, name, _, _ in header.functions if name.endswith("_destroy")]
+    for handle in handles:
+        body = "\n".join(finite(header, handle)) or "    (void)made;"
+        print(f"\nstatic void finite_{handle}(const struct {handle} *made) {{\n{body}\n}}")
+    for function in header.functions:
+        print("\n" + wrapper(header, *function))
+    print()
+    for _, name, given, _ in header.functions:
+        if given:
+            print(f"#define {name}(...) torture_{name}(__VA_ARGS__)")
+
+
+if __name__ == "__main__":
+    main()
