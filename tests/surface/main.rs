@@ -31,6 +31,7 @@ mod rational;
 mod reference;
 mod shapes;
 mod surface_intersection;
+mod surface_intersection_along;
 mod surface_intersection_contact;
 mod surface_intersection_degenerate;
 mod surface_tangency;

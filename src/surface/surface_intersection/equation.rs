@@ -56,6 +56,18 @@ impl Frame {
         a.cross(b).length() > 0.3 * a.length() * b.length()
     }
 
+    /// The step to the solution nearest to another point, which is `away` from A.
+    ///
+    /// To A = B, with the parameter fixed that the curve runs along most, and from there along the
+    /// curve: both at once, as for a line.
+    pub(super) fn step_towards(&self, away: DVec3) -> DVec4 {
+        let (tangent, direction) = (self.tangent(), self.direction());
+        let fixed = (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best });
+        let back = step(&self.inverse(fixed), self.miss, fixed);
+        let left = away + self.columns[0] * back.x + self.columns[1] * back.y;
+        left.dot(direction) / direction.length_squared() * tangent - back
+    }
+
     /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other
     /// three.
     fn inverse(&self, fixed: usize) -> [DVec3; 3] {

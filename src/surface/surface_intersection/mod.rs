@@ -26,6 +26,7 @@ mod equation;
 mod graph;
 mod links;
 mod net;
+mod overlap;
 mod pairs;
 mod refine;
 mod solve;
@@ -41,8 +42,10 @@ use bridge::Surroundings;
 use chain::{Chained, chains};
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
+use equation::Frame;
 use glam::{DVec3, DVec4};
 use net::Net;
+use overlap::{CurvePoint, Overlaps};
 use solve::{FoundArcs, PairTask};
 use std::ops::Range;
 
@@ -57,6 +60,8 @@ const FIRST_MAX_BOXES: usize = 256;
 const SECOND_TOTAL_BOXES: usize = 1 << 22;
 /// The most for one of them.
 const SECOND_MAX_BOXES: usize = 1 << 17;
+/// Steps of Newton's method to a point of a curve.
+const NEAREST_STEPS: usize = 16;
 
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -116,6 +121,7 @@ impl Surface<'_> {
             chord: chord.max(tolerance),
         };
         let pieces = intersection.solve(&job.part(0.2, 0.9))?;
+        let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
         let search = ContactSearch {
             surfaces: intersection.surfaces,
             pairs: &pairs,
@@ -174,11 +180,12 @@ impl Surroundings for Intersection<'_> {
     }
 
     fn point(&self, pair: u32, x: DVec4) -> DVec3 {
-        self.surfaces[0].jet(self.places(pair, x)[0]).point
+        self.surfaces[0].jet(self.places(pair, x)[0]).point - self.origin
     }
 
     fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
-        let near = |point: DVec3| self.surfaces.iter().all(|surface| surface.closest(point, self.chord).is_some());
+        let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.origin + point, self.chord).is_some();
+        let near = |point: DVec3| self.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }
 }
@@ -276,6 +283,36 @@ impl Intersection<'_> {
             task(k, rounding_error).solve(&whole, pieces)?;
         }
         Ok(())
+    }
+
+    /// The arcs, those along sides that others share cut where these end; `None` if they are as
+    /// they were.
+    fn cut_overlaps(&self, pieces: &FoundArcs) -> Result<Option<FoundArcs>> {
+        let point = |pair: u32, x: DVec4| Surroundings::point(self, pair, x);
+        let nearest = |pair: u32, start: DVec4, to: DVec3| self.nearest(pair, start, to);
+        let (tolerance, chord) = (self.tolerance, self.chord);
+        Overlaps { pieces, point: &point, nearest: &nearest, tolerance, chord }.cut()
+    }
+
+    /// The point of a pair's curve nearest to another, from parameters near it.
+    fn nearest(&self, pair: u32, start: DVec4, to: DVec3) -> Option<CurvePoint> {
+        let mut x = start;
+        for _ in 0..NEAREST_STEPS {
+            let [place, other] = self.places(pair, x);
+            let (a, b) = (self.surfaces[0].jet(place), self.surfaces[1].jet(other));
+            let frame = Frame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] };
+            let point = a.point - self.origin;
+            let step = frame.step_towards(to - point);
+            if !step.is_finite() {
+                return None;
+            }
+            if step.abs().max_element() < 1e-12 {
+                let direction = frame.direction().normalize_or_zero();
+                return Some(CurvePoint { x: x + step, point, direction });
+            }
+            x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
+        }
+        None
     }
 
     /// Where parameters of a pair are on the two surfaces.

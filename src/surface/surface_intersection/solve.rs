@@ -27,6 +27,9 @@ const MIN_CONTACT_TOLERANCES: [f64; 2] = [64.0, 4.0];
 /// between surfaces that overlap by more than the tolerance, so that its rim is found whole.
 const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
 
+/// Curves whose ends are as near as this to a side, by parameters, may run along it.
+const SIDE_SLACK: f64 = 1e-6;
+
 /// Spots of one pair that do not touch each other.
 const MAX_BALLS: usize = 64;
 
@@ -45,6 +48,8 @@ pub(super) struct Arc {
     pub(super) at_border: [bool; 2],
     /// Whether it ends where it begins: it goes round a cell that is closed.
     pub(super) is_closed: bool,
+    /// Whether both ends are on one side of a cell that no other cell is known to share.
+    pub(super) is_along_side: bool,
 }
 
 impl Arc {
@@ -124,8 +129,22 @@ pub(super) struct PairTask {
 impl PairTask {
     /// Whether parameters are on a side that no other cell is beyond.
     fn is_at_border(&self, x: DVec4) -> bool {
-        let beyond = |k: usize| [x[k] <= PARAMETER_ROUNDING, x[k] >= 1.0 - PARAMETER_ROUNDING];
-        (0..4).any(|k| (0..2).any(|side| beyond(k)[side] && !self.neighbours[k][side]))
+        self.borders(x, PARAMETER_ROUNDING).into_iter().any(|on| on)
+    }
+
+    /// The sides of the two cells that no other cell is beyond, and that parameters are on.
+    fn borders(&self, x: DVec4, slack: f64) -> [bool; 8] {
+        std::array::from_fn(|n| {
+            let (k, above) = (n / 2, n % 2 == 1);
+            let is_on = if above { x[k] >= 1.0 - slack } else { x[k] <= slack };
+            is_on && !self.neighbours[k][n % 2]
+        })
+    }
+
+    /// Whether a curve between two points may run along one of those sides.
+    fn is_along_side(&self, ends: [DVec4; 2]) -> bool {
+        let [first, last] = ends.map(|x| self.borders(x, SIDE_SLACK));
+        first.into_iter().zip(last).any(|(first, last)| first && last)
     }
 
     /// Adds the arcs of the pair.
@@ -262,8 +281,10 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let directions = ends.map(|end| end.direction.normalize_or_zero());
         let at_border = ends.map(|end| self.task.is_at_border(end.x));
         let pair = self.task.pair;
-        alloc::push(&mut self.pieces.arcs, Arc { pair, from, to, ends: places, directions, at_border, is_closed })?;
-        Ok(())
+        let is_along_side = !is_closed && self.task.is_along_side(ends.map(|end| end.x));
+        let ends = places;
+        let arc = Arc { pair, from, to, ends, directions, at_border, is_closed, is_along_side };
+        Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 
     fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), Stop> {
