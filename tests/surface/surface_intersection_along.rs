@@ -1,10 +1,12 @@
 //! Curves that run along lines of parameters that are borders of cells: whole, and once.
 
-use crate::pairs::{check, length, one, summary};
-use glam::DVec3;
+use crate::pairs::{ball, check, length, one, summary, surface};
+use crate::shapes::Shape;
+use glam::{DMat3, DVec3};
 use gusset::Job;
 use gusset::surface::surface_intersection::Options;
 use gusset::surface::{Patches, Paths, Sheet, Surface};
+use std::f64::consts::TAU;
 
 /// How the parameters of a surface run: u and v exchanged, and each reversed.
 type Way = [bool; 3];
@@ -105,4 +107,114 @@ fn lines_along_borders_of_patches() {
         }
     }
     assert!(bad.is_empty(), "{} of {count}\n{}", bad.len(), bad.join("\n"));
+}
+
+/// A bilinear or higher height z = f(x, y) of degree 3 in both, by interpolation in a cell.
+fn heights(
+    cells: [usize; 2],
+    [[x0, x1], [y0, y1]]: [[f64; 2]; 2],
+    shift: DVec3,
+    f: &dyn Fn(f64, f64) -> f64,
+) -> Surface<'static> {
+    let mut points = Vec::new();
+    for (i, j) in (0..cells[0]).flat_map(|i| (0..cells[1]).map(move |j| (i, j))) {
+        let at = |a: f64, n: usize, [low, high]: [f64; 2]| low + (high - low) * a / n as f64;
+        // The coefficients of a cubic by its values at thirds.
+        let net = |g: [f64; 4]| {
+            [
+                g[0],
+                (-5.0 * g[0] + 18.0 * g[1] - 9.0 * g[2] + 2.0 * g[3]) / 6.0,
+                (2.0 * g[0] - 9.0 * g[1] + 18.0 * g[2] - 5.0 * g[3]) / 6.0,
+                g[3],
+            ]
+        };
+        let third = |k: usize, a: usize| k as f64 + a as f64 / 3.0;
+        let values: [[f64; 4]; 4] = std::array::from_fn(|a| {
+            net(std::array::from_fn(|b| f(at(third(i, a), cells[0], [x0, x1]), at(third(j, b), cells[1], [y0, y1]))))
+        });
+        let columns: [[f64; 4]; 4] = std::array::from_fn(|b| net(std::array::from_fn(|a| values[a][b])));
+        for (a, b) in (0..4).flat_map(|a| (0..4).map(move |b| (a, b))) {
+            let (x, y) = (at(third(i, a), cells[0], [x0, x1]), at(third(j, b), cells[1], [y0, y1]));
+            points.push(DVec3::new(x, y, columns[b][a]) + shift);
+        }
+    }
+    one(Sheet::Cubic(Patches::new(&points, [3, 3], cells[0], cells[1]).unwrap()))
+}
+
+/// The lengths of paths, and how many crossings.
+fn shape(paths: &Paths) -> String {
+    let lengths: Vec<String> = (0..paths.len())
+        .map(|k| paths.points_of(k).windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>())
+        .map(|l| format!("{l:.4}"))
+        .collect();
+    format!(
+        "{} contacts, total {:.6}, {} unresolved, {lengths:?}",
+        paths.contacts.len(),
+        length(paths),
+        paths.unresolved.len()
+    )
+}
+
+#[test]
+fn crossings_with_a_branch_along_a_line_of_parameters() {
+    let flat = |_: f64, _: f64| 0.0;
+    let two = |x: f64, y: f64| x * (y - 0.5 * x - 0.1);
+    let three = |x: f64, y: f64| (x + 0.1) * (y - 0.2) * (x + y - 0.3);
+    let wide = [[-1.3, 1.2], [-1.15, 1.25]];
+    let mut bad = Vec::new();
+    for shift in [DVec3::ZERO, DVec3::new(3.0, -2.0, 5.0)] {
+        for n in [1, 2, 3, 4, 5, 8] {
+            for m in [1, 4, 6] {
+                let plane = heights([m, m], wide, shift, &flat);
+                for (f, least, crossings, total) in [
+                    (&two as &dyn Fn(f64, f64) -> f64, 2..=4, 1, 2.0 + 5.0_f64.sqrt()),
+                    (&three, 3..=9, 3, 4.0 + 1.7 * 2.0_f64.sqrt()),
+                ] {
+                    let a = heights([n, n], SQUARE, shift, f);
+                    for (paths, way) in [(meet(&a, &plane), "a b"), (meet(&plane, &a), "b a")] {
+                        // Scraps beside a crossing are shorter than a hundredth.
+                        let points = (0..paths.len()).map(|k| paths.points_of(k));
+                        let long = points.filter(|p| p[0].distance(p[p.len() - 1]) > 0.01).count();
+                        let is_long = (length(&paths) / total - 1.0).abs() < 2e-3;
+                        if paths.contacts.len() != crossings || !is_long || !least.contains(&long) {
+                            bad.push(format!("{n} {m} {way} {total:.4}: {}", shape(&paths)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(bad.is_empty(), "{}\n{}", bad.len(), bad.join("\n"));
+}
+
+#[test]
+fn vivianis_curve_through_a_pole() {
+    let mut bad = Vec::new();
+    for cells in [[8, 16], [12, 24], [16, 32], [24, 48], [10, 22]] {
+        for turn in [0.0, 0.25, 0.1, 0.003] {
+            for tube in [[8, 16], [9, 24], [16, 32]] {
+                let sphere = surface(&ball(cells[0], cells[1]), |p| DMat3::from_rotation_z(TAU * turn) * p);
+                let wall = Shape {
+                    name: "tube",
+                    cells: tube,
+                    closed: [false, true],
+                    point: |u, v| DVec3::new(0.5 + 0.5 * (TAU * v).cos(), 0.5 * (TAU * v).sin(), 2.6 * u - 1.3),
+                };
+                let wall = surface(&wall, |p| p);
+                for (paths, way) in [(meet(&sphere, &wall), "a b"), (meet(&wall, &sphere), "b a")] {
+                    let near =
+                        |pole: DVec3| paths.points.iter().map(|p| p.distance(pole)).fold(f64::INFINITY, f64::min);
+                    let far = near(DVec3::Z).max(near(-DVec3::Z));
+                    if !paths.closed.iter().all(|closed| *closed) || far > 1e-8 {
+                        bad.push(format!(
+                            "{cells:?} {turn} {tube:?} {way}: {far:.1e} {} {:?}",
+                            shape(&paths),
+                            paths.closed
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    assert!(bad.is_empty(), "{}\n{}", bad.len(), bad.join("\n"));
 }

@@ -3,8 +3,8 @@
 //! The two points where the curve leaves the box are looked for along the line of the middle, or,
 //! if that does not lead to them, from a solution inside. That it does not come back is proved by
 //! the bounds of slopes: each parameter either always rises or always falls along the curve, or it
-//! stays inside. A parameter that does neither because the curve runs along a side of the box, to
-//! rounding, belongs to the box above that side.
+//! stays inside. A curve that runs along a side of the box, to rounding, does neither: it is of the
+//! boxes on both sides, and found by each (`overlap`).
 //!
 //! Cost: a few steps of Newton's method an end, O(N^2 + M^2) each.
 
@@ -16,6 +16,8 @@ use glam::{DVec3, DVec4};
 
 /// As much of a cell is rounding where a curve crosses a side.
 pub(super) const PARAMETER_ROUNDING: f64 = 1e-13;
+/// How many times as near to a side as the noise of a solution points tell nothing.
+const ROUNDINGS: f64 = 64.0;
 /// How much nearer than [`ArcSearch::close`] to a side a curve is that runs along it.
 const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
 
@@ -44,8 +46,9 @@ struct LocalCurve {
 struct Unclear;
 
 /// The part of a graph within a box: nothing longer than the tolerance, or one arc between two
-/// ends, by rising free parameter.
-pub(super) type ArcTest = BoxTest<[End; 2], ()>;
+/// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if that
+/// is known.
+pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;
 
 /// The search for the arc of a box.
 pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
@@ -55,29 +58,25 @@ pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
     high: DVec4,
     margin: DVec4,
     tolerance: f64,
+    rounding_error: f64,
     /// A length: where curves are as near to a side, points of them tell whether they run along it.
     close: f64,
-    /// By parameter: whether another box follows above this one.
-    followed: [bool; 4],
 }
 
 impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
-    /// `rounding_error`: lengths up to that may be rounding; `followed`: by parameter, whether
-    /// there is a cell above the whole cell.
+    /// `rounding_error`: lengths up to that may be rounding.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &ParameterBox<N, M>,
         chart: &'a Chart,
         tolerance: f64,
         rounding_error: f64,
-        followed: [bool; 4],
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
-        let followed = std::array::from_fn(|k| followed[k] || high[k] < 1.0);
         // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along
         // a side is nearer than 16 times the noise.
         let close = (1e-3 * tolerance).max(512.0 * rounding_error);
-        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
+        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, tolerance, rounding_error, close }
     }
 
     /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the
@@ -104,12 +103,12 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         let (x, frame) = match self.start() {
             Ok(Some(start)) => start,
             Ok(None) => return BoxTest::Empty,
-            Err(Unclear) => return BoxTest::Undecided(()),
+            Err(Unclear) => return BoxTest::Undecided(None),
         };
         let curve = LocalCurve { x, rates: self.rates(&frame), bend: DVec4::ZERO };
         match (self.exit(&curve, -1.0), self.exit(&curve, 1.0)) {
             (Some(first), Some(last)) => self.found(middle, first, last),
-            _ => BoxTest::Undecided(()),
+            _ => BoxTest::Undecided(None),
         }
     }
 
@@ -118,7 +117,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         match self.stays(middle, &first, &last) {
             Stay::Inside => BoxTest::Unique([first, last]),
             Stay::Outside => BoxTest::Empty,
-            Stay::Unknown => BoxTest::Undecided(()),
+            Stay::Unknown(k) => BoxTest::Undecided(Some(k)),
         }
     }
 
@@ -134,9 +133,11 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         low > 0.0 || high < 0.0
     }
 
-    /// The parameter of [`ArcSearch::close`].
+    /// The parameter of [`ArcSearch::close`], or what may be rounding where the surfaces are nearly
+    /// parallel.
     fn close(&self, frame: &Frame, k: usize) -> f64 {
-        (self.close / frame.columns[k].length()).min(1e-3)
+        let rounding = self.rounding_error * frame.sensitivity(self.chart.free, k);
+        (self.close / frame.columns[k].length()).max(ROUNDINGS * rounding).min(1e-3)
     }
 
     /// A solution inside the box, if there is one worth the while.
@@ -289,7 +290,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
             let Some(samples) = samples else {
-                return Stay::Unknown;
+                return Stay::Unknown(k);
             };
             match self.beside(k, &samples, self.close(frame, k)) {
                 Stay::Inside => {}
@@ -300,22 +301,21 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// Classifies a curve next to a side across parameter k: if it runs along it, to rounding, it
-    /// belongs to the box above; if it touches it, to the box that it comes from.
+    /// is of the boxes on both sides; if it touches it, of the box that it comes from.
     fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
         let [min, max] = range(samples.map(|x| x[k]));
         let near = |side: f64| min >= side - close && max <= side + close;
         let is_high = near(self.high[k]);
         if !is_high && !near(self.low[k]) {
-            return Stay::Unknown;
+            return Stay::Unknown(k);
         }
         let side = if is_high { self.high[k] } else { self.low[k] };
         let (below, above) = (max <= side + ALONG_SIDE_SHARE * close, min >= side - ALONG_SIDE_SHARE * close);
         match (below, above) {
-            (true, true) if is_high && self.followed[k] => Stay::Outside,
             (true, true) => Stay::Inside,
             (true, false) if is_high => Stay::Inside,
             (false, true) if !is_high => Stay::Inside,
-            (false, false) => Stay::Unknown,
+            (false, false) => Stay::Unknown(k),
             _ => Stay::Outside,
         }
     }
@@ -334,8 +334,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
 enum Stay {
     /// They stay in the box.
     Inside,
-    /// The curve runs along a side or touches it, and belongs to another box.
+    /// The curve touches a side from another box.
     Outside,
-    /// It cannot be told.
-    Unknown,
+    /// It cannot be told, for this parameter.
+    Unknown(usize),
 }

@@ -117,20 +117,25 @@ pub(super) fn chains(
     Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.passed(&links)? })
 }
 
-/// Arcs that are others once more, found from both sides of a side between sheets: by pairs of
-/// starts and ends that are near each other. The sheets may be turned against each other, so that
-/// such arcs may run in opposite ways.
+/// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs of
+/// starts and ends that are near each other. Sheets may be turned against each other, so that such
+/// arcs may run in opposite ways over other pairs.
 fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
         let way = if e == f { 1.0 } else { -1.0 };
+        // Short ones that follow each other are no nearer together than they are long.
+        let chord = one.ends[1] - one.ends[0];
+        let between = 0.5 * (one.ends[0] + one.ends[1] - other.ends[0] - other.ends[1]);
+        let is_beside = between.dot(chord).abs() <= 0.25 * chord.length_squared();
         let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= 1e-5);
-        if one.pair != other.pair
-            && one.ends[1 - e].distance(other.ends[1 - f]) <= 2.0 * tolerance
-            && parallel == [true, true]
-        {
+        let along = one.is_along_side && other.is_along_side;
+        let may_be_one = one.pair != other.pair || along && e == f && p / 2 != q / 2;
+        // At poles directions are not known.
+        let is_parallel = parallel[0] && parallel[1] || along && (parallel[0] || parallel[1]);
+        if may_be_one && is_parallel && is_beside && one.ends[1 - e].distance(other.ends[1 - f]) <= 2.0 * tolerance {
             dropped[p.max(q) as usize / 2] = true;
         }
     }

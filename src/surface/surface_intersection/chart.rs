@@ -164,6 +164,12 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         [s, t, u, v]
     }
 
+    /// Whether points are all on one side of the box, but for a slack.
+    pub(super) fn has_on_side(&self, points: [DVec4; 2], slack: f64) -> bool {
+        let on = |side: DVec4| points.map(|x| (x - side).abs().cmple(DVec4::splat(slack)));
+        [self.low, self.low + self.size].map(on).into_iter().any(|[first, last]| (first & last).any())
+    }
+
     /// The halves by parameter k.
     pub(super) fn halves(&self, k: usize) -> [Self; 2] {
         let mut parts = [self.clone(), self.clone()];

@@ -4,7 +4,7 @@
 //! Cost: O(N^2 + M^2) an evaluation.
 
 use super::net::Net;
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 
 /// Two patches. Parameters are those of the cells: (s, t) of A, then (u, v) of B.
 #[derive(Clone)]
@@ -66,6 +66,21 @@ impl Frame {
         let back = step(&self.inverse(fixed), self.miss, fixed);
         let left = away + self.columns[0] * back.x + self.columns[1] * back.y;
         left.dot(direction) / direction.length_squared() * tangent - back
+    }
+
+    /// The step of the parameters `moved` and the next, those of one surface, that brings it nearest
+    /// to the other's point.
+    pub(super) fn step_across(&self, moved: usize) -> DVec2 {
+        let [p, q] = [self.columns[moved], self.columns[moved + 1]];
+        let (pp, pq, qq) = (p.length_squared(), p.dot(q), q.length_squared());
+        let (f, g) = (self.miss.dot(p), self.miss.dot(q));
+        DVec2::new(g * pq - f * qq, f * pq - g * pp) / (pp * qq - pq * pq)
+    }
+
+    /// How much a parameter changes with A - B where another one is fixed.
+    pub(super) fn sensitivity(&self, fixed: usize, k: usize) -> f64 {
+        let rows = self.inverse(fixed);
+        OTHERS[fixed].iter().zip(rows).find(|(other, _)| **other == k).map_or(0.0, |(_, row)| row.length())
     }
 
     /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other

@@ -15,7 +15,8 @@
 //! room for rounding (`rounding_error`).
 //! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
 //! of the tolerance to a side of a box runs along it, touches it or crosses it, which decides
-//! between the boxes on both sides. Self-intersections of one surface are not looked for.
+//! between the boxes on both sides. One that runs along a side is found from both, and kept once
+//! (`overlap`). Self-intersections of one surface are not looked for.
 
 mod arc;
 mod bridge;
@@ -28,6 +29,7 @@ mod links;
 mod net;
 mod overlap;
 mod pairs;
+mod places;
 mod refine;
 mod solve;
 
@@ -37,15 +39,15 @@ pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
 use super::path::{Contact, ContactKind};
-use super::{Paths, Place, Sheet, Surface, each_sheet};
+use super::{Paths, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
 use chain::{Chained, chains};
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
-use equation::Frame;
 use glam::{DVec3, DVec4};
 use net::Net;
-use overlap::{CurvePoint, Overlaps};
+use overlap::Overlaps;
+use places::PairPlaces;
 use solve::{FoundArcs, PairTask};
 use std::ops::Range;
 
@@ -60,8 +62,6 @@ const FIRST_MAX_BOXES: usize = 256;
 const SECOND_TOTAL_BOXES: usize = 1 << 22;
 /// The most for one of them.
 const SECOND_MAX_BOXES: usize = 1 << 17;
-/// Steps of Newton's method to a point of a curve.
-const NEAREST_STEPS: usize = 16;
 
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -113,20 +113,19 @@ impl Surface<'_> {
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
+        let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
         let intersection = Intersection {
-            surfaces: [self, other],
-            pairs: &pairs,
-            origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
+            places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
             chord: chord.max(tolerance),
         };
         let pieces = intersection.solve(&job.part(0.2, 0.9))?;
         let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
         let search = ContactSearch {
-            surfaces: intersection.surfaces,
+            surfaces: [self, other],
             pairs: &pairs,
             balls: &pieces.balls,
-            origin: intersection.origin,
+            origin,
             tolerance: intersection.tolerance,
         };
         let critical = search.run(&job.part(0.9, 0.92))?;
@@ -142,7 +141,7 @@ impl Surface<'_> {
             if is_explained {
                 continue;
             }
-            let [place, _] = intersection.places(ball.pair, ball.x);
+            let [place, _] = intersection.places.places(ball.pair, ball.x);
             if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
@@ -156,10 +155,7 @@ impl Surface<'_> {
 
 /// Two surfaces that are intersected.
 struct Intersection<'a> {
-    surfaces: [&'a Surface<'a>; 2],
-    pairs: &'a [CellPair],
-    /// The origin of coordinates.
-    origin: DVec3,
+    places: PairPlaces<'a>,
     tolerance: f64,
     chord: f64,
 }
@@ -176,16 +172,16 @@ fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
 
 impl Surroundings for Intersection<'_> {
     fn sheets(&self, pair: u32) -> [u32; 2] {
-        self.pairs[pair as usize].sheets
+        self.places.pairs[pair as usize].sheets
     }
 
     fn point(&self, pair: u32, x: DVec4) -> DVec3 {
-        self.surfaces[0].jet(self.places(pair, x)[0]).point - self.origin
+        self.places.point(pair, x)
     }
 
     fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
-        let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.origin + point, self.chord).is_some();
-        let near = |point: DVec3| self.surfaces.iter().all(|surface| is_near(point, surface));
+        let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
+        let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }
 }
@@ -193,7 +189,7 @@ impl Surroundings for Intersection<'_> {
 impl Intersection<'_> {
     /// The arcs of all pairs, in their order.
     fn solve(&self, job: &Job<'_>) -> Result<FoundArcs> {
-        let all: Vec<u32> = alloc::collect((0..self.pairs.len()).map(|k| k as u32))?;
+        let all: Vec<u32> = alloc::collect((0..self.places.pairs.len()).map(|k| k as u32))?;
         let mut pieces = FoundArcs::default();
         self.solve_all(&all, FIRST_MAX_BOXES, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
@@ -233,12 +229,12 @@ impl Intersection<'_> {
     /// The arcs of some pairs, whichever their sheets are.
     fn chunk(&self, which: &[u32], max_boxes: usize, last: bool) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
-        let sheets = |&k: &u32| self.pairs[k as usize].sheets;
+        let sheets = |&k: &u32| self.places.pairs[k as usize].sheets;
         for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
-            let (one, other) = (self.surfaces[0].sheet(a as usize), self.surfaces[1].sheet(b as usize));
+            let (one, other) = (self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize));
             let task = |k: u32, rounding_error: f64| {
-                let [p, q] = self.pairs[k as usize].cells;
+                let [p, q] = self.places.pairs[k as usize].cells;
                 let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
                 let tolerance = self.tolerance.max(8.0 * rounding_error);
                 PairTask {
@@ -270,14 +266,14 @@ impl Intersection<'_> {
         let mut whole = ParameterBox::<N, M>::WHOLE;
         let (mut last, mut size_a) = (None, 0.0);
         for &k in which {
-            let [p, q] = self.pairs[k as usize].cells;
+            let [p, q] = self.places.pairs[k as usize].cells;
             // Pairs of one cell of A follow each other.
             if last != Some(p) {
-                (whole.nets.a, size_a) = Net::new(&a.patch(p[0] as usize, p[1] as usize), self.origin);
+                (whole.nets.a, size_a) = Net::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
                 last = Some(p);
             }
             let size_b;
-            (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.origin);
+            (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
             // Of the nets, and of their halvings.
             let rounding_error = 16.0 * f64::EPSILON * f64::max(size_a, size_b);
             task(k, rounding_error).solve(&whole, pieces)?;
@@ -288,45 +284,12 @@ impl Intersection<'_> {
     /// The arcs, those along sides that others share cut where these end; `None` if they are as
     /// they were.
     fn cut_overlaps(&self, pieces: &FoundArcs) -> Result<Option<FoundArcs>> {
-        let point = |pair: u32, x: DVec4| Surroundings::point(self, pair, x);
-        let nearest = |pair: u32, start: DVec4, to: DVec3| self.nearest(pair, start, to);
         let (tolerance, chord) = (self.tolerance, self.chord);
-        Overlaps { pieces, point: &point, nearest: &nearest, tolerance, chord }.cut()
-    }
-
-    /// The point of a pair's curve nearest to another, from parameters near it.
-    fn nearest(&self, pair: u32, start: DVec4, to: DVec3) -> Option<CurvePoint> {
-        let mut x = start;
-        for _ in 0..NEAREST_STEPS {
-            let [place, other] = self.places(pair, x);
-            let (a, b) = (self.surfaces[0].jet(place), self.surfaces[1].jet(other));
-            let frame = Frame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] };
-            let point = a.point - self.origin;
-            let step = frame.step_towards(to - point);
-            if !step.is_finite() {
-                return None;
-            }
-            if step.abs().max_element() < 1e-12 {
-                let direction = frame.direction().normalize_or_zero();
-                return Some(CurvePoint { x: x + step, point, direction });
-            }
-            x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
-        }
-        None
-    }
-
-    /// Where parameters of a pair are on the two surfaces.
-    fn places(&self, pair: u32, x: DVec4) -> [Place; 2] {
-        let CellPair { sheets, cells } = self.pairs[pair as usize];
-        let x = x.clamp(DVec4::ZERO, DVec4::ONE);
-        [
-            Place { sheet: sheets[0], cell: cells[0], u: x.x, v: x.y },
-            Place { sheet: sheets[1], cell: cells[1], u: x.z, v: x.w },
-        ]
+        Overlaps { pieces, places: &self.places, tolerance, chord }.cut()
     }
 
     fn contact(&self, point: &CriticalPoint) -> Contact {
-        let [place, other] = self.places(point.pair, point.x);
+        let [place, other] = self.places.places(point.pair, point.x);
         let kind = if point.is_saddle { ContactKind::Crossing } else { ContactKind::Point };
         Contact { kind, place, other, gap: point.gap, radius: point.radius }
     }
@@ -360,13 +323,13 @@ impl Intersection<'_> {
                 let ends_here = node.is_some() || n + 1 == chain.arcs.len() && !chain.closed;
                 let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
-                    let [place, other] = self.places(arc.pair, x);
+                    let [place, other] = self.places.places_inside(arc.pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
                 }
                 if let Some(node) = node {
                     let CriticalPoint { pair, x, .. } = critical[nodes[node].1 as usize];
-                    let [place, other] = self.places(pair, x);
+                    let [place, other] = self.places.places(pair, x);
                     alloc::push(&mut paths.places, place)?;
                     alloc::push(&mut paths.others, other)?;
                     last = None;
@@ -379,13 +342,13 @@ impl Intersection<'_> {
         paths.points = alloc::with_capacity(paths.places.len())?;
         paths.normals = alloc::with_capacity(paths.places.len())?;
         for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
-            let (sheet, [i, j]) = (self.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
+            let (sheet, [i, j]) = (self.places.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
             each_sheet!(sheet, cells => {
                 let patch = Cells::patch(cells, i as usize, j as usize);
                 for &place in run {
                     let jet = patch.jet(place.u, place.v);
                     paths.points.push(jet.point);
-                    paths.normals.push(self.surfaces[0].normal_by(place, &jet));
+                    paths.normals.push(self.places.surfaces[0].normal_by(place, &jet));
                 }
             });
         }

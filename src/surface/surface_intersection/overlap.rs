@@ -1,25 +1,17 @@
 //! Arcs along sides that cells share: cut where others end.
 //!
-//! A curve along a side of a patch is found from both sides of it, or by all cells round it, in
-//! arcs that end in different places, as boxes are halved otherwise over other pairs. Cut at each
-//! other's ends they are the same arcs several times, of which `chain` keeps one. A cut of an arc
-//! that is found once does nothing: its two parts are joined again.
+//! A curve along a side of a cell, or of a box, is found from both sides of it, in arcs that end in
+//! different places, as boxes are halved otherwise beyond. Cut at each other's ends they are the same
+//! arcs several times, of which `chain` keeps one. A cut of an arc that is found once does nothing:
+//! its two parts are joined again.
 //!
 //! Cost: O(log n) for each arc along a side, and a few evaluations for each end near to it.
 
+use super::places::{CurvePoint, PairPlaces};
 use super::solve::{Arc, FoundArcs};
 use crate::geom::kd_tree::{KdTree, Radius};
 use crate::sort;
 use crate::surface::prelude::*;
-use glam::DVec4;
-
-/// A point of the intersection: by parameters of a pair of cells, in space, and the direction there.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct CurvePoint {
-    pub(super) x: DVec4,
-    pub(super) point: DVec3,
-    pub(super) direction: DVec3,
-}
 
 /// A cut through an arc, behind one of its points.
 struct Cut {
@@ -33,10 +25,7 @@ struct Cut {
 /// The curves of the pairs of cells.
 pub(super) struct Overlaps<'a> {
     pub(super) pieces: &'a FoundArcs,
-    /// The point at parameters of a pair.
-    pub(super) point: &'a dyn Fn(u32, DVec4) -> DVec3,
-    /// The point of a pair's curve nearest to another, from parameters near it.
-    pub(super) nearest: &'a dyn Fn(u32, DVec4, DVec3) -> Option<CurvePoint>,
+    pub(super) places: &'a PairPlaces<'a>,
     pub(super) tolerance: f64,
     pub(super) chord: f64,
 }
@@ -62,9 +51,9 @@ impl Overlaps<'_> {
     fn add_cuts(&self, k: u32, arc: &Arc, ends: &[DVec3], tree: &KdTree<'_>, cuts: &mut Vec<Cut>) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
         let within = 2.0 * self.tolerance;
-        let mut from = (self.point)(arc.pair, points[0]);
+        let mut from = self.places.point(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
-            let to = (self.point)(arc.pair, pair[1]);
+            let to = self.places.point(arc.pair, pair[1]);
             let (whole, mut result) = (to - from, Ok(()));
             let reach = Radius::new((0.5 * whole.length() + self.chord).max(f64::MIN_POSITIVE));
             tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
@@ -75,7 +64,7 @@ impl Overlaps<'_> {
                 if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * self.chord {
                     return;
                 }
-                let at = (self.nearest)(arc.pair, pair[0].lerp(pair[1], way), end);
+                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end);
                 if let Some(at) = at.filter(|at| at.point.distance(end) <= within) {
                     result = alloc::push(cuts, Cut { arc: k, behind: n as u32, way, at });
                 }

@@ -27,6 +27,8 @@ const MIN_CONTACT_TOLERANCES: [f64; 2] = [64.0, 4.0];
 /// between surfaces that overlap by more than the tolerance, so that its rim is found whole.
 const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
 
+/// Boxes that are smaller than this, by a parameter, are halved by another one.
+const MIN_SPLIT_SIZE: f64 = 1e-8;
 /// Curves whose ends are as near as this to a side, by parameters, may run along it.
 const SIDE_SLACK: f64 = 1e-6;
 
@@ -48,7 +50,7 @@ pub(super) struct Arc {
     pub(super) at_border: [bool; 2],
     /// Whether it ends where it begins: it goes round a cell that is closed.
     pub(super) is_closed: bool,
-    /// Whether both ends are on one side of a cell that no other cell is known to share.
+    /// Whether both ends are on one side of its box, so that the box beyond may have it too.
     pub(super) is_along_side: bool,
 }
 
@@ -129,22 +131,8 @@ pub(super) struct PairTask {
 impl PairTask {
     /// Whether parameters are on a side that no other cell is beyond.
     fn is_at_border(&self, x: DVec4) -> bool {
-        self.borders(x, PARAMETER_ROUNDING).into_iter().any(|on| on)
-    }
-
-    /// The sides of the two cells that no other cell is beyond, and that parameters are on.
-    fn borders(&self, x: DVec4, slack: f64) -> [bool; 8] {
-        std::array::from_fn(|n| {
-            let (k, above) = (n / 2, n % 2 == 1);
-            let is_on = if above { x[k] >= 1.0 - slack } else { x[k] <= slack };
-            is_on && !self.neighbours[k][n % 2]
-        })
-    }
-
-    /// Whether a curve between two points may run along one of those sides.
-    fn is_along_side(&self, ends: [DVec4; 2]) -> bool {
-        let [first, last] = ends.map(|x| self.borders(x, SIDE_SLACK));
-        first.into_iter().zip(last).any(|(first, last)| first && last)
+        let beyond = |k: usize| [x[k] <= PARAMETER_ROUNDING, x[k] >= 1.0 - PARAMETER_ROUNDING];
+        (0..4).any(|k| (0..2).any(|side| beyond(k)[side] && !self.neighbours[k][side]))
     }
 
     /// Adds the arcs of the pair.
@@ -219,11 +207,11 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         // branches elsewhere, and contacts are left as they are at the tolerance.
         let is_fine = self.examined <= self.task.max_boxes / 2;
         let frame = equation.frame(part.middle());
+        let mut unclear = None;
         match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
             BoxTest::Empty => return Ok(BoxTest::Empty),
             BoxTest::Unique(chart) => {
-                let followed = self.task.neighbours.map(|[_, above]| above);
-                let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error, followed);
+                let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error);
                 let found = match search.along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
@@ -232,6 +220,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
                 match found {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
                     BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
+                    BoxTest::Undecided(k) => unclear = k,
                     _ => {}
                 }
             }
@@ -250,11 +239,14 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             false => [tolerance, -tolerance],
         };
         let unresolved = extents[longest] <= 0.25 * tolerance || part.is_within(&frame, thickness, reach);
-        Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(longest) })
+        // Near poles pieces are too short in one direction for that to be the longest ever.
+        let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
+        let split = unclear.filter(is_long).unwrap_or(longest);
+        Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(split) })
     }
 
     /// Adds an arc, unless it is as short as may be dropped.
-    fn accept(&mut self, _: Cow<'a, ParameterBox<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
+    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
         // By rising free parameter; but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
@@ -281,7 +273,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let directions = ends.map(|end| end.direction.normalize_or_zero());
         let at_border = ends.map(|end| self.task.is_at_border(end.x));
         let pair = self.task.pair;
-        let is_along_side = !is_closed && self.task.is_along_side(ends.map(|end| end.x));
+        let is_along_side = !is_closed && part.has_on_side(ends.map(|end| end.x), SIDE_SLACK);
         let ends = places;
         let arc = Arc { pair, from, to, ends, directions, at_border, is_closed, is_along_side };
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
