@@ -350,8 +350,8 @@ pub enum Error {
     /// Two nets cannot be joined, as faces of the one are to be taken the other way round.
     #[error("faces of the second net are taken the other way round than those of the first: flip it")]
     NetsOpposed,
-    /// Faces of a mesh are no rectangular grid of quads.
-    #[error("the faces are no rectangular grid of quads, face {face} among them")]
+    /// Faces of a mesh are no rectangular grid of quads, or triangles no such grid with diagonals.
+    #[error("the faces are no rectangular grid of quads, whole or as two triangles each, face {face} among them")]
     NoGrid {
         /// The first face that shows it.
         face: u32,

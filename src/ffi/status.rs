@@ -94,7 +94,7 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_SEAM = 1302,
     /// Sides of nets to be joined have different numbers of nodes, or do not lie on each other.
     GUSSET_ERROR_SIDES_DIFFER = 1303,
-    /// Faces of a mesh are no rectangular grid of quads.
+    /// Faces of a mesh are no rectangular grid of quads, or triangles no such grid with diagonals.
     GUSSET_ERROR_NO_GRID = 1304,
     /// A stream is damaged, cut off, or none of ours.
     GUSSET_ERROR_BAD_STREAM = 1305,
