@@ -432,6 +432,9 @@ pub enum Error {
     /// An option is outside its range.
     #[error("option {option} is out of range: {}", Number(.value))]
     OptionOutOfRange { option: &'static str, value: f64 },
+    /// A property of a bridge is negative, NaN or infinite, or too large for the coordinates.
+    #[error("bridge {bridge}: its {property} is {}", Number(.value))]
+    BadProperty { bridge: u32, property: &'static str, value: f64 },
     /// Memory for an array could not be had.
     #[error("{bytes} bytes of memory could not be had")]
     OutOfMemory { bytes: u64 },

@@ -331,6 +331,7 @@ impl From<Error> for Failure {
                 let value = if fault == PairFault::NoPiece { piece } else { vertex };
                 at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pair, value.into())
             }
+            BadProperty { bridge, value, .. } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_BRIDGE, bridge, value),
             OptionOutOfRange { value, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, value),
             OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Cancelled => plain(GUSSET_ERROR_CANCELLED, 0.0),

@@ -34,15 +34,17 @@ choices! { for BridgeMode:
     Weld => "Weld", "Their coincident sides are merged.";
 }
 
-/// The physical properties that a host gives a bridge (Deryagin, "tension, elasticity, stiffness"):
-/// stored and not interpreted.
+/// The physical properties of a bridge (Deryagin, "tension, elasticity, stiffness"), under which
+/// [`settle`](super::settle()) finds its equilibrium. Units: of length that of the coordinates, of force
+/// any one.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BridgeProperties {
-    /// Tension.
+    /// Tension: a force in each line across a thread or a ribbon, a force per length in a tube.
     pub tension: f64,
-    /// Elasticity.
+    /// Elasticity: the force that doubles the length of a line across, at least 0.
     pub elasticity: f64,
-    /// Stiffness.
+    /// Stiffness against bending: force times squared length, for each line across; infinite: the
+    /// bridge is rigid.
     pub stiffness: f64,
     /// The host's own.
     pub user: u64,
@@ -78,13 +80,18 @@ impl Drop for Adaptation {
     }
 }
 
-/// The row or column of cells between two nets that were joined, with all that splitting needs.
+/// The cells between two nets that were joined, with all that splitting needs.
+///
+/// Invariant: `at > rows`. The sides are rows (`Down`) or columns `at - rows - 1` and `at`; between
+/// them lie `rows` inner rows or columns of the bridge's own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bridge {
     /// The direction from the first net to the second.
     pub direction: Direction,
     /// The first row or column of the second net: the cells of the bridge lie before it.
     pub at: u32,
+    /// The inner rows or columns of nodes, which belong to neither net.
+    pub rows: u32,
     /// The first node along the side: more than 0 in a net within a larger one.
     pub start: u32,
     /// One past the last node along the side.
@@ -93,7 +100,7 @@ pub struct Bridge {
     pub kind: BridgeKind,
     /// The treatment of its cells.
     pub mode: BridgeMode,
-    /// Physical properties, for the host's use.
+    /// Physical properties.
     pub properties: BridgeProperties,
     /// The adaptations of the first net and of the second, if any.
     pub(crate) adaptations: [Option<Arc<Adaptation>>; 2],
@@ -105,12 +112,17 @@ impl Bridge {
     /// A bridge along a whole side of `count` nodes.
     pub fn new(direction: Direction, at: u32, count: u32, kind: BridgeKind, mode: BridgeMode) -> Self {
         let (properties, adaptations) = (BridgeProperties::default(), [None, None]);
-        Bridge { direction, at, start: 0, end: count, kind, mode, properties, adaptations, nesting: 0 }
+        Bridge { direction, at, rows: 0, start: 0, end: count, kind, mode, properties, adaptations, nesting: 0 }
     }
 
     /// True if its cells are absent.
     pub fn is_hidden(&self) -> bool {
         self.mode == BridgeMode::Hide
+    }
+
+    /// The last row or column of the first net.
+    pub(crate) fn first_side(&self) -> u32 {
+        self.at - self.rows - 1
     }
 
     /// True if it runs from side to side of a net of that size, so that the net can be split there.

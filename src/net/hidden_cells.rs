@@ -52,7 +52,6 @@ impl HiddenCells {
 
 /// The rows of cells of a bridge, and its range of columns in each.
 fn ranges(bridge: &Bridge) -> impl Iterator<Item = (usize, [u32; 2])> + Clone {
-    let (before, start, end) = (bridge.at - 1, bridge.start, bridge.end - 1);
-    let (rows, columns) = bridge.direction.ordered(before..before + 1, start..end);
+    let (rows, columns) = bridge.direction.ordered(bridge.first_side()..bridge.at, bridge.start..bridge.end - 1);
     rows.map(move |row| (row as usize, [columns.start, columns.end]))
 }

@@ -15,7 +15,7 @@
 //! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
 //! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]:
-//!   normals, areas, volumes. [`planarise()`]: plane cells. [`morph()`]: nets between two.
+//!   normals, areas, volumes. [`planarise()`]: plane cells. [`settle()`]: bridges under forces. [`morph()`]: nets between two.
 //! * [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]: meshes and height fields.
 //!   [`stream`]: nets as bytes.
 
@@ -45,6 +45,7 @@ mod reformat;
 pub mod resample;
 pub mod scene;
 mod separate;
+pub mod settle;
 mod shape;
 pub mod stream;
 pub mod topology;
@@ -62,6 +63,7 @@ pub use planarise::planarise;
 pub use planes::Planes;
 pub use real::Real;
 pub use reformat::Replication;
+pub use settle::settle;
 pub use shape::{MAX_NODES, Shape};
 pub use topology::{Classes, Matrix, Seam, Sides, Topology};
 pub use validate::{Finding, FindingKind};

@@ -128,7 +128,7 @@ impl Way {
 /// The rotation R for which the trace of R^T M is greatest: B. K. P. Horn, *Closed-form solution of
 /// absolute orientation using unit quaternions* (1987). It is the eigenvector of the greatest
 /// eigenvalue of a symmetric matrix of four rows, here by Jacobi's rotations.
-fn best_rotation(m: DMat3) -> DQuat {
+pub(crate) fn best_rotation(m: DMat3) -> DQuat {
     let at = |row: usize, column: usize| m.col(column)[row];
     let (x, y, z) = (at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1));
     let (xy, xz, yz) = (at(1, 0) + at(0, 1), at(2, 0) + at(0, 2), at(2, 1) + at(1, 2));

@@ -109,7 +109,7 @@ impl Net<'_> {
                 Direction::Down => bridge.moved(place, |j| j),
                 Direction::Right => bridge.moved(|i| i, place),
             };
-            if bridge.at > 0 && bridge.end > bridge.start + 1 {
+            if bridge.at > bridge.rows && bridge.end > bridge.start + 1 {
                 alloc::push(net.bridges_mut(), bridge)?;
             }
         }
@@ -134,11 +134,12 @@ impl Bridge {
     /// The bridge in a net whose rows and columns are moved; ends are moved as the line they
     /// exclude.
     fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
-        let (at, start, end) = match self.direction {
-            Direction::Right => (column(self.at), row(self.start), row(self.end)),
-            Direction::Down => (row(self.at), column(self.start), column(self.end)),
+        let inner = self.at - self.rows;
+        let (at, inner, start, end) = match self.direction {
+            Direction::Right => (column(self.at), column(inner), row(self.start), row(self.end)),
+            Direction::Down => (row(self.at), row(inner), column(self.start), column(self.end)),
         };
-        Bridge { at, start, end, ..self.unadapted() }
+        Bridge { at, rows: at - inner, start, end, ..self.unadapted() }
     }
 }
 

@@ -27,6 +27,7 @@ mod reformat;
 mod resample;
 mod roll;
 mod scene;
+mod settle;
 mod space;
 mod stream;
 mod topology;

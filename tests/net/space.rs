@@ -15,7 +15,8 @@ fn turn(k: usize, n: usize) -> (f64, f64) {
 /// True if the cell at (i, j) belongs to the bridge.
 pub fn has_cell(bridge: &Bridge, i: usize, j: usize) -> bool {
     let (across, along) = if bridge.direction == Direction::Down { (i, j) } else { (j, i) };
-    across + 1 == bridge.at as usize && (bridge.start as usize..bridge.end as usize - 1).contains(&along)
+    (bridge.at - bridge.rows - 1..bridge.at).contains(&(across as u32))
+        && (bridge.start as usize..bridge.end as usize - 1).contains(&along)
 }
 
 /// True if the cell at (i, j) belongs to a hidden bridge.

@@ -25,15 +25,18 @@ pub const GUSSET_BRIDGE_TUBE: gusset_bridge_kind = 1;
 /// One edge between sides that are a point each.
 pub const GUSSET_BRIDGE_THREAD: gusset_bridge_kind = 2;
 
-/// The physical properties of a bridge: kept for the host, and not used.
+/// The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units: of
+/// length that of the coordinates, of force any one that all have.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge_properties {
-    /// Tension.
+    /// At least 0: the force in each line of links across a thread or a ribbon, and the force per
+    /// length in the film of a tube.
     pub tension: f64,
-    /// Elasticity.
+    /// At least 0: the force that doubles the length of a line of links across.
     pub elasticity: f64,
-    /// Stiffness.
+    /// At least 0, against bending: force times squared length, for each line of links across;
+    /// infinity: rigid.
     pub stiffness: f64,
     /// The host's own.
     pub user: u64,
@@ -63,6 +66,11 @@ pub struct gusset_join_options {
     /// 1: nets whose faces are taken the other way round than those of the first are flipped along
     /// the side; 0: refused.
     pub turn: u32,
+    /// How many rows or columns of nodes of its own each new bridge has, evenly on straight lines
+    /// between the two sides; 0 for GUSSET_BRIDGE_WELD.
+    pub rows: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// A bridge of a net.
@@ -85,9 +93,14 @@ pub struct gusset_bridge {
     pub kind: gusset_bridge_kind,
     /// GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
     pub mode: gusset_bridge_mode,
+    /// The rows (DOWN) or columns of its own, which lie before `at`: the side of the first net is
+    /// at - rows - 1.
+    pub rows: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
-versioned! { gusset_join_options: 72, gusset_bridge: 64 }
+versioned! { gusset_join_options: 72 reserved, gusset_bridge: 64 }
 
 impl From<gusset_bridge_properties> for BridgeProperties {
     fn from(given: gusset_bridge_properties) -> Self {
@@ -112,6 +125,7 @@ impl gusset_join_options {
             twist: self.twist,
             turn: flag(self.turn, "turn")?,
             properties: self.properties.into(),
+            rows: self.rows,
         })
     }
 }
@@ -138,7 +152,8 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no nets),
 ///     BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
 ///     (sizes that are not to be equalised; or sides to be welded that are apart: the report has
-///     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side),
+///     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side; rows of
+///     bridges that are to be welded),
 ///     CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes of the result); memory for it, and once more for nets that are enlarged,
 ///     turned or flipped.
@@ -160,8 +175,8 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 }
 
 /// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
-/// they were joined, unless they were changed since; copies that were made to equalise sizes are
-/// removed.
+/// they were joined, unless they were changed since; copies that were made to equalise sizes, and the
+/// rows of the bridge, are removed.
 ///
 /// Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
 /// reverse order of joining. What is glued across the bridge is cut.
@@ -240,11 +255,14 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
             end: bridge.end,
             kind: bridge.kind.number(),
             mode: bridge.mode.number(),
+            rows: bridge.rows,
+            reserved: 0,
         }
     })
 }
 
-/// Does something else with the cells of a bridge, and gives it other properties.
+/// Does something else with the cells of a bridge, and gives it other properties. A bridge that has
+/// rows of its own cannot be welded: OUT_OF_RANGE.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.

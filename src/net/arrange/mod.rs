@@ -125,23 +125,26 @@ impl Bridge {
         let count = axis.extent(shape).0 as u32;
         let bridge = self.unadapted();
         if self.direction == axis {
-            Bridge { at: count - self.at, ..bridge }
+            Bridge { at: count - self.first_side() - 1, ..bridge }
         } else {
             Bridge { start: count - self.end, end: count - self.start, ..bridge }
         }
     }
 
-    /// The part of the bridge within a rectangle, if a cell of it is.
+    /// The part of the bridge within a rectangle, if a cell of it is. Where the rectangle ends among
+    /// the inner rows, the last of them is the side.
     pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
         let (across, along) = self.direction.ordered(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
-        let at = self.at as usize;
-        if at <= across.start || at >= across.end || end < start + 2 {
+        let (side, at) = (self.first_side() as usize, self.at as usize);
+        let (first, last) = (side.max(across.start), at.min(across.end.saturating_sub(1)));
+        if first >= last || end < start + 2 {
             return None;
         }
-        let whole = (start, end) == (self.start as usize, self.end as usize);
+        let whole = (start, end, first, last) == (self.start as usize, self.end as usize, side, at);
         let bridge = if whole { self.clone() } else { self.unadapted() };
         let (start, end) = ((start - along.start) as u32, (end - along.start) as u32);
-        Some(Bridge { at: (at - across.start) as u32, start, end, ..bridge })
+        let (at, rows) = ((last - across.start) as u32, (last - first - 1) as u32);
+        Some(Bridge { at, rows, start, end, ..bridge })
     }
 }

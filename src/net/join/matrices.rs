@@ -8,10 +8,11 @@ use crate::net::reformat::sums;
 use crate::net::{Coordinates, Direction, Net, Planes, Real, Shape};
 use std::ops::Range;
 
-/// The matrices of all nets side by side, bit for bit.
+/// The matrices of all nets side by side, bit for bit, with so many `inner` rows or columns of
+/// zeros between.
 pub(super) fn join(
     nets: &[&Net<'_>],
-    direction: Direction,
+    (direction, inner): (Direction, u32),
     shape: Shape,
     job: &Job<'_>,
 ) -> Result<Coordinates<'static>> {
@@ -24,7 +25,7 @@ pub(super) fn join(
                     _ => return Err(Error::MixedScalars),
                 }
             }
-            Coordinates::$kind(side_by_side(&parts, direction, shape, job)?)
+            Coordinates::$kind(side_by_side(&parts, (direction, inner), shape, job)?)
         }};
     }
     Ok(match nets[0].coordinates() {
@@ -35,11 +36,11 @@ pub(super) fn join(
 
 fn side_by_side<T: Real>(
     parts: &[&Planes<'_, T>],
-    direction: Direction,
+    (direction, inner): (Direction, u32),
     shape: Shape,
     job: &Job<'_>,
 ) -> Result<Planes<'static, T>> {
-    let starts = starts(parts.iter().map(|part| part.shape()), direction)?;
+    let starts = starts(parts.iter().map(|part| part.shape()), direction, inner)?;
     let columns = shape.columns();
     match direction {
         Direction::Down => {
@@ -56,9 +57,14 @@ fn side_by_side<T: Real>(
     }
 }
 
-/// Where each net starts in a direction; one entry more than there are nets.
-pub(crate) fn starts(shapes: impl ExactSizeIterator<Item = Shape>, direction: Direction) -> Result<Vec<usize>> {
-    sums(shapes.map(|shape| direction.extent(shape).0))
+/// Where each net starts in a direction, if `inner` rows or columns follow each; one entry more than
+/// there are nets.
+pub(crate) fn starts(
+    shapes: impl ExactSizeIterator<Item = Shape>,
+    direction: Direction,
+    inner: u32,
+) -> Result<Vec<usize>> {
+    sums(shapes.map(|shape| direction.extent(shape).0 + inner as usize))
 }
 
 /// Fills rows with those of the nets that lie one below the other there.
@@ -77,6 +83,8 @@ fn copy_rows<T: Real>(
         let end = rows.end.min(starts[part + 1]);
         let (here, rest) = to.split_at_mut((end - i) * columns);
         let first = i - starts[part];
+        let own = parts[part].shape().rows().saturating_sub(first).min(end - i);
+        let here = &mut here[..own * columns];
         if stride == columns {
             here.copy_from_slice(&from[first * columns..][..here.len()]);
         } else {

@@ -6,14 +6,19 @@
 //! other net's last column. They become a seam, so that every net stays what it was. Invariant:
 //! [`Net::split`] restores the nets bit for bit. O(nodes).
 //!
-//! `adapt` fits nets to each other, `topology` joins gluings, `matrices` coordinates.
+//! A bridge may have inner rows of nodes, laid evenly on straight lines between its sides.
+//!
+//! `adapt` fits nets to each other, `topology` joins gluings, `matrices` coordinates, `inner` lays
+//! inner rows.
 
 mod adapt;
+mod inner;
 mod matrices;
 mod options;
 mod split;
 mod topology;
 
+pub(crate) use inner::lay_inner_rows;
 pub(crate) use matrices::starts;
 pub use options::JoinOptions;
 
@@ -30,7 +35,8 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`],
-/// [`Error::OptionOutOfRange`] for the tolerance and for a twist of an open side,
+/// [`Error::OptionOutOfRange`] for the tolerance, for a twist of an open side and for inner rows that
+/// are to be welded,
 /// [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do not coincide,
 /// [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
@@ -68,7 +74,8 @@ pub(crate) fn join_mirrored(
         }
         along = along.max(b);
     }
-    joined_shape(nets.iter().map(|net| net.shape()), options.direction, along)?;
+    Error::require(options.mode != BridgeMode::Weld || options.rows == 0, "rows", options.rows.into())?;
+    joined_shape(nets, options, along)?;
     let (mut copies, fitting) = (alloc::with_capacity(nets.len())?, job.part(0.0, 0.3));
     let reversed = first.topology().is_reversed() != mirrored[0];
     for (k, (net, &mirrored)) in nets.iter().zip(mirrored).enumerate() {
@@ -86,17 +93,20 @@ pub(crate) fn join_mirrored(
         nets.windows(2)
             .try_for_each(|pair| check_coincident(pair[0], pair[1], options.direction, options.tolerance))?;
     }
-    let topology = topology::join(&nets, options.direction, options.mode == BridgeMode::Weld)?;
-    let coordinates = matrices::join(&nets, options.direction, topology.shape(), &job.part(0.3, 1.0))?;
+    let topology = topology::join(&nets, options.direction, options.mode == BridgeMode::Weld, options.rows)?;
+    let (sides, joining) = ((options.direction, options.rows), job.part(0.3, 0.9));
+    let coordinates = matrices::join(&nets, sides, topology.shape(), &joining)?;
     let mut net = Net::new(coordinates, topology.with_reversed(reversed));
     add_bridges(&mut net, &nets, &copies, options)?;
+    lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
     Ok(net)
 }
 
 /// The shape of nets joined along sides of `along` nodes.
-fn joined_shape(shapes: impl Iterator<Item = Shape>, direction: Direction, along: usize) -> Result<Shape> {
-    let across = shapes.map(|shape| direction.extent(shape).0).fold(0, usize::saturating_add);
-    let (rows, columns) = direction.ordered(across, along);
+fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, along: usize) -> Result<Shape> {
+    let inner = (options.rows as usize).saturating_mul(nets.len() - 1);
+    let across = nets.iter().map(|net| options.direction.extent(net.shape()).0).fold(inner, usize::saturating_add);
+    let (rows, columns) = options.direction.ordered(across, along);
     Shape::new(rows, columns)
 }
 
@@ -113,14 +123,16 @@ fn add_bridges(
     let record = |k: usize| copies[k].as_ref().map(|(_, record)| Arc::clone(record));
     let mut at = 0;
     for (k, part) in nets.iter().enumerate() {
+        let first = if k > 0 { at + options.rows } else { at };
         for bridge in part.bridges() {
-            let bridge = bridge.shifted(direction, at);
+            let bridge = bridge.shifted(direction, first);
             alloc::push(net.bridges_mut(), Bridge { nesting: bridge.nesting.saturating_add(1), ..bridge })?;
         }
         if k > 0 {
             let kind = topology::bridge_kind(nets[k - 1].topology(), part.topology(), direction);
+            at += options.rows;
             let mut bridge = Bridge::new(direction, at, along, kind, options.mode);
-            bridge.properties = options.properties;
+            (bridge.properties, bridge.rows) = (options.properties, options.rows);
             // The record of a net is with the bridge before it, that of the first net with the
             // bridge after it.
             bridge.adaptations = [if k == 1 { record(0) } else { None }, record(k)];
@@ -165,16 +177,17 @@ fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
 }
 
 impl Net<'_> {
-    /// Changes the treatment of the cells of a bridge. `tolerance`: the largest distance of nodes
+    /// Changes the treatment of the cells of a bridge. One with inner rows is not welded. `tolerance`: the largest distance of nodes
     /// that are welded. O(nodes) if welding begins or ends, else O(1).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance,
-    /// [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
+    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance and for
+    /// inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
+        Error::require(mode != BridgeMode::Weld || bridge.rows == 0, "rows", bridge.rows.into())?;
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
         if weld && !welded {
             for k in bridge.start as usize..bridge.end as usize {

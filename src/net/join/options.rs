@@ -17,8 +17,10 @@ pub struct JoinOptions {
     pub twist: u32,
     /// Flips nets of opposite face orientation to the first along the side; else they are refused.
     pub turn: bool,
-    /// The physical properties of the bridge, for the host's use.
+    /// The physical properties of the bridge.
     pub properties: BridgeProperties,
+    /// The inner rows or columns of each bridge, evenly on straight lines between the two sides.
+    pub rows: u32,
 }
 
 impl JoinOptions {
@@ -32,6 +34,7 @@ impl JoinOptions {
             twist: 0,
             turn: false,
             properties: BridgeProperties::default(),
+            rows: 0,
         }
     }
 }

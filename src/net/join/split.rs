@@ -25,7 +25,7 @@ impl Net<'_> {
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
-        let parts = cut(self, bridge.direction, &[bridge.at as usize], &[index], &job.part(0.0, 0.5))?;
+        let parts = cut(self, bridge.direction, &[index], &job.part(0.0, 0.5))?;
         let [first, second] = <[_; 2]>::try_from(parts).map_err(|_| no_such)?;
         let [a, b] = bridge.adaptations.each_ref().map(Option::as_deref);
         let first = restored(first, a, bridge.direction, &job.part(0.5, 0.75))?;
@@ -45,8 +45,7 @@ impl Net<'_> {
         let mut indices = alloc::gather(all.filter(|(_, bridge)| whole(bridge)).map(|(index, _)| index))?;
         sort::stable(&mut indices, &|&i, &k| self.bridges()[i].at.cmp(&self.bridges()[k].at).then(i.cmp(&k)));
         indices.dedup_by_key(|index| self.bridges()[*index].at);
-        let cuts: Vec<usize> = alloc::collect(indices.iter().map(|&index| self.bridges()[index].at as usize))?;
-        let parts = cut(self, direction, &cuts, &indices, &job.part(0.0, 0.5))?;
+        let parts = cut(self, direction, &indices, &job.part(0.0, 0.5))?;
         let (mut nets, count, job) = (alloc::with_capacity(parts.len())?, parts.len(), job.part(0.5, 1.0));
         for (k, part) in parts.into_iter().enumerate() {
             // The record of a net is with the bridge before it, that of the first net with the
@@ -61,17 +60,13 @@ impl Net<'_> {
     }
 }
 
-/// The nets before, between and after cuts in order; `removed`: the bridges at the cuts.
-fn cut(
-    net: &Net<'_>,
-    direction: Direction,
-    cuts: &[usize],
-    removed: &[usize],
-    job: &Job<'_>,
-) -> Result<Vec<Net<'static>>> {
+/// The nets before, between and after bridges in order, which are removed with their inner rows.
+fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
-    let starts = [0].into_iter().chain(cuts.iter().copied());
-    let ranges = alloc::gather(starts.zip(cuts.iter().copied().chain([count])).map(|(start, end)| start..end))?;
+    let cuts = removed.iter().map(|&index| &net.bridges()[index]);
+    let starts = [0].into_iter().chain(cuts.clone().map(|bridge| bridge.at as usize));
+    let ends = cuts.map(|bridge| bridge.first_side() as usize + 1).chain([count]);
+    let ranges = alloc::gather(starts.zip(ends).map(|(start, end)| start..end))?;
     let topologies = match direction {
         Direction::Down => net.topology().rows_cut(&ranges)?,
         Direction::Right => {
@@ -129,7 +124,7 @@ fn bridges_cut(
     removed.iter().for_each(|&index| is_removed[index] = true);
     for bridge in net.bridges().iter().zip(is_removed).filter_map(|(bridge, removed)| (!removed).then_some(bridge)) {
         let (low, high) = if bridge.direction == direction {
-            (bridge.at as usize - 1, bridge.at as usize)
+            (bridge.first_side() as usize, bridge.at as usize)
         } else {
             (bridge.start as usize, bridge.end as usize - 1)
         };

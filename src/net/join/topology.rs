@@ -8,14 +8,16 @@ use crate::error::Result;
 use crate::net::topology::{Links, Matrix, Run, Seam, Sides};
 use crate::net::{Bridge, BridgeKind, Direction, Net, Shape, Topology};
 use std::borrow::Cow;
+use std::ops::Range;
 
-/// The gluings of all nets; those between nets only where they are welded.
-pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool) -> Result<Topology> {
+/// The gluings of all nets, and of `inner` rows or columns between; those between nets only where
+/// they are welded.
+pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool, inner: u32) -> Result<Topology> {
     let topologies = alloc::try_collect(nets.iter().map(|net| match direction {
         Direction::Down => Ok(Cow::Borrowed(net.topology())),
         Direction::Right => net.topology().transposed().map(Cow::Owned),
     }))?;
-    let stacked = stack(&topologies, weld)?;
+    let stacked = stack(&topologies, weld, inner as usize)?;
     let topology = if direction == Direction::Down { stacked } else { stacked.transposed()? };
     if weld {
         topology.check_crossings()?;
@@ -24,12 +26,13 @@ pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool) -> Resul
 }
 
 /// One topology below the other.
-fn stack(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
+fn stack(topologies: &[Cow<'_, Topology>], weld: bool, inner: usize) -> Result<Topology> {
     if let [only] = topologies {
         return Ok(only.clone().into_owned());
     }
     let columns = topologies[0].shape().columns();
-    let rows: usize = topologies.iter().map(|topology| topology.shape().rows()).sum();
+    let own: usize = topologies.iter().map(|topology| topology.shape().rows()).sum();
+    let rows = own + inner * (topologies.len() - 1);
     let shape = Shape::new(rows, columns)?;
     let reversed = topologies[0].is_reversed();
     // Rows closed alike and no poles: sides suffice, without a matrix.
@@ -52,16 +55,36 @@ fn stack(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
             if weld && k + 1 < topologies.len() {
                 links.contract_row_down(shape, first + own.rows() - 1);
             }
+            if let Some(next) = topologies.get(k + 1) {
+                contract_inner_rows(links, [topology, next], first + own.rows()..first + own.rows() + inner, shape);
+            }
         }
         add_closing_seams(topology, first, &mut seams)?;
         for seam in topology.seams() {
             let down = |run: Run| Run { row: run.row + first as u32, ..run };
             alloc::push(&mut seams, Seam { a: down(seam.a), b: down(seam.b), ..*seam })?;
         }
-        first += topology.shape().rows();
+        first += topology.shape().rows() + inner;
     }
     let links = links.map_or(Links::Sides(plain), Links::Matrix);
     Ok(Topology::assembled(shape, links, seams, reversed))
+}
+
+/// Contracts the links along the inner rows of a bridge that both its sides contract: all those of
+/// a thread, and the closing one of a tube.
+fn contract_inner_rows(links: &mut Matrix, [a, b]: [&Topology; 2], rows: Range<usize>, shape: Shape) {
+    if rows.is_empty() {
+        return;
+    }
+    let (kind, last) = (bridge_kind(a, b, Direction::Down), a.shape().rows() - 1);
+    let end = shape.columns() - 1;
+    for k in 0..=end {
+        let along = |topology: &Topology, i: usize| topology.contracts(topology.shape().horizontal_link(i, k));
+        let by_kind = kind == BridgeKind::Thread || (kind == BridgeKind::Tube && k == end);
+        if by_kind || (along(a, last) && along(b, 0)) {
+            rows.clone().for_each(|i| links.set(shape.horizontal_link(i, k), true));
+        }
+    }
 }
 
 /// The links that close columns, as seams: one for each run of them.

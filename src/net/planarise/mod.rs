@@ -22,9 +22,9 @@
 
 mod constraints;
 mod options;
-mod order;
+pub(in crate::net) mod order;
 mod search;
-mod surface;
+pub(in crate::net) mod surface;
 
 use super::Net;
 use crate::error::{Error, Result};

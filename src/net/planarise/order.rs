@@ -32,7 +32,7 @@ pub(super) fn dissect(
 
 /// All cells of a net of so many rows and columns of cells: if sides are glued, the last row and
 /// column come last, as they separate the first from those before them.
-pub(super) fn order(
+pub(in crate::net) fn order(
     [rows, columns]: [usize; 2],
     is_glued: bool,
     visit: &mut dyn FnMut(usize, usize) -> crate::error::Result<()>,

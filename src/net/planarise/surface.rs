@@ -14,22 +14,22 @@ use glam::DVec3;
 const REPORT_INTERVAL: usize = 1 << 16;
 
 /// Of each class of nodes what its representative has; entries of other nodes are not read.
-pub(super) struct Surface {
-    pub(super) classes: Classes,
+pub(in crate::net) struct Surface {
+    pub(in crate::net) classes: Classes,
     /// The position, in the unit and from the origin on, of the first node of the class that exists.
-    pub(super) positions: Vec<DVec3>,
+    pub(in crate::net) positions: Vec<DVec3>,
     /// True of vertices that stay.
-    pub(super) fixed: Vec<bool>,
+    pub(in crate::net) fixed: Vec<bool>,
     /// The diagonal of the box of all existing nodes, in the unit.
-    pub(super) size: f64,
+    pub(in crate::net) size: f64,
     /// A power of two: products of coordinates neither overflow nor vanish.
-    pub(super) unit: f64,
+    pub(in crate::net) unit: f64,
     /// In the unit, the middle of the box: distant nets would lose digits.
     origin: DVec3,
 }
 
 impl Surface {
-    pub(super) fn of(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
+    pub(in crate::net) fn of(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
         let classes = Classes::of_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
         let mut fixed = alloc::filled(false, nodes.len())?;
@@ -60,21 +60,26 @@ impl Surface {
     }
 
     /// The positions of the vertices of a net of the same topology.
-    pub(super) fn positions_of(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    pub(in crate::net) fn positions_of(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let count = net.shape().node_count();
         let mut positions = alloc::filled(DVec3::NAN, count)?;
         for node in 0..count as u32 {
             job.step_every(REPORT_INTERVAL, node as usize, count, "planarise")?;
             let (class, position) = (self.classes.representative(node) as usize, net.position(node));
             if positions[class].is_nan() && position.is_finite() {
-                positions[class] = position / self.unit - self.origin;
+                positions[class] = self.scaled(position);
             }
         }
         Ok(positions)
     }
 
+    /// A position in the unit, from the origin on.
+    pub(in crate::net) fn scaled(&self, position: DVec3) -> DVec3 {
+        position / self.unit - self.origin
+    }
+
     /// Rounds the new positions of vertices that move to what a net of the type will hold.
-    pub(super) fn round(&self, moved: &mut [DVec3], scalar: Scalar) {
+    pub(in crate::net) fn round(&self, moved: &mut [DVec3], scalar: Scalar) {
         for (moved, &before) in moved.iter_mut().zip(&self.positions) {
             if moved.is_finite() && *moved != before {
                 let mut there = (*moved + self.origin) * self.unit;
@@ -87,7 +92,7 @@ impl Surface {
     }
 
     /// Gives all existing nodes of the vertices that moved their new positions.
-    pub(super) fn write(&self, net: &mut Net<'_>, moved: &[DVec3]) {
+    pub(in crate::net) fn write(&self, net: &mut Net<'_>, moved: &[DVec3]) {
         for node in 0..net.shape().node_count() as u32 {
             let class = self.classes.representative(node) as usize;
             if moved[class].is_finite() && moved[class] != self.positions[class] && net.position(node).is_finite() {

@@ -7,7 +7,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::net::chunks::{lines_per_block, zip3};
-use crate::net::join::{JoinOptions, join_mirrored, starts};
+use crate::net::join::{JoinOptions, join_mirrored, lay_inner_rows, starts};
 use crate::net::transform::mirrors;
 use crate::net::{Direction, Net, Planes, Real, each};
 use crate::par;
@@ -37,9 +37,10 @@ impl Scene {
         let options = JoinOptions { turn: true, ..*options };
         let mut net = join_mirrored(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
-            let starts = starts(nets.iter().map(|net| net.shape()), options.direction)?;
+            let starts = starts(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
             let world = |k: usize| instances[k].world;
             each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job));
+            lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
         }
         job.step(1.0, "nodes")?;
         Ok(net)
@@ -60,8 +61,8 @@ impl Scene {
     }
 }
 
-/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction, in
-/// double precision. Nodes of equal bits keep equal bits.
+/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction with the
+/// inner rows after it, in double precision. Nodes of equal bits keep equal bits.
 fn transform<T: Real>(
     planes: &mut Planes<'static, T>,
     direction: Direction,
@@ -80,7 +81,7 @@ fn transform<T: Real>(
                 Direction::Down => move_nodes(x, y, z, world(starts.partition_point(|&start| start <= i) - 1)),
                 Direction::Right => {
                     for (k, ends) in starts.windows(2).enumerate() {
-                        let here = ends[0]..ends[1];
+                        let here = ends[0]..ends[1].min(columns);
                         move_nodes(&mut x[here.clone()], &mut y[here.clone()], &mut z[here], world(k));
                     }
                 }

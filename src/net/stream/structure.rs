@@ -273,8 +273,9 @@ fn write_bridges(bridges: &[Bridge], adaptations: &HashMap<*const Adaptation, u6
     bridges.iter().try_for_each(|bridge| write_bridge(bridge, adaptations, to))
 }
 
-/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the
-/// adaptations of the nets on both sides, and the host's numbers if they are not all zero.
+/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the inner rows if
+/// there are any, the adaptations of the nets on both sides, and the properties if they are not all
+/// zero.
 fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     let direction = u8::from(bridge.direction == Direction::Down);
     let kind = KINDS.iter().position(|&kind| kind == bridge.kind).unwrap_or(0) as u8;
@@ -282,9 +283,12 @@ fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, 
     let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
     let bits = [tension.to_bits(), elasticity.to_bits(), stiffness.to_bits(), user];
     let plain = bits == [0; 4];
-    to.u8(direction | kind << 1 | mode << 3 | u8::from(!plain) << 5)?;
+    to.u8(direction | kind << 1 | mode << 3 | u8::from(!plain) << 5 | u8::from(bridge.rows > 0) << 6)?;
     let numbers = [bridge.at, bridge.start, bridge.end, bridge.nesting];
     numbers.into_iter().try_for_each(|number| to.varint(number.into()))?;
+    if bridge.rows > 0 {
+        to.varint(bridge.rows.into())?;
+    }
     for adaptation in &bridge.adaptations {
         let number = adaptation.as_ref().and_then(|adaptation| adaptations.get(&Arc::as_ptr(adaptation)));
         to.varint(number.copied().unwrap_or(0))?;
@@ -299,12 +303,15 @@ fn read_bridge(shape: Shape, adaptations: &[Arc<Adaptation>], from: &mut Reader<
     let kind = *KINDS.get(entry(1)).ok_or_else(|| from.bad("the kind of a bridge is unknown"))?;
     let mode = *MODES.get(entry(3)).ok_or_else(|| from.bad("the mode of a bridge is unknown"))?;
     let [at, start, end, nesting] = [from.varint_u32()?, from.varint_u32()?, from.varint_u32()?, from.varint_u32()?];
+    let rows = if byte & 64 == 0 { 0 } else { from.varint_u32()? };
     let (across, along) = direction.extent(shape);
     let inside = (1..across).contains(&(at as usize)) && end.saturating_sub(start) > 1 && end as usize <= along;
-    if byte >= 64 || !inside {
+    // Inner rows are written where there are any; none are welded.
+    let is_possible_width = rows < at && (byte & 64 == 0) == (rows == 0) && (rows == 0 || mode != BridgeMode::Weld);
+    if byte >= 128 || !inside || !is_possible_width {
         return Err(from.bad("a bridge is none that a net has"));
     }
-    let mut bridge = Bridge { start, nesting, ..Bridge::new(direction, at, end, kind, mode) };
+    let mut bridge = Bridge { start, nesting, rows, ..Bridge::new(direction, at, end, kind, mode) };
     for adaptation in &mut bridge.adaptations {
         let number = from.varint()?;
         if number > 0 {

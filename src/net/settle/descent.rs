@@ -1,0 +1,87 @@
+//! Steps down the energy.
+
+use super::bodies::{Motion, rotate};
+use super::build::Composite;
+use super::parts::BODY;
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec3;
+
+/// A step is halved so often before it is given up.
+const MAX_HALVINGS: u32 = 30;
+/// The energy may grow by this part of it: its rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// How far the steps came.
+pub(super) struct Descent {
+    pub(super) iterations: u32,
+    /// The largest force on an unknown.
+    pub(super) residual: f64,
+    pub(super) converged: bool,
+}
+
+/// Goes down until a step is within the tolerance, or what it would gain is within the rounding of
+/// the energy.
+pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: &Job<'_>) -> Result<Descent> {
+    let mut descent = Descent { iterations: 0, residual: 0.0, converged: composite.model.unknowns == 0 };
+    if descent.converged {
+        return Ok(descent);
+    }
+    let model = &composite.model;
+    let mut energy = model.energies(&composite.points).sum();
+    let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
+    while !descent.converged && descent.iterations < max {
+        let job = job.part(at(descent.iterations), at(descent.iterations + 1));
+        let (x, motions) = (&composite.points, &composite.motions);
+        let terms = model.terms(x)?;
+        let gradient = model.gradient(&terms, x)?;
+        let step = model.step(&terms, &gradient, &job)?;
+        let gain: f64 = step.iter().zip(&gradient).map(|(s, g)| -s.dot(*g)).sum();
+        descent.iterations += 1;
+        let Some(mut next) = lower(composite, &step, energy)? else {
+            descent.converged = gain <= 1e3 * ROUNDING * energy;
+            break;
+        };
+        let mut turned = (alloc::copied(&next.0)?, alloc::copied(&next.1)?);
+        rotate(model, &terms, &mut turned.0, &mut turned.1);
+        let after = model.energies(&turned.0).sum();
+        if after <= next.2 {
+            next = (turned.0, turned.1, after);
+        }
+        let largest = largest(composite, x, motions, &next);
+        let gained = energy - next.2;
+        descent.converged = largest <= tolerance || (gained <= ROUNDING * energy && gain <= ROUNDING * energy);
+        (composite.points, composite.motions, energy) = next;
+    }
+    let terms = model.terms(&composite.points)?;
+    let forces = model.gradient(&terms, &composite.points)?;
+    descent.residual = forces.iter().map(|force| force.length()).fold(0.0, f64::max);
+    Ok(descent)
+}
+
+/// Points, motions and the energy there.
+type State = (Vec<DVec3>, Vec<Motion>, f64);
+
+/// The state after a step, or after a half, a quarter, ... of it, where the energy is no more.
+fn lower(composite: &Composite, step: &[DVec3], energy: f64) -> Result<Option<State>> {
+    let mut part = 1.0;
+    for _ in 0..MAX_HALVINGS {
+        let (x, motions) = composite.model.moved(&composite.points, &composite.motions, step, part)?;
+        let after = composite.model.energies(&x).sum();
+        if after <= energy * (1.0 + ROUNDING) {
+            return Ok(Some((x, motions, after)));
+        }
+        part /= 2.0;
+    }
+    Ok(None)
+}
+
+/// The largest displacement of an unknown or a point of a body.
+fn largest(composite: &Composite, x: &[DVec3], motions: &[Motion], next: &State) -> f64 {
+    let own = composite.model.slots.iter().zip(x.iter().zip(&next.0)).filter(|(slot, _)| **slot < BODY);
+    let own = own.map(|(_, (p, q))| p.distance(*q)).fold(0.0, f64::max);
+    let carried = composite.model.carried.iter().map(|&(p, _)| x[p as usize].distance(next.0[p as usize]));
+    let shifts = motions.iter().zip(&next.1).map(|(a, b)| a.translation.distance(b.translation));
+    carried.chain(shifts).fold(own, f64::max)
+}
