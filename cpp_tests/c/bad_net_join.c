@@ -94,6 +94,56 @@ static void arranged(void) {
     gusset_net_destroy(net);
 }
 
+static void at_rest(void) {
+    gusset_net *a = grid(3, 4, 0, GUSSET_SIDES_SHEET), *b = grid(3, 4, 9, GUSSET_SIDES_SHEET), *net = NULL;
+    const gusset_net *nets[2] = {a, b};
+    const gusset_bridge_properties negative = {.tension = 1, .elasticity = -1};
+    uint8_t free_parts[2] = {0, 1};
+    gusset_join_options joining;
+    gusset_settle_options options;
+    gusset_settle_report report;
+    gusset_bridge bridge;
+
+    memset(&joining, 0, sizeof joining);
+    memset(&options, 0, sizeof options);
+    memset(&report, 0, sizeof report);
+    joining.struct_size = sizeof joining, options.struct_size = sizeof options, report.struct_size = sizeof report;
+    joining.rows = 2, joining.properties.tension = 1, bridge.struct_size = sizeof bridge;
+    EXPECT(GUSSET_OK, gusset_net_concatenate_create(context, nets, 2, &joining, &net));
+    EXPECT(GUSSET_OK, gusset_net_get_bridge(net, 0, &bridge));
+    CHECK(has_size(net, 3, 10) && bridge.at == 6 && bridge.rows == 2 && bridge.reserved == 0);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_set_bridge(context, net, 0, GUSSET_BRIDGE_WELD, 1e9, NULL));
+    EXPECT(GUSSET_OK, gusset_net_settle(context, net, NULL, &report));
+    CHECK(report.converged == 1 && report.settled == 1 && report.idle == 0 && report.collapsed == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_settle(context, net, &options, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_settle(context, NULL, &options, &report));
+    options.tolerance = -1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_settle(context, net, &options, &report));
+    options.tolerance = 0, options.rest_ratio = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_settle(context, net, &options, &report));
+    options.rest_ratio = 0, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_settle(context, net, &options, &report));
+    options.reserved = 0, options.reference = a;
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_settle(context, net, &options, &report));
+    options.reference = net, options.free = free_parts, options.free_count = 2;
+    EXPECT(GUSSET_OK, gusset_net_settle(context, net, &options, &report));
+    options.free_count = 1;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_settle(context, net, &options, &report));
+    options.free_count = 2, options.free = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_settle(context, net, &options, &report));
+    options.free = free_parts, free_parts[0] = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_settle(context, net, &options, &report));
+    EXPECT(GUSSET_OK, gusset_net_set_bridge(context, net, 0, GUSSET_BRIDGE_KEEP, 0, &negative));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_settle(context, net, NULL, &report));
+    options.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_settle(context, net, &options, &report));
+    report.struct_size = 0;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_settle(context, net, NULL, &report));
+    gusset_net_destroy(net);
+    gusset_net_destroy(b);
+    gusset_net_destroy(a);
+}
+
 static void joined(void) {
     gusset_net *a = grid(3, 4, 0, GUSSET_SIDES_TUBE), *b = grid(4, 3, 9, GUSSET_SIDES_SHEET);
     gusset_net *out = (gusset_net *)misaligned(), *first = (gusset_net *)misaligned(), *second = NULL;
@@ -129,6 +179,12 @@ static void joined(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
     bad = options, bad.mode = GUSSET_BRIDGE_WELD;
     EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad.rows = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.rows = UINT32_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
     CHECK(out == NULL);
 
     memcpy(unaligned_nets, nets, sizeof nets);
@@ -308,6 +364,7 @@ int main(void) {
         return 1;
     }
     arranged();
+    at_rest();
     joined();
     meshes();
     heights();

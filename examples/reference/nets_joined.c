@@ -101,6 +101,34 @@ static void joined_and_taken_apart(void) {
 }
 //! [net_join]
 
+//! [net_settle]
+static void at_rest(void) {
+    /* A film between two tubes, in four rows of its own. */
+    const gusset_join_options options = {.struct_size = sizeof options, .direction = GUSSET_DIRECTION_DOWN, .rows = 4,
+                                         .properties = {.tension = 0.1}};
+    const gusset_field shift = {.struct_size = sizeof shift, .kind = GUSSET_FIELD_TWIST, .axis = GUSSET_AXIS_X,
+                                .strength = 1.0, .values = {0.0}};
+    const uint8_t free_parts[2] = {0, 0};
+    gusset_settle_options settling = {.struct_size = sizeof settling, .tolerance = 1e-6};
+    gusset_settle_report report = {.struct_size = sizeof report};
+    gusset_net *first = tube(), *second = NULL, *joined = NULL, *before = NULL;
+    const gusset_net *nets[2];
+
+    MUST(gusset_net_clone_create(NULL, first, &second));
+    nets[0] = first, nets[1] = second;
+    MUST(gusset_net_concatenate_create(NULL, nets, 2, &options, &joined));
+    MUST(gusset_net_clone_create(NULL, joined, &before));
+    MUST(gusset_net_deform(NULL, joined, &shift, 1, 0.0));
+    settling.reference = before, settling.free = free_parts, settling.free_count = 2;
+    MUST(gusset_net_settle(NULL, joined, &settling, &report));
+    HOLDS(report.settled == 1 && report.tension_energy <= report.energy_before);
+    gusset_net_destroy(before);
+    gusset_net_destroy(joined);
+    gusset_net_destroy(second);
+    gusset_net_destroy(first);
+}
+//! [net_settle]
+
 //! [net_mesh]
 static void to_meshes_and_back(void) {
     const gusset_net_mesh_options options = {.struct_size = sizeof options, .texture = 1};
@@ -235,6 +263,7 @@ int main(void) {
     rows_and_columns();
     resolutions();
     joined_and_taken_apart();
+    at_rest();
     to_meshes_and_back();
     a_scene();
     as_bytes();

@@ -33,6 +33,22 @@ struct PlanariseOptions {
     std::vector<uint8_t> fixed;
 };
 
+class Net;
+
+/// How bridges find their equilibrium; see gusset_settle_options.
+struct SettleOptions {
+    /// The last displacement, as a part of the diagonal of the box; 0: the default.
+    double tolerance = 0.0;
+    /// Rest lengths as a multiple of those in the reference; 0: 1.
+    double rest_ratio = 0.0;
+    /// The net at rest; none: the net as it is given.
+    const Net *reference = nullptr;
+    /// A byte for each part, 1 for one that moves; none: all are held.
+    std::vector<uint8_t> free;
+    /// 0: the default.
+    uint32_t max_iterations = 0;
+};
+
 /// The interpolation of positions between nodes.
 enum class Interpolation : uint32_t {
     bicubic = GUSSET_INTERPOLATION_BICUBIC,
@@ -344,7 +360,8 @@ public:
         const gusset_bridge found = detail::lent(gusset_net_get_bridge, get(), index);
         return {static_cast<Direction>(found.direction), found.at,        found.start,
                 found.end,                               static_cast<BridgeKind>(found.kind),
-                static_cast<BridgeMode>(found.mode),     found.properties};
+                static_cast<BridgeMode>(found.mode),     found.properties,
+                found.rows};
     }
     /// `properties`: empty leaves them as they are.
     void set_bridge(std::size_t index, BridgeMode mode, double tolerance = 0.0,
@@ -456,6 +473,17 @@ public:
         given.fixed = options.fixed.empty() ? nullptr : options.fixed.data();
         given.fixed_count = options.fixed.size();
         return context.result(gusset_net_planarise, get(), &given);
+    }
+    /// Moves bridges, and parts that are free, to their equilibrium; see gusset_net_settle.
+    gusset_settle_report settle(const SettleOptions &options = {}, const Context &context = Context()) {
+        auto given = detail::sized<gusset_settle_options>();
+        given.tolerance = options.tolerance;
+        given.rest_ratio = options.rest_ratio;
+        given.reference = options.reference != nullptr ? options.reference->get() : nullptr;
+        given.free = options.free.empty() ? nullptr : options.free.data();
+        given.free_count = options.free.size();
+        given.max_iterations = options.max_iterations;
+        return context.result(gusset_net_settle, get(), &given);
     }
     /// The net at a time from 0 to 1 on the way to another; see gusset_net_morph_create.
     Net morphed(const Net &other, double t, MorphPath path = MorphPath::linear,

@@ -41,7 +41,7 @@ enum class BridgeKind : uint32_t {
     tube = GUSSET_BRIDGE_TUBE,
     thread = GUSSET_BRIDGE_THREAD
 };
-/// Data of the host, kept and not used.
+/// The properties under which Net::settle finds the equilibrium of a bridge.
 using BridgeProperties = gusset_bridge_properties;
 
 /// A bridge of a net; see gusset_bridge.
@@ -55,6 +55,8 @@ struct Bridge {
     BridgeKind kind;
     BridgeMode mode;
     BridgeProperties properties;
+    /// The rows (down) or columns of its own, which lie before `at`.
+    uint32_t rows;
 };
 
 /// The options of joins; see gusset_join_options.
@@ -70,6 +72,8 @@ struct JoinOptions {
     /// Nets that run the other way are flipped; else refused.
     bool turn = false;
     BridgeProperties properties{};
+    /// The rows or columns of its own that each new bridge has.
+    uint32_t rows = 0;
 };
 
 namespace detail {
@@ -93,6 +97,7 @@ inline gusset_join_options as_c(const JoinOptions &options) {
     given.equalise_index = options.equalise_index;
     given.twist = options.twist;
     given.turn = options.turn ? 1 : 0;
+    given.rows = options.rows;
     return given;
 }
 } // namespace detail

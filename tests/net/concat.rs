@@ -35,9 +35,13 @@ proptest! {
         c in any_topology(2..6, 2..6),
         directions in [any_direction(), any_direction()],
         modes in [any_mode(), any_mode()],
+        rows in [0..3u32, 0..3u32],
     ) {
         let [a, b, c] = [a, b, c].map(|topology| numbered(topology, Scalar::F32));
-        let with = |k: usize| JoinOptions { mode: modes[k], tolerance: f64::INFINITY, ..options(directions[k]) };
+        let rows = |k: usize| if modes[k] == BridgeMode::Weld { 0 } else { rows[k] };
+        let with = |k: usize| {
+            JoinOptions { mode: modes[k], tolerance: f64::INFINITY, rows: rows(k), ..options(directions[k]) }
+        };
         let once = match concatenate(&a, &b, &with(0), &job()) {
             Err(Error::CrossingCell { .. } | Error::SidesApart { .. }) => return Ok(()),
             once => once.unwrap(),
@@ -72,10 +76,11 @@ proptest! {
         topologies in prop::collection::vec(any_topology(2..6, 2..6), 1..6),
         direction in any_direction(),
         hide in any::<bool>(),
+        rows in 0..3u32,
     ) {
         let nets: Vec<Net<'_>> = topologies.into_iter().map(|topology| numbered(topology, Scalar::F64)).collect();
         let mode = if hide { BridgeMode::Hide } else { BridgeMode::Keep };
-        let options = JoinOptions { mode, ..options(direction) };
+        let options = JoinOptions { mode, rows, ..options(direction) };
         let all = concatenate_all(&nets.iter().collect::<Vec<_>>(), &options, &job()).unwrap();
         let parts = all.split_all(direction, &job()).unwrap();
         prop_assert_eq!(parts.len(), nets.len());
