@@ -81,7 +81,7 @@ fn a_film_between_circles_is_a_catenoid() {
         let mut net =
             joined(&[&ring(4 * n, -1.5, -0.5), &ring(4 * n, 0.5, 1.5)], n as u32 - 1, properties(1.0, 0.0, 0.0));
         assert_eq!(net.bridges()[0].kind, BridgeKind::Tube);
-        let done = run(&mut net, SettleOptions { tolerance: 1e-7, ..SettleOptions::default() });
+        let done = run(&mut net, SettleOptions { tolerance: 1e-10, ..SettleOptions::default() });
         assert!(done.converged && done.collapsed == 0, "{done:?}");
         assert_eq!(bits(&net).len(), bits(&net).len());
         let errors = (1..=n).flat_map(|i| (0..4 * n).map(move |k| (i, k))).map(|(i, k)| {

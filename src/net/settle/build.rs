@@ -1,9 +1,9 @@
 //! The model of a composite: its lines, films, clamps and unknowns. O(nodes).
 
 use super::SettleOptions;
-use super::bodies::Motion;
 use super::energy::{Law, Line, MIN_LENGTH, Quad};
 use super::model::Model;
+use super::motion::Motion;
 use super::parts::{BODY, NOWHERE, Parts, forces, is_rigid};
 use crate::alloc;
 use crate::error::{Error, Result};

@@ -1,8 +1,10 @@
 //! Steps down the energy.
 
-use super::bodies::{Motion, rotate};
+use super::anderson::Anderson;
+use super::bodies::rotate;
 use super::build::Composite;
-use super::parts::BODY;
+use super::motion::Motion;
+use super::parts::{BODY, NOWHERE};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -30,6 +32,8 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
     }
     let model = &composite.model;
     let mut energy = model.energies(&composite.points).sum();
+    let are_held = model.translations.iter().all(|&unknown| unknown == NOWHERE);
+    let mut anderson = Anderson::default();
     let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
     while !descent.converged && descent.iterations < max {
         let job = job.part(at(descent.iterations), at(descent.iterations + 1));
@@ -52,12 +56,31 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
         let largest = largest(composite, x, motions, &next);
         let gained = energy - next.2;
         descent.converged = largest <= tolerance || (gained <= ROUNDING * energy && gain <= ROUNDING * energy);
+        if are_held && !descent.converged {
+            let unknowns = unknowns(composite)?;
+            if let Some(step) = anderson.accelerated(&unknowns, &step)? {
+                let (x, motions) = model.moved(x, motions, &step, 1.0)?;
+                let after = model.energies(&x).sum();
+                if after < next.2 {
+                    next = (x, motions, after);
+                }
+            }
+        }
         (composite.points, composite.motions, energy) = next;
     }
     let terms = model.terms(&composite.points)?;
     let forces = model.gradient(&terms, &composite.points)?;
     descent.residual = forces.iter().map(|force| force.length()).fold(0.0, f64::max);
     Ok(descent)
+}
+
+/// Where the unknowns are.
+fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
+    let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknowns)?;
+    for (&p, &slot) in composite.points.iter().zip(&composite.model.slots).filter(|(_, slot)| **slot < BODY) {
+        unknowns[slot as usize] = p;
+    }
+    Ok(unknowns)
 }
 
 /// Points, motions and the energy there.

@@ -5,7 +5,7 @@
 //! present one, with its cotangents (Pinkall and Polthier 1993; Pauletti and Pimenta 2008); above the
 //! energy of a spring that of one between points, its rest at its length in the present direction.
 
-use super::model::Term;
+use super::term::Term;
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;

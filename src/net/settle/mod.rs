@@ -19,17 +19,21 @@
 //! where the net is: force densities (H.-J. Schek, *The force density method for form finding*, 1974),
 //! for films with the cotangents of U. Pinkall and K. Polthier (*Computing discrete minimal surfaces*,
 //! 1993), which are the natural force densities of R. Pauletti and P. Pimenta (2008). Bodies are
-//! translated with the nodes and then rotated each by itself. So the energy never grows; convergence is
+//! translated with the nodes and then rotated each by itself. Where all parts are held,
+//! steps are accelerated (`anderson`) if that lowers the energy further. So it never grows; convergence is
 //! linear, and slow for films near the limit of stability. O(n^1.5) operations and O(n log n) memory
 //! for n inner nodes a step. One thread: the same bits always.
 
+mod anderson;
 mod bodies;
 mod build;
 mod descent;
 mod energy;
 mod model;
+mod motion;
 mod options;
 mod parts;
+mod term;
 
 use super::Net;
 use super::planarise::PlanariseOptions;

@@ -1,9 +1,10 @@
 //! The energy of a composite as sums over lines across its bridges and cells of films, and the
 //! quadratic sums that lie above it. O(nodes of bridges).
 
-use super::bodies::Motion;
 use super::energy::{Energies, Line, Quad};
+use super::motion::Motion;
 use super::parts::{BODY, NOWHERE};
+use super::term::Term;
 use crate::alloc;
 use crate::error::Result;
 use crate::fair::Symmetric;
@@ -13,29 +14,6 @@ use glam::DVec3;
 
 /// The share of the diagonal that is added to it, so that what no force holds stays.
 const DAMPING: f64 = 1e-11;
-
-/// weight / 2 |sum of factors times points - rest|^2.
-#[derive(Clone, Copy)]
-pub(super) struct Term {
-    pub(super) points: [u32; 3],
-    pub(super) factors: [f64; 3],
-    pub(super) weight: f64,
-    pub(super) rest: DVec3,
-}
-
-impl Term {
-    /// Of the difference of two points.
-    pub(super) fn edge(p: u32, q: u32, weight: f64, rest: DVec3) -> Self {
-        Term { points: [p, q, q], factors: [1.0, -1.0, 0.0], weight, rest }
-    }
-
-    pub(super) fn residual(&self, x: &[DVec3]) -> DVec3 {
-        let sum = |sum: DVec3, j: usize| {
-            if self.factors[j] == 0.0 { sum } else { sum + self.factors[j] * x[self.points[j] as usize] }
-        };
-        (0..3).fold(DVec3::ZERO, sum) - self.rest
-    }
-}
 
 /// All that has forces, in the unit. Points are the classes of nodes, and after them the points that
 /// clamps aim at, which move with the bodies.
