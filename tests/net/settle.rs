@@ -262,3 +262,114 @@ fn properties_and_options_that_are_refused() {
     let sizes = Error::SidesDiffer { a: 14, b: 9 };
     assert_eq!(refused(good, SettleOptions { reference: Some(&other), ..none }), sizes);
 }
+
+#[test]
+fn tension_and_stiffness_make_a_beam() {
+    // B y'''' = T y'' between clamps in line, shifted by `shift`: y = c0 + c1 x + c2 cosh k x + c3 sinh
+    // k x, odd about the middle: y = a u + b sinh(k u), u from -1/2 to 1/2, y'(1/2) = 0, y(1/2) = shift / 2.
+    let (tension, stiffness, shift) = (9.0f64, 1.0f64, 1e-4);
+    let k = (tension / stiffness).sqrt();
+    let b = shift / 2.0 / ((k / 2.0).sinh() - k / 2.0 * (k / 2.0).cosh());
+    let a = -b * k * (k / 2.0).cosh();
+    let error = |n: usize| {
+        let (first, second) = (strip(-1.0, 0.0), mapped(&strip(1.0, 0.0), |p| p + shift * DVec3::Y));
+        let mut net = joined(&[&first, &second], n as u32 - 1, properties(tension, 0.0, stiffness));
+        let straight = joined(&[&first, &strip(1.0, 0.0)], n as u32 - 1, properties(0.0, 0.0, 0.0));
+        let done = run(&mut net, SettleOptions { reference: Some(&straight), ..SettleOptions::default() });
+        assert!(done.converged, "{done:?}");
+        let errors = (0..=n).map(|i| {
+            let u = i as f64 / n as f64 - 0.5;
+            (net.get(1 + i, 0).y - shift / 2.0 - a * u - b * (k * u).sinh()).abs() / shift
+        });
+        errors.fold(0.0, f64::max)
+    };
+    let errors = [8, 16, 32].map(error);
+    println!("beam errors: {errors:?}");
+    assert!(errors[0] / errors[1] > 3.6 && errors[1] / errors[2] > 3.6 && errors[2] < 1e-3, "{errors:?}");
+}
+
+/// Breaks off at a report.
+struct StopAt(std::cell::Cell<u32>);
+impl gusset::job::Progress for StopAt {
+    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
+        let left = self.0.get();
+        self.0.set(left.wrapping_sub(1));
+        if left == 0 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
+    }
+}
+
+/// A composite with a film, a free part and springs, displaced.
+fn composite(map: impl Fn(DVec3) -> DVec3, [tension, others]: [f64; 2]) -> (Net<'static>, Net<'static>) {
+    let parts = [ring(12, -1.5, -0.5), ring(12, 0.3, 0.9), ring(12, 1.7, 2.0)];
+    let mut net = joined(&[&parts[0], &parts[1], &parts[2]], 3, properties(0.4 * tension, 2.0 * others, 0.0));
+    let reference = mapped(&net, &map);
+    let turn = DQuat::from_scaled_axis(DVec3::new(0.05, 0.1, -0.2));
+    let shape = net.shape();
+    for i in 5..7 {
+        (0..shape.columns()).for_each(|j| {
+            let at = turn * net.get(i, j) + DVec3::new(0.1, 0.05, 0.1);
+            set(&mut net, i, j, at);
+        });
+    }
+    (mapped(&net, map), reference)
+}
+
+#[test]
+fn whatever_stops_it_the_net_stays() {
+    let (given, reference) = composite(|p| p, [1.0, 1.0]);
+    let mut stops = 0;
+    loop {
+        let mut net = given.copied().unwrap();
+        let at = StopAt(std::cell::Cell::new(stops));
+        let free = [false, true, false];
+        let options =
+            SettleOptions { reference: Some(&reference), max_iterations: 5, free: &free, ..SettleOptions::default() };
+        match settle(&mut net, &options, &Job::new(1, &at)) {
+            Ok(_) => break,
+            Err(error) => assert_eq!((error, bits(&net)), (Error::Cancelled, bits(&given)), "{stops}"),
+        }
+        stops += 1;
+    }
+    assert!(stops > 10, "{stops}");
+}
+
+#[test]
+fn hidden_missing_and_collapsed_places_are_let_alone() {
+    let parts = [strip(0.0, 0.0), strip(4.0, 0.0)];
+    let mut net = joined(&[&parts[0], &parts[1]], 3, properties(1.0, 1.0, 1.0));
+    set(&mut net, 3, 0, DVec3::new(2.0, 5.0, 0.0));
+    net.set_bridge_mode(0, gusset::net::BridgeMode::Hide, 0.0).unwrap();
+    let before = bits(&net);
+    let done = run(&mut net, SettleOptions::default());
+    assert!(done.converged && (done.settled, done.idle) == (0, 1) && bits(&net) == before);
+    net.set_bridge_mode(0, gusset::net::BridgeMode::Keep, 0.0).unwrap();
+    assert!(net.set_bridge_mode(0, gusset::net::BridgeMode::Weld, f64::INFINITY).is_err());
+    // A line with a missing node stays, the other one goes its way.
+    set(&mut net, 3, 0, DVec3::NAN);
+    set(&mut net, 2, 0, DVec3::new(1.5, 7.0, 0.0));
+    set(&mut net, 3, 1, DVec3::new(2.5, 1.0, 1.0));
+    let done = run(&mut net, SettleOptions::default());
+    assert!(done.converged && net.get(2, 0).y == 7.0 && net.get(3, 0).is_nan(), "{done:?}");
+    assert!(net.get(3, 1).distance(DVec3::new(2.5, 0.0, 1.0)) < 1e-7, "{}", net.get(3, 1));
+    // All nodes in one place.
+    let point = strip(0.0, 0.0);
+    let point = mapped(&point, |_| DVec3::ONE);
+    let mut net = joined(&[&point, &point], 3, properties(1.0, 1.0, 1.0));
+    let before = bits(&net);
+    let done = run(&mut net, SettleOptions::default());
+    assert!(done.converged && bits(&net) == before, "{done:?}");
+}
+
+#[test]
+fn bridges_with_rows_come_back_from_streams() {
+    use gusset::net::stream::{Mode, StreamOptions, decode, encode};
+    for direction in [Direction::Down, Direction::Right] {
+        let options = JoinOptions { rows: 5, properties: properties(1.0, 2.0, 3.0), ..JoinOptions::new(direction) };
+        let a = sheet(6, 6, Scalar::F64);
+        let net = concatenate_all(&[&a, &a, &a], &options, &Job::default()).unwrap();
+        let bytes = encode(&net, &StreamOptions::new(Mode::Lossless), &Job::default()).unwrap();
+        let back = decode(&bytes, &Job::default()).unwrap();
+        assert!(back.bridges() == net.bridges() && bits(&back) == bits(&net));
+        assert_eq!(back.bridges()[1].rows, 5);
+    }
+}
