@@ -29,6 +29,7 @@ mod pairs;
 mod range;
 mod rational;
 mod reference;
+mod self_intersection;
 mod shapes;
 mod surface_intersection;
 mod surface_intersection_along;

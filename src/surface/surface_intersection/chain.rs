@@ -22,7 +22,7 @@ const MAX_COMPARED: usize = 16;
 ///
 /// Sorted along some direction, near ones follow each other, and hardly any others: few points are
 /// in one plane across it, to `within`, but for those of curves in such planes.
-fn near_pairs(points: &[DVec3], within: f64) -> Result<Vec<(f64, u32, u32)>> {
+pub(super) fn near_pairs(points: &[DVec3], within: f64) -> Result<Vec<(f64, u32, u32)>> {
     // Not along the axes, to which surfaces are often parallel.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
     let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
@@ -120,7 +120,7 @@ pub(super) fn chains(
 /// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs of
 /// starts and ends that are near each other. Sheets may be turned against each other, so that such
 /// arcs may run in opposite ways over other pairs.
-fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
+pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);

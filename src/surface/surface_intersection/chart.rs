@@ -139,6 +139,14 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let tangent = Frame { columns, ..*frame }.tangent();
         let free = max(tangent);
         OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), rounding_error))
+            || self.is_beside(frame, rounding_error)
+    }
+
+    /// True if the pieces are side by side: apart along a direction in a tangent plane, across a
+    /// side of the one.
+    fn is_beside(&self, frame: &Frame, rounding_error: f64) -> bool {
+        let normals = frame.normals();
+        (0..4).any(|k| self.separated(normals[k / 2].cross(frame.columns[k]), rounding_error))
     }
 
     fn separated(&self, axis: DVec3, rounding_error: f64) -> bool {

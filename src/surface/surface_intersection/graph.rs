@@ -21,11 +21,11 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    fn point(x: f64) -> Self {
+    pub(super) fn point(x: f64) -> Self {
         Interval { low: x, high: x }
     }
 
-    fn with(self, x: f64) -> Self {
+    pub(super) fn with(self, x: f64) -> Self {
         Interval { low: self.low.min(x), high: self.high.max(x) }
     }
 
@@ -34,7 +34,7 @@ impl Interval {
     }
 
     /// 1 / self, if 0 is not in it.
-    fn inverse(self) -> Option<Self> {
+    pub(super) fn inverse(self) -> Option<Self> {
         let apart = self.low > 0.0 || self.high < 0.0;
         apart.then(|| Interval { low: 1.0 / self.high, high: 1.0 / self.low })
     }

@@ -16,7 +16,10 @@
 //! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
 //! of the tolerance to a side of a box runs along it, touches it or crosses it, which decides
 //! between the boxes on both sides. One that runs along a side is found from both, and kept once
-//! (`overlap`). Self-intersections of one surface are not looked for.
+//! (`overlap`).
+//!
+//! Where one surface meets itself: `itself`, by the same steps, but for cells that have points in
+//! common (`joints`, `near`, `poles`), and for the way in which arcs are joined (`trails`).
 
 mod arc;
 mod bridge;
@@ -25,13 +28,18 @@ mod chart;
 mod contact;
 mod equation;
 mod graph;
+mod itself;
+mod joints;
 mod links;
+mod near;
 mod net;
 mod overlap;
 mod pairs;
 mod places;
+mod poles;
 mod refine;
 mod solve;
+mod trails;
 
 use crate::sort;
 use crate::surface::prelude::*;
@@ -102,8 +110,8 @@ impl Surface<'_> {
     /// the tolerance at crossings.
     ///
     /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each;
-    /// where surfaces coincide there are many. Intersections of a surface with itself are out of
-    /// its scope: each surface is taken as it is.
+    /// where surfaces coincide there are many. For where one surface meets itself see
+    /// [`Surface::meet_itself`]: each surface is taken as it is here.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
@@ -119,7 +127,8 @@ impl Surface<'_> {
             tolerance,
             chord: chord.max(tolerance),
         };
-        let pieces = intersection.solve(&job.part(0.2, 0.9))?;
+        let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
+        let pieces = intersection.solve(&all, &job.part(0.2, 0.9))?;
         let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
         let search = ContactSearch {
             surfaces: [self, other],
@@ -170,6 +179,11 @@ fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
     }
 }
 
+/// What nets of coordinates up to `size`, and their halvings, may be off by.
+fn rounding_error(size: f64) -> f64 {
+    16.0 * f64::EPSILON * size
+}
+
 impl Surroundings for Intersection<'_> {
     fn sheets(&self, pair: u32) -> [u32; 2] {
         self.places.pairs[pair as usize].sheets
@@ -187,11 +201,10 @@ impl Surroundings for Intersection<'_> {
 }
 
 impl Intersection<'_> {
-    /// The arcs of all pairs, in their order.
-    fn solve(&self, job: &Job<'_>) -> Result<FoundArcs> {
-        let all: Vec<u32> = alloc::collect((0..self.places.pairs.len()).map(|k| k as u32))?;
+    /// The arcs of some of the pairs, in their order.
+    fn solve(&self, which: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
-        self.solve_all(&all, FIRST_MAX_BOXES, false, &mut pieces, &job.part(0.0, 0.8))?;
+        self.solve_all(which, FIRST_MAX_BOXES, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
             let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
@@ -233,25 +246,21 @@ impl Intersection<'_> {
         for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
             let (one, other) = (self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize));
-            let task = |k: u32, rounding_error: f64| {
-                let [p, q] = self.places.pairs[k as usize].cells;
-                let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
-                let tolerance = self.tolerance.max(8.0 * rounding_error);
-                PairTask {
-                    pair: k,
-                    neighbours: [s, t, u, v],
-                    tolerance,
-                    chord: self.chord,
-                    max_boxes,
-                    last,
-                    rounding_error,
-                }
-            };
+            let task = |k: u32, rounding_error: f64| self.task(k, rounding_error, max_boxes, last);
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
                 self.run(cells_a, cells_b, run, &task, &mut pieces)?;
             }));
         }
         Ok(pieces)
+    }
+
+    /// How pair k is to be solved.
+    fn task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
+        let CellPair { sheets: [a, b], cells: [p, q] } = self.places.pairs[k as usize];
+        let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
+        let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
+        let tolerance = self.tolerance.max(8.0 * rounding_error);
+        PairTask { pair: k, neighbours: [s, t, u, v], tolerance, chord: self.chord, max_boxes, last, rounding_error }
     }
 
     /// The arcs of pairs of two sheets.
@@ -274,9 +283,7 @@ impl Intersection<'_> {
             }
             let size_b;
             (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
-            // Of the nets, and of their halvings.
-            let rounding_error = 16.0 * f64::EPSILON * f64::max(size_a, size_b);
-            task(k, rounding_error).solve(&whole, pieces)?;
+            task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces)?;
         }
         Ok(())
     }
@@ -338,7 +345,13 @@ impl Intersection<'_> {
             alloc::push(&mut paths.ends, paths.places.len() as u32)?;
             alloc::push(&mut paths.closed, chain.closed)?;
         }
-        paths.levels = alloc::filled(0, chains.len())?;
+        self.evaluate(&mut paths)?;
+        Ok(paths)
+    }
+
+    /// The points and normals at the places of paths.
+    fn evaluate(&self, paths: &mut Paths) -> Result<()> {
+        paths.levels = alloc::filled(0, paths.len())?;
         paths.points = alloc::with_capacity(paths.places.len())?;
         paths.normals = alloc::with_capacity(paths.places.len())?;
         for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
@@ -352,6 +365,6 @@ impl Intersection<'_> {
                 }
             });
         }
-        Ok(paths)
+        Ok(())
     }
 }

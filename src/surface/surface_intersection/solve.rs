@@ -141,38 +141,34 @@ impl PairTask {
         whole: &ParameterBox<N, M>,
         pieces: &mut FoundArcs,
     ) -> Result<()> {
-        let before = pieces.counts();
-        let mut search = PairSearch { task: self, equation: &whole.nets, first_ball: before[2], examined: 0, pieces };
+        let mut search = self.search(&whole.nets, pieces);
         // Most pairs have one box: no copy of it, and no memory for more.
-        let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
-        match subdivide(&mut search, Cow::Borrowed(whole), &mut Vec::new(), limits) {
-            Ok(()) => Ok(()),
-            Err(Stop::Degenerate) => {
-                search.pieces.truncate(before);
-                search.report(whole, true);
-                Ok(())
-            }
-            Err(Stop::Exhausted) => {
-                pieces.truncate(before);
-                alloc::push(&mut pieces.exhausted, self.pair)
-            }
-            Err(Stop::Failed(error)) => Err(error),
-        }
+        let done = search.run(Cow::Borrowed(whole));
+        search.finish(done, whole)
+    }
+
+    /// A search of the pair's boxes, which share its limit.
+    pub(super) fn search<'a, const N: usize, const M: usize>(
+        &'a self,
+        equation: &'a Equation<N, M>,
+        pieces: &'a mut FoundArcs,
+    ) -> PairSearch<'a, N, M> {
+        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, pieces }
     }
 }
 
 /// The search of one pair of cells.
-struct PairSearch<'a, const N: usize, const M: usize> {
+pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
     task: &'a PairTask,
     equation: &'a Equation<N, M>,
-    /// The balls from here on are the pair's.
-    first_ball: usize,
+    /// What there was of other pairs.
+    before: [usize; 3],
     examined: usize,
     pieces: &'a mut FoundArcs,
 }
 
 /// Why a search ends early.
-enum Stop {
+pub(super) enum Stop {
     /// The cells touch in many places, or have no area.
     Degenerate,
     /// All permitted boxes have been examined.
@@ -291,8 +287,38 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
 }
 
 impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
+    /// Adds the arcs of a box.
+    fn run(&mut self, part: Cow<'_, ParameterBox<N, M>>) -> Result<(), Stop> {
+        let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
+        subdivide(self, part, &mut Vec::new(), limits)
+    }
+
+    /// Adds the arcs of a box of a pair of cells that have points in common: contact in many
+    /// places says nothing of these.
+    pub(super) fn run_near(&mut self, part: &ParameterBox<N, M>) -> Result<(), Stop> {
+        self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
+        self.run(Cow::Borrowed(part))
+    }
+
+    /// Ends the search of a pair.
+    pub(super) fn finish(mut self, done: Result<(), Stop>, whole: &ParameterBox<N, M>) -> Result<()> {
+        match done {
+            Ok(()) => Ok(()),
+            Err(Stop::Degenerate) => {
+                self.pieces.truncate(self.before);
+                self.report(whole, true);
+                Ok(())
+            }
+            Err(Stop::Exhausted) => {
+                self.pieces.truncate(self.before);
+                alloc::push(&mut self.pieces.exhausted, self.task.pair)
+            }
+            Err(Stop::Failed(error)) => Err(error),
+        }
+    }
+
     /// Reports a box by a ball round it: those of the same pair that touch are merged.
-    fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
+    pub(super) fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
         let (PairTask { pair, tolerance, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
         let centre = equation.point(x);
@@ -301,7 +327,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         let gap = equation.frame(x).miss.length();
         let (low, high) = (part.low, part.low + part.size);
         let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
-        let own = &mut self.pieces.balls[self.first_ball..];
+        let own = &mut self.pieces.balls[self.before[2]..];
         let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + tolerance;
         // Of too many apart from each other, the nearest one takes another.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;

@@ -1,0 +1,175 @@
+//! Where a surface meets itself.
+//!
+//! Pairs of cells as of two surfaces, each once. Cells that have points in common as declared are
+//! halved until what they have in common is proved to be no more than that (`near`); all else is
+//! solved as two surfaces are, and the arcs are joined without regard to which of the two pieces is
+//! the first (`trails`).
+
+use super::chart::ParameterBox;
+use super::joints::Joints;
+use super::near::NearPair;
+use super::net::Net;
+use super::solve::FoundArcs;
+use super::trails::{Step, Trail, Trails};
+use super::{Intersection, Options, positive, rounding_error};
+use crate::sort;
+use crate::surface::cells::Cells;
+use crate::surface::prelude::*;
+use crate::surface::{Paths, Surface, each_sheet};
+
+/// Pairs of cells with points in common that a thread takes at a time.
+const PAIRS_PER_TASK: usize = 4;
+/// Parts of parameters examined for all such pairs, shared among them.
+const TOTAL_PARTS: usize = 1 << 22;
+/// The least and the most for one of them.
+const PARTS: [usize; 2] = [1 << 12, 1 << 15];
+/// Control points that are this many roundings apart are one.
+const JOINT_ROUNDINGS: f64 = 4.0;
+
+impl Surface<'_> {
+    /// The curves in which a surface meets itself: `places` on the one of two pieces, `others` on
+    /// the other one; they run along N x N', where N is the normal at `places`. Each curve is given
+    /// once. Along a closed one the two pieces may change places, as on a Klein bottle: it ends
+    /// where it begins in space, with `places` and `others` exchanged.
+    ///
+    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`. Pieces
+    /// that are joined are taken as one: cells with a common side or corner, across a seam too,
+    /// opposite borders of a sheet whose control points are the same but for rounding, in either
+    /// order, and cells round a pole. Where they are proved to have nothing else in common they are
+    /// not looked at any more. Where the tangents are dependent, as where a curve ends in a pinch
+    /// (Whitney's umbrella) or at a crease, this cannot be proved: the cell is in `unresolved`, and
+    /// curves end within the tolerance of such a place. So are cells that touch each other or
+    /// coincide. Borders that different sheets have in common count as intersections.
+    ///
+    /// Work and memory in proportion to the cells and to the pairs of cells that may meet, with a
+    /// limit for each.
+    ///
+    /// # Errors
+    /// As [`Surface::meet`].
+    pub fn meet_itself(&self, options: &Options, job: &Job<'_>) -> Result<Paths> {
+        let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
+        let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
+        Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
+        let mut pairs = self.candidates(self, tolerance, &job.part(0.0, 0.2))?;
+        pairs.retain(|pair| (pair.sheets[0], pair.cells[0]) <= (pair.sheets[1], pair.cells[1]));
+        let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
+        let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
+            let sheet = self.sheet(k);
+            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise))
+        }))?;
+        let (mut near, mut far) = (Vec::new(), Vec::new());
+        for (k, pair) in pairs.iter().enumerate() {
+            let [a, b] = pair.sheets;
+            let joined = a == b && joints[a as usize].are_joined(pair.cells);
+            alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
+        }
+        let intersection = Intersection {
+            surfaces: [self, self],
+            pairs: &pairs,
+            origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
+            tolerance,
+            chord: chord.max(tolerance),
+        };
+        let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
+        intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
+        let trails = intersection.trails(&pieces)?;
+        intersection.trail_paths(&pieces, &trails, &job.part(0.9, 1.0))
+    }
+}
+
+impl Intersection<'_> {
+    /// Adds the arcs of cells that have points in common.
+    fn solve_near(&self, near: &[u32], joints: &[Joints], pieces: &mut FoundArcs, job: &Job<'_>) -> Result<()> {
+        let max_boxes = (TOTAL_PARTS / near.len().max(1)).clamp(PARTS[0], PARTS[1]);
+        let found = par::map_cancellable(job, "intersection", near.chunks(PAIRS_PER_TASK), |part| {
+            let mut found = FoundArcs::default();
+            for &k in part {
+                let number = self.pairs[k as usize].sheets[0] as usize;
+                each_sheet!(self.surfaces[0].sheet(number), cells => {
+                    self.near_pair(cells, k, &joints[number], max_boxes, &mut found)?;
+                });
+            }
+            Ok(found)
+        })?;
+        for found in found {
+            pieces.append(&found?)?;
+        }
+        sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
+        sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
+        Ok(())
+    }
+
+    /// Adds the arcs of two cells that have points in common.
+    fn near_pair<const N: usize>(
+        &self,
+        sheet: &impl Cells<N>,
+        k: u32,
+        joints: &Joints,
+        max_boxes: usize,
+        found: &mut FoundArcs,
+    ) -> Result<()> {
+        let cells = self.pairs[k as usize].cells;
+        let [(a, size), (b, other)] = cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.origin));
+        let mut whole = ParameterBox::<N, N>::WHOLE;
+        (whole.nets.a, whole.nets.b) = (a, b);
+        let task = self.task(k, rounding_error(size.max(other)), max_boxes, true);
+        NearPair { task: &task, cells, joints }.solve(&whole, found)
+    }
+
+    /// The arcs, joined.
+    fn trails(&self, pieces: &FoundArcs) -> Result<Vec<Trail>> {
+        let normals = alloc::collect((0..2 * pieces.arcs.len()).map(|k| {
+            let arc = pieces.arcs[k / 2];
+            let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
+            self.places(arc.pair, pieces.points[at as usize]).map(|place| self.surfaces[0].normal(place))
+        }))?;
+        Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance }.run()
+    }
+
+    /// The paths of trails, and the cells that are not resolved.
+    fn trail_paths(&self, pieces: &FoundArcs, trails: &[Trail], job: &Job<'_>) -> Result<Paths> {
+        let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
+        for (k, trail) in trails.iter().enumerate() {
+            job.step_every(1 << 10, k, trails.len(), "paths")?;
+            self.add_trail(pieces, trail, &mut paths)?;
+        }
+        self.evaluate(&mut paths)?;
+        for ball in &pieces.balls {
+            let [place, _] = self.places(ball.pair, ball.x);
+            if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
+                alloc::push(&mut paths.unresolved, place)?;
+            }
+        }
+        Ok(paths)
+    }
+
+    /// Adds the points of a trail: of joints within a pair of cells, where parts were halved, only
+    /// those that a long curve needs.
+    fn add_trail(&self, pieces: &FoundArcs, trail: &Trail, paths: &mut Paths) -> Result<()> {
+        let arc = |step: &Step| &pieces.arcs[step.arc as usize];
+        let is_long =
+            trail.steps.len() > 8 && trail.steps.iter().any(|step| arc(step).pair != arc(&trail.steps[0]).pair);
+        let mut last: Option<(u32, DVec3)> = None;
+        for (n, step) in trail.steps.iter().enumerate() {
+            let own = arc(step);
+            let first = own.ends[usize::from(step.reversed)];
+            let spare =
+                last.is_some_and(|(pair, point)| is_long && pair == own.pair && point.distance(first) < self.chord);
+            if !spare {
+                last = Some((own.pair, first));
+            }
+            // Where the next arc begins is where this one ends.
+            let ends_here = n + 1 == trail.steps.len() && !trail.closed;
+            let count = own.point_count();
+            for at in usize::from(spare)..count - usize::from(!ends_here) {
+                let at = own.from as usize + if step.reversed { count - 1 - at } else { at };
+                let [place, other] = self.places(own.pair, pieces.points[at]);
+                let [place, other] = if step.swapped { [other, place] } else { [place, other] };
+                alloc::push(&mut paths.places, place)?;
+                alloc::push(&mut paths.others, other)?;
+            }
+        }
+        alloc::push(&mut paths.ends, paths.places.len() as u32)?;
+        alloc::push(&mut paths.closed, trail.closed)
+    }
+}
