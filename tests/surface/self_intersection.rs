@@ -193,8 +193,13 @@ fn bohemian_dome() {
             let z = (1.0 - 0.25 * (1.0 - 4.0 * p.x * p.x)).sqrt();
             assert!(p.y.abs() < 1e-3 && (p.z.abs() - z).abs() < 2e-3, "{p}");
         }
-        let ends = [points[0].x, points[points.len() - 1].x];
-        assert!((ends[0] * ends[1] + 0.25).abs() < 2e-3, "{ends:?}");
+        let ends = [points[0], points[points.len() - 1]];
+        assert!((ends[0].x * ends[1].x + 0.25).abs() < 1e-4, "{ends:?}");
+        for end in ends {
+            let near = 4.0 * surface.tolerance().sqrt();
+            let pinch = |place: &Place| surface.jet(*place).point.distance(end) < near;
+            assert!(paths.unresolved.iter().any(pinch), "{end} {:?}", paths.unresolved);
+        }
     }
 }
 

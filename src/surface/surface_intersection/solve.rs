@@ -153,7 +153,7 @@ impl PairTask {
         equation: &'a Equation<N, M>,
         pieces: &'a mut FoundArcs,
     ) -> PairSearch<'a, N, M> {
-        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, pieces }
+        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, is_near: false, pieces }
     }
 }
 
@@ -164,6 +164,8 @@ pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
     /// What there was of other pairs.
     before: [usize; 3],
     examined: usize,
+    /// Whether boxes are split across the widest range, not across the longest side.
+    is_near: bool,
     pieces: &'a mut FoundArcs,
 }
 
@@ -235,9 +237,10 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             false => [tolerance, -tolerance],
         };
         let unresolved = extents[longest] <= 0.25 * tolerance || part.is_within(&frame, thickness, reach);
+        let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
         // Near poles pieces are too short in one direction for that to be the longest ever.
         let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
-        let split = unclear.filter(is_long).unwrap_or(longest);
+        let split = if self.is_near { widest() } else { unclear.filter(is_long).unwrap_or(longest) };
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(split) })
     }
 
@@ -294,9 +297,11 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     }
 
     /// Adds the arcs of a box of a pair of cells that have points in common: contact in many
-    /// places says nothing of these.
+    /// places says nothing of these, and next to a pinch they are longer in one direction the
+    /// nearer they are to it, which no proof minds.
     pub(super) fn run_near(&mut self, part: &ParameterBox<N, M>) -> Result<(), Stop> {
         self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
+        self.is_near = true;
         self.run(Cow::Borrowed(part))
     }
 
