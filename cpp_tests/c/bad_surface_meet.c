@@ -77,6 +77,66 @@ static void curves(void) {
     gusset_surface_destroy(b);
 }
 
+/* A cubic loop with y from -1 to 1: x = (2 t - 1) (1 - 10 t (1 - t)), z = 9 t (1 - t). */
+static gusset_surface *loop(void) {
+    static const double profile[4][2] = {{-1.0, 0.0}, {3.0, 3.0}, {-3.0, 3.0}, {1.0, 0.0}};
+    double points[24];
+    gusset_sheet *sheet = NULL;
+    gusset_surface *surface = NULL;
+    size_t k;
+
+    for (k = 0; k < 8; ++k) {
+        points[3 * k] = profile[k / 2][0], points[3 * k + 1] = k % 2 ? 1.0 : -1.0, points[3 * k + 2] = profile[k / 2][1];
+    }
+    EXPECT(GUSSET_OK, gusset_sheet_from_patches_create(NULL, points, 3, 1, 1, 1, &sheet));
+    EXPECT(GUSSET_OK, gusset_surface_create(NULL, (const gusset_sheet *const *)&sheet, 1, 0.0, &surface));
+    gusset_sheet_destroy(sheet);
+    return surface;
+}
+
+static void with_itself(void) {
+    gusset_surface *a = flat(0.0), *b = loop();
+    gusset_surface_paths *paths = (gusset_surface_paths *)misaligned();
+    gusset_surface_paths_view parts;
+    gusset_intersection_options options = {sizeof options, 0.0, 0.0};
+
+    memset(&parts, 0, sizeof parts);
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_self_intersection_create(context, NULL, NULL, &paths));
+    CHECK(paths == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_self_intersection_create(context, a, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_surface_self_intersection_create(context, a, NULL, (gusset_surface_paths **)misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_surface_self_intersection_create(context, a, (const gusset_intersection_options *)misaligned(), &paths));
+    options.chord = -1.0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    options.chord = 0.0, options.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    options.tolerance = INFINITY;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    options.tolerance = 0.0, options.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    CHECK(paths == NULL);
+    options.struct_size = sizeof options;
+    EXPECT(GUSSET_OK, gusset_surface_self_intersection_create(context, a, &options, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_paths_get_view(paths, &parts));
+    CHECK(parts.path_count == 0 && parts.unresolved_count == 0);
+    gusset_surface_paths_destroy(paths);
+    EXPECT(GUSSET_OK, gusset_surface_self_intersection_create(context, b, NULL, &paths));
+    EXPECT(GUSSET_OK, gusset_surface_paths_get_view(paths, &parts));
+    CHECK(parts.path_count == 1 && parts.closed[0] == 0 && parts.unresolved_count == 0 && parts.others != NULL);
+    CHECK(parts.point_count >= 2 && fabs(fabs(parts.points[1]) - 1.0) < 1e-12);
+    CHECK(fabs(parts.points[0]) < 1e-12 && fabs(parts.points[2] - 0.9) < 1e-12);
+    gusset_surface_paths_destroy(paths);
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_surface_self_intersection_create(context, b, NULL, &paths));
+    CHECK(paths == NULL);
+    gusset_context_reset(context);
+    gusset_surface_destroy(a);
+    gusset_surface_destroy(b);
+}
+
 static void candidates(void) {
     gusset_surface *a = flat(0.0), *b = flat(1.0);
     gusset_cell_pairs *pairs = (gusset_cell_pairs *)misaligned();
@@ -122,6 +182,7 @@ int main(void) {
         return 1;
     }
     curves();
+    with_itself();
     candidates();
     gusset_context_destroy(context);
     return failures != 0;

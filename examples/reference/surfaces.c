@@ -351,6 +351,11 @@ static void intersections(const gusset_surface *a, const gusset_surface *b) {
     /* They touch nowhere, and all is resolved. */
     HOLDS(parts.contact_count == 0 && parts.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
+    /* The one does not meet itself, which is proved as nothing is unresolved. */
+    MUST(gusset_surface_self_intersection_create(NULL, a, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &parts));
+    HOLDS(parts.path_count == 0 && parts.unresolved_count == 0);
+    gusset_surface_paths_destroy(paths);
     /* Cells that may meet, for a search of the host's own. */
     MUST(gusset_surface_cell_pairs_create(NULL, a, b, 0.0, &pairs));
     MUST(gusset_cell_pairs_get_view(pairs, &near));

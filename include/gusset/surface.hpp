@@ -236,10 +236,13 @@ public:
     /// The curves of intersection of two surfaces, with places on both.
     SurfacePaths intersect(const Surface &other, const IntersectionOptions &options = {},
                            const Context &context = Context()) const {
-        auto given = detail::sized<gusset_intersection_options>();
-        given.chord = options.chord;
-        given.tolerance = options.tolerance;
+        const gusset_intersection_options given = as_c(options);
         return SurfacePaths(context.result(gusset_surface_intersection_create, get(), other.get(), &given));
+    }
+    /// The curves in which the surface meets itself, with places on both pieces.
+    SurfacePaths self_intersect(const IntersectionOptions &options = {}, const Context &context = Context()) const {
+        const gusset_intersection_options given = as_c(options);
+        return SurfacePaths(context.result(gusset_surface_self_intersection_create, get(), &given));
     }
     /// The pairs of cells of two surfaces that may be within a distance of each other.
     CellPairs cell_pairs(const Surface &other, double within = 0.0, const Context &context = Context()) const {
@@ -271,6 +274,13 @@ public:
     }
 
 private:
+    static gusset_intersection_options as_c(const IntersectionOptions &options) {
+        auto given = detail::sized<gusset_intersection_options>();
+        given.chord = options.chord;
+        given.tolerance = options.tolerance;
+        return given;
+    }
+
     detail::Handle<gusset_surface, gusset_surface_destroy> surface_;
 };
 

@@ -1,4 +1,4 @@
-//! C interface: intersection curves of two surfaces.
+//! C interface: intersection curves of two surfaces, and of one with itself.
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, read};
@@ -57,6 +57,12 @@ pub struct gusset_cell_pairs_view {
 versioned! { gusset_intersection_options: 24, gusset_cell_pairs_view: 24 }
 fixed! { gusset_cell_pair: 24 }
 
+fn read_options(options: *const gusset_intersection_options) -> Result<Options, Failure> {
+    let options = input::read(options, true, "options")?;
+    let given = |value: f64| (value != 0.0).then_some(value);
+    Ok(Options { chord: given(options.chord), tolerance: given(options.tolerance) })
+}
+
 /// The curves in which two surfaces meet, with the places of their points on both: ordered along
 /// N_A x N_B, closed ones marked so.
 ///
@@ -73,8 +79,8 @@ fixed! { gusset_cell_pair: 24 }
 /// two closed paths that have one point in common. Cells of a where the surfaces touch in another
 /// way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
 /// unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
-/// across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one
-/// surface with itself are not looked for.
+/// across such a place where a chord is as near to both surfaces as elsewhere. For where one surface
+/// meets itself see gusset_surface_self_intersection_create.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param a the one surface.
@@ -98,10 +104,51 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let options = input::read(options, true, "options")?;
-        let given = |value: f64| (value != 0.0).then_some(value);
-        let options = Options { chord: given(options.chord), tolerance: given(options.tolerance) };
+        let options = read_options(options)?;
         Ok(read(a)?.meet(read(b)?, &options, job)?.try_into()?)
+    })
+}
+
+/// The curves in which a surface meets itself, with the places of their points on both pieces:
+/// ordered along N x N', where N is the normal at `places` and N' that at `others`; closed ones
+/// marked so. Each curve is given once.
+///
+/// Along a closed curve the two pieces may change places, as on a Klein bottle: it then ends where
+/// it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a seam,
+/// as a Möbius band is, the direction turns too.
+///
+/// Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
+/// control points are the same but for rounding, in either order, and cells round a pole are joined:
+/// what they have in common so is no intersection, and that they have nothing else is proved, or
+/// they are divided. Every branch longer than the tolerance is found, but for cells that are listed as
+/// unresolved: where tangents are dependent, as where a curve ends in a pinch (Whitney's umbrella),
+/// at creases and singular poles, and where pieces touch or coincide. A curve that ends in a pinch
+/// ends within the tolerance of it; the unresolved place is where its pieces are as near to each
+/// other as that. No contacts are looked for. What borders of different sheets have in common is an
+/// intersection.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param surface the surface.
+/// @param options NULL for the defaults; those of one surface are those of two with it twice.
+/// @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity In proportion to the cells and to the pairs of cells that may meet, with a limit for
+///     each; threads; the same bits for any number of them.
+/// @source After gusset_surface_intersection_create; the proofs for joined cells are ours.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_self_intersection_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    options: *const gusset_intersection_options,
+    paths: *mut *mut gusset_surface_paths,
+) -> gusset_status {
+    create(context, paths, "paths", |job| {
+        let options = read_options(options)?;
+        Ok(read(surface)?.meet_itself(&options, job)?.try_into()?)
     })
 }
 
