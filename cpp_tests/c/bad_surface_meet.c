@@ -82,6 +82,7 @@ static gusset_surface *loop(void) {
     static const double profile[4][2] = {{-1.0, 0.0}, {3.0, 3.0}, {-3.0, 3.0}, {1.0, 0.0}};
     double points[24];
     gusset_sheet *sheet = NULL;
+    const gusset_sheet *sheets[1];
     gusset_surface *surface = NULL;
     size_t k;
 
@@ -89,7 +90,8 @@ static gusset_surface *loop(void) {
         points[3 * k] = profile[k / 2][0], points[3 * k + 1] = k % 2 ? 1.0 : -1.0, points[3 * k + 2] = profile[k / 2][1];
     }
     EXPECT(GUSSET_OK, gusset_sheet_from_patches_create(NULL, points, 3, 1, 1, 1, &sheet));
-    EXPECT(GUSSET_OK, gusset_surface_create(NULL, (const gusset_sheet *const *)&sheet, 1, 0.0, &surface));
+    sheets[0] = sheet;
+    EXPECT(GUSSET_OK, gusset_surface_create(NULL, sheets, 1, NULL, &surface));
     gusset_sheet_destroy(sheet);
     return surface;
 }

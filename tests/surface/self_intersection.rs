@@ -125,11 +125,11 @@ fn whitneys_umbrella_ends_in_a_pinch() {
             let (low, high) = (low.min(high), low.max(high));
             assert!(far < 1e-9 && (high - 1.0).abs() < 1e-9, "{far} {low} {high}");
             assert!((length(&paths) - (high - low)).abs() < 1e-9);
-            assert!((0.0..=surface.tolerance()).contains(&low), "{low} {}", surface.tolerance());
+            assert!((0.0..=4.0 * surface.tolerance()).contains(&low), "{low} {}", surface.tolerance());
             assert!((1..=4).contains(&paths.unresolved.len()));
-            assert!(
-                paths.unresolved.iter().all(|&place| surface.jet(place).point.length() < 4.0 * surface.tolerance())
-            );
+            // As near to the pinch the two pieces are within the tolerance of each other.
+            let near = 4.0 * surface.tolerance().sqrt();
+            assert!(paths.unresolved.iter().all(|&place| surface.jet(place).point.length() < near));
         }
     }
 }
@@ -305,5 +305,206 @@ fn graphs_do_not_meet_themselves() {
         let surface = heights(&mut random, [9, 11], size);
         let paths = meet(&surface);
         assert!(paths.is_empty() && paths.unresolved.is_empty(), "{k} {size}: {}", summary(&paths));
+    }
+}
+
+/// Three flat leaves of one strip, in the planes of coordinates, and bends between them.
+#[test]
+fn three_leaves_through_a_point() {
+    // By u: the middle of the strip, and the direction across it. Along leaves both are exact.
+    let leaf = |k: usize, t: f64| {
+        let mut axis = [DVec3::ZERO; 2];
+        (axis[0][k], axis[1][(k + 1) % 3]) = (t, 1.0);
+        axis
+    };
+    let knots: Vec<[DVec3; 2]> = (0..3).flat_map(|k| (0..17).map(move |n| leaf(k, n as f64 / 8.0 - 1.0))).collect();
+    let mut rows = Vec::new();
+    for (n, knot) in knots.iter().enumerate() {
+        if n > 0 && n % 17 == 0 {
+            // A cubic from the one leaf to the next, far round.
+            let ([p, d], [q, e]) = (knots[n - 1], *knot);
+            for m in 1..16 {
+                let t = m as f64 / 16.0;
+                let (s, away) = (1.0 - t, 3.0);
+                let point = s * s * s * p + 3.0 * s * s * t * (p * away) + 3.0 * s * t * t * (q * away) + t * t * t * q;
+                rows.push([point, s * d + t * e]);
+            }
+        }
+        rows.push(*knot);
+    }
+    let columns = 5;
+    let data: Vec<f64> = rows
+        .iter()
+        .flat_map(|[point, across]| {
+            (0..=columns).flat_map(move |j| (*point + (2.0 * j as f64 / columns as f64 - 1.0) * *across).to_array())
+        })
+        .collect();
+    let nodes = Nodes::strided(data, rows.len(), columns + 1, 0, 0).unwrap();
+    let surface = one(Sheet::Grid(Grid::new(nodes, [false; 2], Scheme::SixTap).unwrap()));
+    let paths = meet(&surface);
+    println!("leaves: {}", summary(&paths));
+    // The three axes: each a whole curve, though the others cross it in the middle.
+    let mut through = [0; 3];
+    for k in 0..paths.len() {
+        let points = paths.points_of(k);
+        for (axis, count) in through.iter_mut().enumerate().map(|(axis, count)| (DVec3::AXES[axis], count)) {
+            let on = points.iter().filter(|p| p.abs().max_element() < 0.5).all(|p| p.reject_from(axis).length() < 1e-9);
+            let along = points.iter().map(|p| p.dot(axis)).fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]);
+            *count += usize::from(on && along[0] < -0.5 && along[1] > 0.5);
+        }
+    }
+    assert_eq!(through, [1, 1, 1], "{}", summary(&paths));
+    // The bends meet each other, too, and are pinched.
+    assert!(paths.unresolved.iter().all(|&place| surface.jet(place).point.length() > 0.5));
+}
+
+/// Where an edge crosses a triangle, if it does.
+fn crossing([a, b]: [DVec3; 2], [p, q, r]: [DVec3; 3]) -> Option<DVec3> {
+    let volume = |x: DVec3, y: DVec3, z: DVec3| (x - a).cross(y - a).dot(z - a);
+    let above = |x: DVec3| (q - p).cross(r - p).dot(x - p);
+    let signs = [volume(b, p, q), volume(b, q, r), volume(b, r, p)].map(|x| x > 0.0);
+    let (low, high) = (above(a), above(b));
+    ((low > 0.0) != (high > 0.0) && signs[0] == signs[1] && signs[1] == signs[2]).then(|| a.lerp(b, low / (low - high)))
+}
+
+/// The place of parameters that count cells.
+fn place(surface: &Surface<'_>, at: [f64; 2]) -> Place {
+    let counts = surface.sheet(0).cells();
+    let cell = [0, 1].map(|k| (at[k].floor().max(0.0) as usize).min(counts[k] - 1));
+    Place { sheet: 0, cell: cell.map(|k| k as u32), u: at[0] - cell[0] as f64, v: at[1] - cell[1] as f64 }
+}
+
+/// S(p) = S(q) near two places, by Newton's steps of least length.
+fn solution(surface: &Surface<'_>, start: [[f64; 2]; 2]) -> Option<(DVec3, [[f64; 2]; 2])> {
+    let mut x = start;
+    let counts = surface.sheet(0).cells();
+    for _ in 0..20 {
+        let [one, other] = x.map(|at| surface.jet(place(surface, at)));
+        let miss = one.point - other.point;
+        let columns = [one.u, one.v, -other.u, -other.v];
+        let square =
+            columns.iter().fold(glam::DMat3::ZERO, |sum, c| sum + glam::DMat3::from_cols(*c * c.x, *c * c.y, *c * c.z));
+        let dual = square.inverse() * miss;
+        for k in 0..4 {
+            x[k / 2][k % 2] -= columns[k].dot(dual);
+            if !(-0.01..=counts[k % 2] as f64 + 0.01).contains(&x[k / 2][k % 2]) {
+                return None;
+            }
+        }
+        if miss.length() < 1e-12 {
+            let inside = (0..4).all(|k| (1e-6..=counts[k % 2] as f64 - 1e-6).contains(&x[k / 2][k % 2]));
+            return inside.then_some((one.point, x));
+        }
+    }
+    None
+}
+
+#[test]
+fn random_sheets_against_triangles() {
+    const DENSE: usize = 6;
+    let mut random = Random(23);
+    let (mut curves, mut closed, mut places, mut trivial, mut unresolved, mut worst) = (0, 0, 0, 0, 0, 0.0_f64);
+    for number in 0..100 {
+        let cells = [5, 6];
+        let shifts: Vec<DVec3> = (0..42).map(|_| random.point(0.35)).collect();
+        let surface = lattice(cells, [false; 2], |u, v| {
+            let (i, j) = ((5.0 * u).round() as usize, (6.0 * v).round() as usize);
+            DVec3::new(u, v, 0.0) + shifts[i * 7 + j]
+        });
+        let paths = meet(&surface);
+        curves += paths.len();
+        closed += paths.closed.iter().filter(|&&closed| closed).count();
+        unresolved += paths.unresolved.len();
+        // Open ends are at the border, or in a pinch.
+        for k in (0..paths.len()).filter(|&k| !paths.closed[k]) {
+            let range = paths.ends[k] as usize..paths.ends[k + 1] as usize;
+            for end in [range.start, range.end - 1] {
+                let at_border = |place: &Place| {
+                    [(place.cell[0], place.u, cells[0]), (place.cell[1], place.v, cells[1])].iter().any(
+                        |&(cell, t, n)| {
+                            let at = f64::from(cell) + t;
+                            at < 1e-9 || at > n as f64 - 1e-9
+                        },
+                    )
+                };
+                let pinch = |place: &Place| surface.jet(*place).point.distance(paths.points[end]) < 1e-3;
+                assert!(
+                    at_border(&paths.places[end])
+                        || at_border(&paths.others[end])
+                        || paths.unresolved.iter().any(pinch),
+                    "{number}: {} {}",
+                    paths.points[end],
+                    summary(&paths)
+                );
+            }
+        }
+        let [h, w] = cells.map(|n| n * DENSE);
+        let at = |i: usize, j: usize| [i as f64 / DENSE as f64, j as f64 / DENSE as f64];
+        let points: Vec<DVec3> =
+            (0..(h + 1) * (w + 1)).map(|k| surface.jet(place(&surface, at(k / (w + 1), k % (w + 1)))).point).collect();
+        let triangles: Vec<[[usize; 2]; 3]> = (0..h * w)
+            .flat_map(|k| {
+                let (i, j) = (k / w, k % w);
+                [[[i, j], [i + 1, j], [i + 1, j + 1]], [[i, j], [i + 1, j + 1], [i, j + 1]]]
+            })
+            .collect();
+        let corner = |[i, j]: [usize; 2]| points[i * (w + 1) + j];
+        let boxes: Vec<[DVec3; 2]> =
+            triangles.iter().map(|t| t.map(corner)).map(|[p, q, r]| [p.min(q).min(r), p.max(q).max(r)]).collect();
+        for (m, one) in triangles.iter().enumerate() {
+            for (n, other) in triangles.iter().enumerate() {
+                let meets = boxes[m][0].cmple(boxes[n][1]).all() && boxes[n][0].cmple(boxes[m][1]).all();
+                if !meets || m == n || one.iter().any(|p| other.contains(p)) {
+                    continue;
+                }
+                let edges = (0..3).map(|k| [one[k], one[(k + 1) % 3]].map(corner));
+                if !edges.into_iter().any(|edge| crossing(edge, other.map(corner)).is_some()) {
+                    continue;
+                }
+                let middle = |t: &[[usize; 2]; 3]| {
+                    [0, 1].map(|k| t.iter().map(|p| p[k] as f64).sum::<f64>() / (3 * DENSE) as f64)
+                };
+                let Some((point, [p, q])) = solution(&surface, [middle(one), middle(other)]) else {
+                    continue;
+                };
+                if (p[0] - q[0]).abs().max((p[1] - q[1]).abs()) < 1e-3 {
+                    trivial += 1;
+                    continue;
+                }
+                places += 1;
+                let far = distance(&paths, point);
+                worst = worst.max(far);
+                assert!(far < 1e-3, "{number}: {point} {far} {p:?} {q:?} {}", summary(&paths));
+            }
+        }
+    }
+    println!(
+        "{curves} curves, {closed} closed, {unresolved} unresolved; {places} places, farthest {worst:e}; {trivial} trivial"
+    );
+    assert!(curves > 100 && places > 5000);
+}
+
+#[test]
+fn the_same_for_any_number_of_threads_and_cancelled() {
+    struct Stop(std::sync::atomic::AtomicUsize, usize);
+    impl gusset::Progress for Stop {
+        fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
+            let count = self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            if count >= self.1 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
+        }
+    }
+    let surface = lattice([40, 36], [false, true], klein);
+    let run = |threads| surface.meet_itself(&Options::default(), &Job::new(threads, &Quiet)).unwrap();
+    let paths = [1, 2, 5].map(run);
+    assert!(paths[0] == paths[1] && paths[0] == paths[2]);
+    for after in [0, 1, 2, 5, 10, 40] {
+        let stop = Stop(std::sync::atomic::AtomicUsize::new(0), after);
+        assert_eq!(surface.meet_itself(&Options::default(), &Job::new(2, &stop)), Err(gusset::Error::Cancelled));
+    }
+    for bad in [0.0, -1.0, f64::NAN] {
+        let chord = surface.meet_itself(&Options { chord: Some(bad), ..Options::default() }, &Job::default());
+        assert!(matches!(chord, Err(gusset::Error::OptionOutOfRange { option: "chord", .. })));
+        let tolerance = surface.meet_itself(&Options { tolerance: Some(bad), ..Options::default() }, &Job::default());
+        assert!(matches!(tolerance, Err(gusset::Error::OptionOutOfRange { option: "tolerance", .. })));
     }
 }

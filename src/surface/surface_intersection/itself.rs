@@ -134,12 +134,8 @@ impl Intersection<'_> {
             self.add_trail(pieces, trail, &mut paths)?;
         }
         self.evaluate(&mut paths)?;
-        for ball in &pieces.balls {
-            let [place, _] = self.places(ball.pair, ball.x);
-            if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
-                alloc::push(&mut paths.unresolved, place)?;
-            }
-        }
+        let places = pieces.balls.iter().map(|ball| self.places(ball.pair, ball.x)[0]);
+        paths.unresolved = alloc::collect(places)?;
         Ok(paths)
     }
 
