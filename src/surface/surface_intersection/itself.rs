@@ -15,14 +15,16 @@ use super::{Intersection, Options, positive, rounding_error};
 use crate::sort;
 use crate::surface::cells::Cells;
 use crate::surface::prelude::*;
-use crate::surface::{Paths, Surface, each_sheet};
+use crate::surface::{Paths, Place, Surface, each_sheet};
 
-/// Pairs of cells with points in common that a thread takes at a time.
-const PAIRS_PER_TASK: usize = 4;
-/// Parts of parameters examined for all such pairs, shared among them.
-const TOTAL_PARTS: usize = 1 << 22;
-/// The least and the most for one of them.
-const PARTS: [usize; 2] = [1 << 12, 1 << 15];
+/// Boxes of parameters examined for cells with points in common before they are put back.
+const FIRST_MAX_BOXES: usize = 1 << 11;
+/// Boxes examined for all of these that were put back: shared among them.
+const SECOND_TOTAL_BOXES: usize = 1 << 23;
+/// The least and the most for one of them: a pinch takes some 2^15.
+const SECOND_MAX_BOXES: [usize; 2] = [1 << 15, 1 << 17];
+/// Shorter trails may be scraps, which are within what is reported as unresolved.
+const MIN_TRAIL_ARCS: usize = 8;
 /// Control points that are this many roundings apart are one.
 const JOINT_ROUNDINGS: f64 = 4.0;
 
@@ -80,23 +82,40 @@ impl Surface<'_> {
 impl Intersection<'_> {
     /// Adds the arcs of cells that have points in common.
     fn solve_near(&self, near: &[u32], joints: &[Joints], pieces: &mut FoundArcs, job: &Job<'_>) -> Result<()> {
-        let max_boxes = (TOTAL_PARTS / near.len().max(1)).clamp(PARTS[0], PARTS[1]);
-        let found = par::map_cancellable(job, "intersection", near.chunks(PAIRS_PER_TASK), |part| {
-            let mut found = FoundArcs::default();
-            for &k in part {
-                let number = self.pairs[k as usize].sheets[0] as usize;
-                each_sheet!(self.surfaces[0].sheet(number), cells => {
-                    self.near_pair(cells, k, &joints[number], max_boxes, &mut found)?;
-                });
-            }
-            Ok(found)
-        })?;
-        for found in found {
-            pieces.append(&found?)?;
+        self.solve_all_near(near, joints, FIRST_MAX_BOXES, false, pieces, &job.part(0.0, 0.5))?;
+        let again = std::mem::take(&mut pieces.exhausted);
+        if !again.is_empty() {
+            let [least, most] = SECOND_MAX_BOXES;
+            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(least, most);
+            self.solve_all_near(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
         }
         sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
         sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
         Ok(())
+    }
+
+    /// The same with so many boxes each; `last`: whether boxes left then are reported.
+    fn solve_all_near(
+        &self,
+        near: &[u32],
+        joints: &[Joints],
+        max_boxes: usize,
+        last: bool,
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let together = if last { 1 } else { 16 };
+        let found = par::map_cancellable(job, "intersection", near.chunks(together), |part| {
+            let mut found = FoundArcs::default();
+            for &k in part {
+                let number = self.pairs[k as usize].sheets[0] as usize;
+                each_sheet!(self.surfaces[0].sheet(number), cells => {
+                    self.near_pair(cells, k, &joints[number], (max_boxes, last), &mut found)?;
+                });
+            }
+            Ok(found)
+        })?;
+        found.into_iter().try_for_each(|found: Result<FoundArcs>| pieces.append(&found?))
     }
 
     /// Adds the arcs of two cells that have points in common.
@@ -105,14 +124,14 @@ impl Intersection<'_> {
         sheet: &impl Cells<N>,
         k: u32,
         joints: &Joints,
-        max_boxes: usize,
+        (max_boxes, last): (usize, bool),
         found: &mut FoundArcs,
     ) -> Result<()> {
         let cells = self.pairs[k as usize].cells;
         let [(a, size), (b, other)] = cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
-        let task = self.task(k, rounding_error(size.max(other)), max_boxes, true);
+        let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);
         NearPair { task: &task, cells, joints }.solve(&whole, found)
     }
 
@@ -123,7 +142,19 @@ impl Intersection<'_> {
             let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
             self.places(arc.pair, pieces.points[at as usize]).map(|place| self.surfaces[0].normal(place))
         }))?;
-        Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance }.run()
+        let mut trails = Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance }.run()?;
+        trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
+        Ok(trails)
+    }
+
+    /// Whether all ends of a trail are in unresolved balls of their pairs of cells.
+    fn is_scrap(&self, pieces: &FoundArcs, trail: &Trail) -> bool {
+        trail.steps.iter().all(|step| {
+            let arc = pieces.arcs[step.arc as usize];
+            let first = pieces.balls.partition_point(|ball| ball.pair < arc.pair);
+            let mut own = pieces.balls[first..].iter().take_while(|ball| ball.pair == arc.pair);
+            own.any(|ball| arc.ends.iter().all(|end| end.distance(ball.centre) <= ball.radius + 4.0 * self.tolerance))
+        })
     }
 
     /// The paths of trails, and the cells that are not resolved.
@@ -134,8 +165,10 @@ impl Intersection<'_> {
             self.add_trail(pieces, trail, &mut paths)?;
         }
         self.evaluate(&mut paths)?;
-        let places = pieces.balls.iter().map(|ball| self.places(ball.pair, ball.x)[0]);
-        paths.unresolved = alloc::collect(places)?;
+        let key = |place: &Place| (place.sheet, place.cell);
+        paths.unresolved = alloc::gather(pieces.balls.iter().flat_map(|ball| self.places(ball.pair, ball.x)))?;
+        sort::stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
+        paths.unresolved.dedup_by_key(|place| key(place));
         Ok(paths)
     }
 
