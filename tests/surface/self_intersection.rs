@@ -401,10 +401,23 @@ fn solution(surface: &Surface<'_>, start: [[f64; 2]; 2]) -> Option<(DVec3, [[f64
 
 #[test]
 fn random_sheets_against_triangles() {
+    random_sheets(12);
+}
+
+#[test]
+#[ignore = "a minute or two"]
+fn exhaustive_random_sheets_against_triangles() {
+    random_sheets(100);
+}
+
+/// Sheets through nodes at random: what triangles of theirs show is on a path, or in cells that are
+/// unresolved.
+fn random_sheets(count: usize) {
     const DENSE: usize = 6;
+    let mut excused = 0;
     let mut random = Random(23);
     let (mut curves, mut closed, mut places, mut trivial, mut unresolved, mut worst) = (0, 0, 0, 0, 0, 0.0_f64);
-    for number in 0..100 {
+    for number in 0..count {
         let cells = [5, 6];
         let shifts: Vec<DVec3> = (0..42).map(|_| random.point(0.2)).collect();
         let surface = lattice(cells, [false; 2], |u, v| {
@@ -473,15 +486,20 @@ fn random_sheets_against_triangles() {
                 }
                 places += 1;
                 let far = distance(&paths, point);
+                let cells = [p, q].map(|at| place(&surface, at).cell);
+                if far >= 1e-3 && paths.unresolved.iter().any(|place| cells.contains(&place.cell)) {
+                    excused += 1;
+                    continue;
+                }
                 worst = worst.max(far);
                 assert!(far < 1e-3, "{number}: {point} {far} {p:?} {q:?} {}", summary(&paths));
             }
         }
     }
     println!(
-        "{curves} curves, {closed} closed, {unresolved} unresolved; {places} places, farthest {worst:e}; {trivial} trivial"
+        "{curves} curves, {closed} closed, {unresolved} unresolved; {places} places, farthest {worst:e}, {excused} in unresolved cells; {trivial} trivial"
     );
-    assert!(curves > 100 && places > 5000);
+    assert!(curves > count && places > 50 * count && 100 * excused <= places);
 }
 
 #[test]
