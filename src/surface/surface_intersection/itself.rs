@@ -11,6 +11,7 @@ use super::near::NearPair;
 use super::net::Net;
 use super::solve::FoundArcs;
 use super::trails::{Step, Trail, Trails};
+use super::places::PairPlaces;
 use super::{Intersection, Options, positive, rounding_error};
 use crate::sort;
 use crate::surface::cells::Cells;
@@ -66,9 +67,11 @@ impl Surface<'_> {
             alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
         }
         let intersection = Intersection {
-            surfaces: [self, self],
-            pairs: &pairs,
-            origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
+            places: PairPlaces {
+                surfaces: [self, self],
+                pairs: &pairs,
+                origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
+            },
             tolerance,
             chord: chord.max(tolerance),
         };
@@ -108,8 +111,8 @@ impl Intersection<'_> {
         let found = par::map_cancellable(job, "intersection", near.chunks(together), |part| {
             let mut found = FoundArcs::default();
             for &k in part {
-                let number = self.pairs[k as usize].sheets[0] as usize;
-                each_sheet!(self.surfaces[0].sheet(number), cells => {
+                let number = self.places.pairs[k as usize].sheets[0] as usize;
+                each_sheet!(self.places.surfaces[0].sheet(number), cells => {
                     self.near_pair(cells, k, &joints[number], (max_boxes, last), &mut found)?;
                 });
             }
@@ -127,8 +130,8 @@ impl Intersection<'_> {
         (max_boxes, last): (usize, bool),
         found: &mut FoundArcs,
     ) -> Result<()> {
-        let cells = self.pairs[k as usize].cells;
-        let [(a, size), (b, other)] = cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.origin));
+        let cells = self.places.pairs[k as usize].cells;
+        let [(a, size), (b, other)] = cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);
@@ -140,7 +143,7 @@ impl Intersection<'_> {
         let normals = alloc::collect((0..2 * pieces.arcs.len()).map(|k| {
             let arc = pieces.arcs[k / 2];
             let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
-            self.places(arc.pair, pieces.points[at as usize]).map(|place| self.surfaces[0].normal(place))
+            self.places.places(arc.pair, pieces.points[at as usize]).map(|place| self.places.surfaces[0].normal(place))
         }))?;
         let mut trails = Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance }.run()?;
         trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
@@ -166,7 +169,7 @@ impl Intersection<'_> {
         }
         self.evaluate(&mut paths)?;
         let key = |place: &Place| (place.sheet, place.cell);
-        paths.unresolved = alloc::gather(pieces.balls.iter().flat_map(|ball| self.places(ball.pair, ball.x)))?;
+        paths.unresolved = alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.places(ball.pair, ball.x)))?;
         sort::stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
         paths.unresolved.dedup_by_key(|place| key(place));
         Ok(paths)
@@ -192,7 +195,7 @@ impl Intersection<'_> {
             let count = own.point_count();
             for at in usize::from(spare)..count - usize::from(!ends_here) {
                 let at = own.from as usize + if step.reversed { count - 1 - at } else { at };
-                let [place, other] = self.places(own.pair, pieces.points[at]);
+                let [place, other] = self.places.places(own.pair, pieces.points[at]);
                 let [place, other] = if step.swapped { [other, place] } else { [place, other] };
                 alloc::push(&mut paths.places, place)?;
                 alloc::push(&mut paths.others, other)?;
