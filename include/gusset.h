@@ -1341,7 +1341,7 @@ enum gusset_status
      */
     GUSSET_ERROR_SIDES_DIFFER = 1303,
     /**
-     * Faces of a mesh are no rectangular grid of quads.
+     * Faces of a mesh are no rectangular grid of quads, or triangles no such grid with diagonals.
      */
     GUSSET_ERROR_NO_GRID = 1304,
     /**
@@ -4350,19 +4350,22 @@ typedef struct gusset_gluing_occurrence {
 } gusset_gluing_occurrence;
 
 /**
- * The physical properties of a bridge: kept for the host, and not used.
+ * The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units: of
+ * length that of the coordinates, of force any one that all have.
  */
 typedef struct gusset_bridge_properties {
     /**
-     * Tension.
+     * At least 0: the force in each line of links across a thread or a ribbon, and the force per
+     * length in the film of a tube.
      */
     double tension;
     /**
-     * Elasticity.
+     * At least 0: the force that doubles the length of a line of links across.
      */
     double elasticity;
     /**
-     * Stiffness.
+     * At least 0, against bending: force times squared length, for each line of links across;
+     * infinity: rigid.
      */
     double stiffness;
     /**
@@ -4418,6 +4421,15 @@ typedef struct gusset_join_options {
      * the side; 0: refused.
      */
     uint32_t turn;
+    /**
+     * How many rows or columns of nodes of its own each new bridge has, evenly on straight lines
+     * between the two sides; 0 for GUSSET_BRIDGE_WELD.
+     */
+    uint32_t rows;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_join_options;
 
 /**
@@ -4461,6 +4473,15 @@ typedef struct gusset_bridge {
      * GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
      */
     gusset_bridge_mode mode;
+    /**
+     * The rows (DOWN) or columns of its own, which lie before `at`: the side of the first net is
+     * at - rows - 1.
+     */
+    uint32_t rows;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_bridge;
 
 /**
@@ -4959,6 +4980,107 @@ typedef struct gusset_scene_instance {
      */
     uint32_t reserved;
 } gusset_scene_instance;
+
+/**
+ * How gusset_net_settle works. All zeros: the defaults.
+ */
+typedef struct gusset_settle_options {
+    /**
+     * sizeof(gusset_settle_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The displacement below which a step is the last, as a part of the diagonal of the net's box; 0:
+     * 1e-12.
+     */
+    double tolerance;
+    /**
+     * Rest lengths as a multiple of those in the reference, above 0; 0: 1.
+     */
+    double rest_ratio;
+    /**
+     * The net at rest, of the same size, which gives rest lengths and the shape of rigid bridges;
+     * NULL: the net as it is given.
+     */
+    const struct gusset_net *reference;
+    /**
+     * A byte for each part, the nets between the bridges that run from side to side, in their order: 1
+     * for one that moves, as a rigid body, and 0 for one that is held; NULL: all are held.
+     */
+    const uint8_t *free;
+    /**
+     * The number of bytes: bridges + 1 at least; 0 with NULL.
+     */
+    size_t free_count;
+    /**
+     * The largest number of steps; 0: 1000.
+     */
+    uint32_t max_iterations;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_settle_options;
+
+/**
+ * What gusset_net_settle has done. Energies are force times length, in the units of the properties
+ * and the coordinates.
+ */
+typedef struct gusset_settle_report {
+    /**
+     * sizeof(gusset_settle_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The energy before, rigid bridges in their shape.
+     */
+    double energy_before;
+    /**
+     * The energy of tension now.
+     */
+    double tension_energy;
+    /**
+     * The energy of springs now.
+     */
+    double elastic_energy;
+    /**
+     * The energy of bending now.
+     */
+    double bending_energy;
+    /**
+     * The largest force on an inner point or a free body now.
+     */
+    double residual_force;
+    /**
+     * The largest displacement of a point.
+     */
+    double max_displacement;
+    /**
+     * The steps that were taken.
+     */
+    uint32_t iterations;
+    /**
+     * The bridges from side to side that have a force.
+     */
+    uint32_t settled;
+    /**
+     * Those without: hidden or welded ones, and those whose properties are all 0; their nodes stay.
+     */
+    uint32_t idle;
+    /**
+     * The films that have collapsed: to less than a millionth of their area in places.
+     */
+    uint32_t collapsed;
+    /**
+     * 1 if the last step was within the tolerance, or too small to lower the energy, and no film has
+     * collapsed; else 0, and the net is as near as the steps came.
+     */
+    uint32_t converged;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_settle_report;
 
 /**
  * How a stream stores coordinates.
@@ -9898,7 +10020,8 @@ gusset_status gusset_net_get_seams(const struct gusset_net *net,
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no nets),
  *     BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER
  *     (sizes that are not to be equalised; or sides to be welded that are apart: the report has
- *     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side),
+ *     the place and the distance), OUT_OF_RANGE (tolerance; a twist of an open side; rows of
+ *     bridges that are to be welded),
  *     CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(nodes of the result); memory for it, and once more for nets that are enlarged,
  *     turned or flipped.
@@ -9915,8 +10038,8 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
 
 /**
  * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
- * they were joined, unless they were changed since; copies that were made to equalise sizes are
- * removed.
+ * they were joined, unless they were changed since; copies that were made to equalise sizes, and the
+ * rows of the bridge, are removed.
  *
  * Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
  * reverse order of joining. What is glued across the bridge is cut.
@@ -9969,7 +10092,8 @@ gusset_status gusset_net_get_bridge(const struct gusset_net *net,
                                     struct gusset_bridge *bridge);
 
 /**
- * Does something else with the cells of a bridge, and gives it other properties.
+ * Does something else with the cells of a bridge, and gives it other properties. A bridge that has
+ * rows of its own cannot be welded: OUT_OF_RANGE.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] net the net.
@@ -10755,6 +10879,40 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
                                             const struct gusset_net *net,
                                             gusset_direction direction,
                                             struct gusset_scene **scene);
+
+/**
+ * Moves the nodes of bridges that are their own, and parts that are free, to the equilibrium of the
+ * bridges' properties.
+ *
+ * The sum of these energies becomes least, for each line of links across a bridge: tension times its
+ * length, its nodes becoming evenly spaced, or in a tube times the area of the film; elasticity / 2
+ * (l - r)^2 / r for each link of length l and rest length r; stiffness / 2 h^3 times the squared second
+ * differences, h being the mean rest length, lines leaving parts in the direction of these. A bridge of
+ * infinite stiffness and both its sides are one body. Bridges within a part do not count, nor do those
+ * across the direction of the last. If of parts that bridges join none is held, the first is. What is
+ * found is a local minimum, and the energy never grows on the way.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param[in,out] net the net.
+ * @param options NULL for the defaults.
+ * @param[out] report receives what was done, its struct_size set; that the steps did not converge
+ *     is no error.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+ *     (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER (the reference has
+ *     another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is negative, NaN or
+ *     infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another), OUT_OF_MEMORY,
+ *     CANCELLED; the net is then unchanged.
+ * @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and O(nodes).
+ * @threads One thread; the same bits always.
+ * @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_settle(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_settle_options *options,
+                                struct gusset_settle_report *report);
 
 /**
  * Makes a stream of a net: its coordinates, what is glued to what, its bridges.
@@ -12309,8 +12467,8 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * two closed paths that have one point in common. Cells of a where the surfaces touch in another
  * way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
  * unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
- * across such a place where a chord is as near to both surfaces as elsewhere. Intersections of one
- * surface with itself are not looked for.
+ * across such a place where a chord is as near to both surfaces as elsewhere. For where one surface
+ * meets itself see gusset_surface_self_intersection_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.
@@ -12332,6 +12490,44 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
                                                  const struct gusset_surface *b,
                                                  const struct gusset_intersection_options *options,
                                                  struct gusset_surface_paths **paths);
+
+/**
+ * The curves in which a surface meets itself, with the places of their points on both pieces:
+ * ordered along N x N', where N is the normal at `places` and N' that at `others`; closed ones
+ * marked so. Each curve is given once.
+ *
+ * Along a closed curve the two pieces may change places, as on a Klein bottle: it then ends where
+ * it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a seam,
+ * as a Möbius band is, the direction turns too.
+ *
+ * Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
+ * control points are the same but for rounding, in either order, and cells round a pole are joined:
+ * what they have in common so is no intersection, and that they have nothing else is proved, or
+ * they are divided. Every branch longer than the tolerance is found, but for cells that are listed as
+ * unresolved: where tangents are dependent, as where a curve ends in a pinch (Whitney's umbrella),
+ * at creases and singular poles, and where pieces touch or coincide. A curve that ends in a pinch
+ * ends within the tolerance of it; the unresolved place is where its pieces are as near to each
+ * other as that. No contacts are looked for. What borders of different sheets have in common is an
+ * intersection.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param surface the surface.
+ * @param options NULL for the defaults; those of one surface are those of two with it twice.
+ * @param[out] paths receives the curves, for gusset_surface_paths_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity In proportion to the cells and to the pairs of cells that may meet, with a limit for
+ *     each; threads; the same bits for any number of them.
+ * @source After gusset_surface_intersection_create; the proofs for joined cells are ours.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_self_intersection_create(const struct gusset_context *context,
+                                                      const struct gusset_surface *surface,
+                                                      const struct gusset_intersection_options *options,
+                                                      struct gusset_surface_paths **paths);
 
 /**
  * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and
