@@ -89,7 +89,7 @@ pub(super) fn chains(
     // Starts and ends, in turn.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
     let near = near_pairs(&ends, 2.0 * tolerance)?;
-    let mut dropped = repeated(arcs, &near, tolerance)?;
+    let mut dropped = repeated(arcs, &near, false, tolerance)?;
     let mut links = Links::new(arcs.len())?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
@@ -119,8 +119,9 @@ pub(super) fn chains(
 
 /// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs of
 /// starts and ends that are near each other. Sheets may be turned against each other, so that such
-/// arcs may run in opposite ways over other pairs.
-pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
+/// arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as neither of the
+/// surfaces is the first.
+pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
@@ -132,7 +133,7 @@ pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -
         let is_beside = between.dot(chord).abs() <= 0.25 * chord.length_squared();
         let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= 1e-5);
         let along = one.is_along_side && other.is_along_side;
-        let may_be_one = one.pair != other.pair || along && e == f && p / 2 != q / 2;
+        let may_be_one = one.pair != other.pair || along && (either_way || e == f) && p / 2 != q / 2;
         // At poles directions are not known.
         let is_parallel = parallel[0] && parallel[1] || along && (parallel[0] || parallel[1]);
         if may_be_one && is_parallel && is_beside && one.ends[1 - e].distance(other.ends[1 - f]) <= 2.0 * tolerance {

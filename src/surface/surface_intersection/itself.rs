@@ -9,9 +9,9 @@ use super::chart::ParameterBox;
 use super::joints::Joints;
 use super::near::NearPair;
 use super::net::Net;
+use super::places::PairPlaces;
 use super::solve::FoundArcs;
 use super::trails::{Step, Trail, Trails};
-use super::places::PairPlaces;
 use super::{Intersection, Options, positive, rounding_error};
 use crate::sort;
 use crate::surface::cells::Cells;
@@ -77,6 +77,7 @@ impl Surface<'_> {
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
         intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
+        let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
         let trails = intersection.trails(&pieces)?;
         intersection.trail_paths(&pieces, &trails, &job.part(0.9, 1.0))
     }
@@ -131,7 +132,8 @@ impl Intersection<'_> {
         found: &mut FoundArcs,
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
-        let [(a, size), (b, other)] = cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.places.origin));
+        let [(a, size), (b, other)] =
+            cells.map(|[i, j]| Net::new(&sheet.patch(i as usize, j as usize), self.places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);

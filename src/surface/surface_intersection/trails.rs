@@ -94,7 +94,7 @@ impl Trails<'_> {
         let near = near_pairs(&ends, 2.0 * self.tolerance)?;
         let alike = |p: u32, q: u32| unlike(&self.normals[p as usize], &self.normals[q as usize]).0;
         let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= REPEATED_COST))?;
-        let dropped = repeated(arcs, &same, self.tolerance)?;
+        let dropped = repeated(arcs, &same, true, self.tolerance)?;
         let mut joints = Vec::new();
         // The directions in which arcs go on beyond their ends.
         let outwards = |end: u32| {
