@@ -317,14 +317,14 @@ fn three_leaves_through_a_point() {
         (axis[0][k], axis[1][(k + 1) % 3]) = (t, 1.0);
         axis
     };
-    let knots: Vec<[DVec3; 2]> = (0..3).flat_map(|k| (0..17).map(move |n| leaf(k, n as f64 / 8.0 - 1.0))).collect();
+    let knots: Vec<[DVec3; 2]> = (0..3).flat_map(|k| (0..17).map(move |n| leaf(k, f64::from(n) / 8.0 - 1.0))).collect();
     let mut rows = Vec::new();
     for (n, knot) in knots.iter().enumerate() {
         if n > 0 && n % 17 == 0 {
             // A cubic from the one leaf to the next, far round.
             let ([p, d], [q, e]) = (knots[n - 1], *knot);
             for m in 1..16 {
-                let t = m as f64 / 16.0;
+                let t = f64::from(m) / 16.0;
                 let (s, away) = (1.0 - t, 3.0);
                 let point = s * s * s * p + 3.0 * s * s * t * (p * away) + 3.0 * s * t * t * (q * away) + t * t * t * q;
                 rows.push([point, s * d + t * e]);

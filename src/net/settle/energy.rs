@@ -56,7 +56,7 @@ impl Line {
     /// The root of the number of links times the sum of their squares: the length of the line once its
     /// nodes are evenly spaced, which they become.
     fn length(&self, x: &[DVec3]) -> f64 {
-        (self.rests.len() as f64 * self.edges(x).map(|e| e.length_squared()).sum::<f64>()).sqrt()
+        (self.rests.len() as f64 * self.edges(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
     }
 
     /// The weight of a squared second difference: stiffness / h^3, h being the rest length of a link;

@@ -43,9 +43,8 @@ fn quotient<const N: usize>(patch: &Patch<N>) -> Patch<N> {
     let mut points = [[DVec3::ZERO; N]; N];
     for a in 1..N {
         let factor = (N - 1) as f64 / a as f64;
-        for b in 0..N {
-            points[a - 1][b] = factor * (patch.points[a][b] - patch.points[0][b]);
-        }
+        let rises = patch.points[a].iter().zip(&patch.points[0]).map(|(p, apex)| factor * (p - apex));
+        points[a - 1].iter_mut().zip(rises).for_each(|(point, rise)| *point = rise);
     }
     elevate(&mut points, N - 2);
     Patch { points }

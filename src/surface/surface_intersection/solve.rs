@@ -306,6 +306,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     }
 
     /// Ends the search of a pair.
+    #[expect(clippy::needless_pass_by_value, reason = "what a search ends with ends here")]
     pub(super) fn finish(mut self, done: Result<(), Stop>, whole: &ParameterBox<N, M>) -> Result<()> {
         match done {
             Ok(()) => Ok(()),
