@@ -42,7 +42,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -52,6 +52,7 @@ help:
 	@echo 'make lint                         formatting, lints and the Rust documentation'
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
+	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, and with cancels; minutes'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
@@ -125,6 +126,12 @@ cli: stage
 	@scripts/install-packages.sh $(cli_packages)
 	cmake -S tools/gusset -B build/cli -DGUSSET_PREFIX='$(stage)'
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cli --parallel 2
+
+torture: stage
+	@scripts/install-packages.sh $(test_packages)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture --parallel 2
+	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 ctest --test-dir build/cpp -R '^torture/' --verbose --parallel 2
 
 check-cancel: stage
 	@scripts/install-packages.sh $(test_packages)

@@ -47,7 +47,8 @@ struct torture_slot {
     char path[72];
 };
 
-/* What is tried, one after another: hostile arguments; a cancel at each step; each allocation that fails alone, and with all after it. */
+/* What is tried, one after another: hostile arguments; a cancel at each step; and if TORTURE_ALLOCATIONS says how many, allocations
+ * that fail, each alone and with all after it. */
 enum torture_phase { TORTURE_ARGUMENTS, TORTURE_CANCELS, TORTURE_ONE_ALLOCATION, TORTURE_ALL_ALLOCATIONS, TORTURE_PHASES };
 
 struct torture_shared {
@@ -148,8 +149,8 @@ static inline void torture_elements(enum torture_kind kind, const void *array, s
 
 static inline void torture_summary(void) {
     const size_t *const calls = torture_told->calls;
-    printf("in place of %zu calls %zu with other arguments, %zu cancelled, %zu and %zu without memory; %zu failures; slowest %.2f s: %s\n",
-           torture_functions, calls[0], calls[1], calls[2], calls[3], torture_failures + torture_told->failures, torture_told->slowest,
+    printf("in place of %zu calls %zu with other arguments, %zu cancelled, %zu without memory; %zu failures; slowest %.2f s: %s\n",
+           torture_functions, calls[0], calls[1], calls[2] + calls[3], torture_failures + torture_told->failures, torture_told->slowest,
            torture_told->slow);
     fflush(stdout);
     if (torture_failures + torture_told->failures) _exit(1);
@@ -346,7 +347,8 @@ static inline int torture_cancel_step(size_t value) {
 /* No allocation fails at first, which counts them; then each, or if there are many, some. */
 static inline int torture_refuse(enum torture_phase phase, size_t value) {
     const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 0);
-    const long long nth = value == 0 ? 0 : all <= most ? (long long)value : 1 + (all - 1) * ((long long)value - 1) / (most - 1);
+    const long long step = most > 1 ? most - 1 : 1;
+    const long long nth = value == 0 ? 0 : all <= most ? (long long)value : 1 + (all - 1) * ((long long)value - 1) / step;
     if (!torture_context || (value > 0 && (nth > all || (long long)value > most))) return 0;
     (gusset_context_destroy)(torture_context);
     torture_context = NULL, torture_live = atomic_load(&memory_live);
