@@ -5,7 +5,16 @@ use glam::{DQuat, DVec3};
 use gusset::mesh::Scalar;
 use gusset::net::settle::{SettleOptions, Settled, settle};
 use gusset::net::{BridgeKind, BridgeProperties, Direction, JoinOptions, Net, Shape, Sides, Topology, concatenate_all};
-use gusset::{Error, Job};
+use gusset::{Error, Job, Progress};
+use std::ops::ControlFlow;
+
+struct Silent;
+
+impl Progress for Silent {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
 
 fn properties(tension: f64, elasticity: f64, stiffness: f64) -> BridgeProperties {
     BridgeProperties { tension, elasticity, stiffness, user: 0 }
@@ -83,7 +92,6 @@ fn a_film_between_circles_is_a_catenoid() {
         assert_eq!(net.bridges()[0].kind, BridgeKind::Tube);
         let done = run(&mut net, SettleOptions { tolerance: 1e-10, ..SettleOptions::default() });
         assert!(done.converged && done.collapsed == 0, "{done:?}");
-        assert_eq!(bits(&net).len(), bits(&net).len());
         let errors = (1..=n).flat_map(|i| (0..4 * n).map(move |k| (i, k))).map(|(i, k)| {
             let p = net.get(i, k);
             (p.x.hypot(p.y) - low * (p.z / low).cosh()).abs()
@@ -102,6 +110,34 @@ fn a_film_beyond_its_limit_says_so() {
     let done = run(&mut net, SettleOptions { max_iterations: 300, ..SettleOptions::default() });
     println!("{done:?}");
     assert!(!done.converged, "{done:?}");
+}
+
+#[test]
+fn films_and_beams_in_any_frame_unit_and_number_of_threads() {
+    let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -1.0).normalize(), 0.7);
+    for (rings, given) in [(true, [2.0, 0.0]), (false, [0.0, 1.5]), (false, [1.0, 1.5])] {
+        let ends = if rings { [ring(24, -1.5, -0.5), ring(24, 0.5, 1.5)] } else { [strip(0.0, 0.4), strip(3.0, -0.2)] };
+        // Bending has the dimension of tension times a square of lengths.
+        let at_rest = |map: &dyn Fn(DVec3) -> DVec3, unit: f64, threads: usize| {
+            let [a, b] = ends.each_ref().map(|net| mapped(net, map));
+            let mut net = joined(&[&a, &b], 6, properties(given[0], 0.0, given[1] * unit * unit));
+            let done = settle(&mut net, &SettleOptions::default(), &Job::new(threads, &Silent)).unwrap();
+            assert!(done.converged, "{given:?}: {done:?}");
+            net
+        };
+        let plain = at_rest(&|p| p, 1.0, 1);
+        for threads in [2, 8] {
+            assert_eq!(bits(&plain), bits(&at_rest(&|p| p, 1.0, threads)));
+        }
+        for unit in [1.0, 2f64.powi(-460), 2f64.powi(460)] {
+            let map = |p: DVec3| (turn * p + DVec3::new(3.0, -1.0, 2.0)) * unit;
+            let moved = at_rest(&map, unit, 1);
+            for (i, j) in (0..plain.shape().rows()).flat_map(|i| (0..2).map(move |j| (i, j))) {
+                let off = moved.get(i, j).distance(map(plain.get(i, j))) / unit;
+                assert!(off < 1e-7, "{given:?}, unit {unit:e}, node {i} {j}: {off:e}");
+            }
+        }
+    }
 }
 
 #[test]
