@@ -28,6 +28,7 @@ enum torture_kind {
     TORTURE_CAPACITY,    /* of an array that is written: less than it has */
     TORTURE_STRIDE,      /* between elements of an array: none, or what nothing can have */
     TORTURE_WIDE,        /* a size that no array has: any */
+    TORTURE_OFFSET,      /* where a part of an array begins that has no length of its own: within it, or what nothing can have */
     TORTURE_READ_AS,     /* how an array is read: values without meaning */
     TORTURE_POINTS, TORTURE_FLOAT_POINTS, /* an array of points as a whole */
     TORTURE_STRUCT_SIZE, TORTURE_POINTER, TORTURE_BYTES /* a pointer of any alignment */
@@ -109,7 +110,7 @@ static inline void torture_slot(enum torture_kind kind, const void *at, const ch
 static inline size_t torture_width(enum torture_kind kind) {
     switch (kind) {
     case TORTURE_U8: return 1;
-    case TORTURE_F32: case TORTURE_U32: case TORTURE_I32: case TORTURE_READ_AS: return 4;
+    case TORTURE_F32: case TORTURE_U32: case TORTURE_I32: case TORTURE_READ_AS: case TORTURE_OFFSET: return 4;
     default: return 8;
     }
 }
@@ -174,7 +175,7 @@ static inline const gusset_context *torture_own_context(void) {
 static inline double torture_clock(void) {
     struct rusage used;
     getrusage(RUSAGE_SELF, &used);
-    return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
+    return (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
 /* Tries a call in other processes, as many as die. True in those: they list their slots, try them, and leave. */
@@ -205,6 +206,7 @@ static inline int torture_hostile(enum torture_kind kind, size_t n, const void *
     static const float floats[] = {NAN, INFINITY, -INFINITY, 0, -1, 1, FLT_MAX, -FLT_MAX, FLT_MIN};
     static const uint32_t words[] = {0, 1, INT32_MAX, 0x80000000u, UINT32_MAX - 1, UINT32_MAX};
     static const uint32_t meaningless[] = {UINT32_MAX};
+    static const uint32_t offsets[] = {0, 1, 2, UINT32_MAX};
     static const int32_t integers[] = {0, 1, -1, INT32_MIN, INT32_MAX};
     static const uint64_t longs[] = {0, 1, UINT32_MAX, (uint64_t)1 << 32, INT64_MAX, UINT64_MAX};
     static const int64_t signed_longs[] = {0, 1, -1, INT64_MIN, INT64_MAX};
@@ -221,6 +223,7 @@ static inline int torture_hostile(enum torture_kind kind, size_t n, const void *
     case TORTURE_F32: TORTURE_FROM(floats);
     case TORTURE_U32: TORTURE_FROM(words);
     case TORTURE_READ_AS: TORTURE_FROM(meaningless);
+    case TORTURE_OFFSET: TORTURE_FROM(offsets);
     case TORTURE_I32: TORTURE_FROM(integers);
     case TORTURE_U64: case TORTURE_WIDE: TORTURE_FROM(longs);
     case TORTURE_I64: TORTURE_FROM(signed_longs);
@@ -365,7 +368,7 @@ static inline int torture_refuse(enum torture_phase phase, size_t value) {
 static inline void torture_finish(void) {
     const double took = torture_clock() - torture_began;
     struct torture_shared *const told = torture_told;
-    ++told->calls[told->phase];
+    told->calls[told->phase] += told->phase < TORTURE_ONE_ALLOCATION || told->value > 0;
     if (took > told->slowest) {
         told->slowest = took;
         memcpy(told->slow, told->now, sizeof told->slow);
