@@ -35,8 +35,8 @@ choices! { for BridgeMode:
 }
 
 /// The physical properties of a bridge (Deryagin, "tension, elasticity, stiffness"), under which
-/// [`settle`](super::settle()) finds its equilibrium. Units: of length that of the coordinates, of force
-/// any one.
+/// [`settle`](super::settle()) finds its equilibrium. Units: of length that of the coordinates, of
+/// force any one.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BridgeProperties {
     /// Tension: a force in each line across a thread or a ribbon, a force per length in a tube.

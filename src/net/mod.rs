@@ -15,7 +15,8 @@
 //! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
 //! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]:
-//!   normals, areas, volumes. [`planarise()`]: plane cells. [`settle()`]: bridges under forces. [`morph()`]: nets between two.
+//!   normals, areas, volumes. [`planarise()`]: plane cells. [`settle()`]: bridges under forces.
+//!   [`morph()`]: nets between two.
 //! * [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]: meshes and height fields.
 //!   [`stream`]: nets as bytes.
 

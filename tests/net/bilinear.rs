@@ -133,8 +133,8 @@ fn scans_are_larger_than_their_diagonals_say() {
     }
 }
 
-/// Plane cells, folded over themselves as they please: the integral of |A + B u + C v| has the second
-/// antiderivative |x|^3 / (6 B C), which is exact for whole numbers.
+/// Plane cells, folded over themselves as they please: the integral of |A + B u + C v| has the
+/// second antiderivative |x|^3 / (6 B C), which is exact for whole numbers.
 #[test]
 fn folded_plane_cells_have_the_area_of_their_formula() {
     let mut random = Random(91);
@@ -166,7 +166,8 @@ fn folded_plane_cells_have_the_area_of_their_formula() {
     assert!(folded > 1000, "{folded}");
 }
 
-/// Cells that are nearly plane, and folded: turned by a quarter, and cut in four, they are as large.
+/// Cells that are nearly plane, and folded: turned by a quarter, and cut in four, they are as
+/// large.
 #[test]
 fn folded_cells_are_as_large_however_they_are_cut() {
     let mut random = Random(92);

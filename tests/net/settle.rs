@@ -166,8 +166,8 @@ fn springs_in_series_balance() {
     }
 }
 
-/// The place of node i of a beam of n links of length h, clamped to slopes at both ends: the cubic q
-/// with q(1) - q(-1) = 2 h slope, and likewise at the other end.
+/// The place of node i of a beam of n links of length h, clamped to slopes at both ends: the cubic
+/// q with q(1) - q(-1) = 2 h slope, and likewise at the other end.
 fn cubic(n: usize, h: f64, ends: [f64; 2], slopes: [f64; 2]) -> impl Fn(usize) -> f64 {
     // q(i) = a + b i + c i^2 + d i^3: b + d = h s0; a + ... at n; b + 2 c n + d (3 n^2 + 1) = h s1.
     let (m, [p, q], [s, t]) = (n as f64, ends, slopes.map(|slope| slope * h));
@@ -301,8 +301,9 @@ fn properties_and_options_that_are_refused() {
 
 #[test]
 fn tension_and_stiffness_make_a_beam() {
-    // B y'''' = T y'' between clamps in line, shifted by `shift`: y = c0 + c1 x + c2 cosh k x + c3 sinh
-    // k x, odd about the middle: y = a u + b sinh(k u), u from -1/2 to 1/2, y'(1/2) = 0, y(1/2) = shift / 2.
+    // B y'''' = T y'' between clamps in line, shifted by `shift`: y = c0 + c1 x + c2 cosh k x + c3
+    // sinh k x, odd about the middle: y = a u + b sinh(k u), u from -1/2 to 1/2, y'(1/2) = 0,
+    // y(1/2) = shift / 2.
     let (tension, stiffness, shift) = (9.0f64, 1.0f64, 1e-4);
     let k = (tension / stiffness).sqrt();
     let b = shift / 2.0 / ((k / 2.0).sinh() - k / 2.0 * (k / 2.0).cosh());

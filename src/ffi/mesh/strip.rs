@@ -54,7 +54,8 @@ pub struct gusset_strip_view {
     pub parents: gusset_indices,
     /// Of each new vertex, the weight of its second parent, 0 to 1: in row k of r rows k / (r + 1).
     pub weights: *const f64,
-    /// Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no face.
+    /// Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no
+    /// face.
     pub row_count: u32,
     /// 0.
     pub reserved: u32,

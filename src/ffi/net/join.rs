@@ -25,8 +25,8 @@ pub const GUSSET_BRIDGE_TUBE: gusset_bridge_kind = 1;
 /// One edge between sides that are a point each.
 pub const GUSSET_BRIDGE_THREAD: gusset_bridge_kind = 2;
 
-/// The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units: of
-/// length that of the coordinates, of force any one that all have.
+/// The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units:
+/// of length that of the coordinates, of force any one that all have.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_bridge_properties {
@@ -175,8 +175,8 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 }
 
 /// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
-/// they were joined, unless they were changed since; copies that were made to equalise sizes, and the
-/// rows of the bridge, are removed.
+/// they were joined, unless they were changed since; copies that were made to equalise sizes, and
+/// the rows of the bridge, are removed.
 ///
 /// Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
 /// reverse order of joining. What is glued across the bridge is cut.

@@ -314,10 +314,10 @@ pub unsafe extern "C" fn gusset_net_grid_create(
 ///
 /// Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
 /// Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
-/// taken, always the same for the same mesh; of a torus that may be one that closes with a shift, so
-/// that rows and columns are others than it was made from. Tubes and tori whose diagonals run without
-/// any rule may be refused, and so are fans of fewer than six triangles at the pole of an open sheet;
-/// at least one row of quads is needed.
+/// taken, always the same for the same mesh; of a torus that may be one that closes with a shift,
+/// so that rows and columns are others than it was made from. Tubes and tori whose diagonals run
+/// without any rule may be refused, and so are fans of fewer than six triangles at the pole of an
+/// open sheet; at least one row of quads is needed.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh triangles; see gusset_mesh_view.

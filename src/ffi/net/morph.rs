@@ -18,8 +18,8 @@ c_enum! { path: MorphPath { GUSSET_MORPH_LINEAR => Linear, GUSSET_MORPH_RIGID =>
 /// gluing.
 ///
 /// Two nodes that have the same bits as each other in both nets, as glued ones have, have the same
-/// bits as each other in it. It is glued as the first, and has its bridges; a node missing in one of
-/// them is missing between.
+/// bits as each other in it. It is glued as the first, and has its bridges; a node missing in one
+/// of them is missing between.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param first the net at 0.

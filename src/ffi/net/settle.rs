@@ -10,16 +10,17 @@ use crate::net::settle::{SettleOptions, settle};
 pub struct gusset_settle_options {
     /// sizeof(gusset_settle_options), set by the caller.
     pub struct_size: usize,
-    /// The displacement below which a step is the last, as a part of the diagonal of the net's box; 0:
-    /// 1e-12.
+    /// The displacement below which a step is the last, as a part of the diagonal of the net's box;
+    /// 0: 1e-12.
     pub tolerance: f64,
     /// Rest lengths as a multiple of those in the reference, above 0; 0: 1.
     pub rest_ratio: f64,
     /// The net at rest, of the same size, which gives rest lengths and the shape of rigid bridges;
     /// NULL: the net as it is given.
     pub reference: *const gusset_net,
-    /// A byte for each part, the nets between the bridges that run from side to side, in their order: 1
-    /// for one that moves, as a rigid body, and 0 for one that is held; NULL: all are held.
+    /// A byte for each part, the nets between the bridges that run from side to side, in their
+    /// order: 1 for one that moves, as a rigid body, and 0 for one that is held; NULL: all are
+    /// held.
     pub free: *const u8,
     /// The number of bytes: bridges + 1 at least; 0 with NULL.
     pub free_count: usize,
@@ -52,12 +53,13 @@ pub struct gusset_settle_report {
     pub iterations: u32,
     /// The bridges from side to side that have a force.
     pub settled: u32,
-    /// Those without: hidden or welded ones, and those whose properties are all 0; their nodes stay.
+    /// Those without: hidden or welded ones, and those whose properties are all 0; their nodes
+    /// stay.
     pub idle: u32,
     /// The films that have collapsed: to less than a millionth of their area in places.
     pub collapsed: u32,
-    /// 1 if the last step was within the tolerance, or too small to lower the energy, and no film has
-    /// collapsed; else 0, and the net is as near as the steps came.
+    /// 1 if the last step was within the tolerance, or too small to lower the energy, and no film
+    /// has collapsed; else 0, and the net is as near as the steps came.
     pub converged: u32,
     /// 0.
     pub reserved: u32,
@@ -65,28 +67,30 @@ pub struct gusset_settle_report {
 
 versioned! { gusset_settle_options: 56 reserved, gusset_settle_report: 80 }
 
-/// Moves the nodes of bridges that are their own, and parts that are free, to the equilibrium of the
-/// bridges' properties.
+/// Moves the nodes of bridges that are their own, and parts that are free, to the equilibrium of
+/// the bridges' properties.
 ///
-/// The sum of these energies becomes least, for each line of links across a bridge: tension times its
-/// length, its nodes becoming evenly spaced, or in a tube times the area of the film; elasticity / 2
-/// (l - r)^2 / r for each link of length l and rest length r; stiffness / 2 h^3 times the squared second
-/// differences, h being the mean rest length, lines leaving parts in the direction of these. A bridge of
-/// infinite stiffness and both its sides are one body. Bridges within a part do not count, nor do those
-/// across the direction of the last. If of parts that bridges join none is held, the first is. What is
-/// found is a local minimum, and the energy never grows on the way.
+/// The sum of these energies becomes least, for each line of links across a bridge: tension times
+/// its length, its nodes becoming evenly spaced, or in a tube times the area of the film;
+/// elasticity / 2 (l - r)^2 / r for each link of length l and rest length r; stiffness / 2 h^3
+/// times the squared second differences, h being the mean rest length, lines leaving parts in the
+/// direction of these. A bridge of infinite stiffness and both its sides are one body. Bridges
+/// within a part do not count, nor do those across the direction of the last. If of parts that
+/// bridges join none is held, the first is. What is found is a local minimum, and the energy never
+/// grows on the way.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] net the net.
 /// @param options NULL for the defaults.
 /// @param[out] report receives what was done, its struct_size set; that the steps did not converge
 ///     is no error.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
-///     (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER (the reference has
-///     another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is negative, NaN or
-///     infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another), OUT_OF_MEMORY,
-///     CANCELLED; the net is then unchanged.
-/// @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and O(nodes).
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER (the
+///     reference has another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is
+///     negative, NaN or infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another),
+///     OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
+/// @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and
+///     O(nodes).
 /// @threads One thread; the same bits always.
 /// @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
 /// @since 0.1

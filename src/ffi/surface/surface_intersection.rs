@@ -78,9 +78,9 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 /// away from it in turn, and goes back the way that closes it if there is one: a figure of eight is
 /// two closed paths that have one point in common. Cells of a where the surfaces touch in another
 /// way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
-/// unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
-/// across such a place where a chord is as near to both surfaces as elsewhere. For where one surface
-/// meets itself see gusset_surface_self_intersection_create.
+/// unresolved, and curves may end there, or be in parts or missing within such cells; they are
+/// joined across such a place where a chord is as near to both surfaces as elsewhere. For where one
+/// surface meets itself see gusset_surface_self_intersection_create.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param a the one surface.
@@ -114,18 +114,18 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
 /// marked so. Each curve is given once.
 ///
 /// Along a closed curve the two pieces may change places, as on a Klein bottle: it then ends where
-/// it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a seam,
-/// as a Möbius band is, the direction turns too.
+/// it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a
+/// seam, as a Möbius band is, the direction turns too.
 ///
 /// Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
-/// control points are the same but for rounding, in either order, and cells round a pole are joined:
-/// what they have in common so is no intersection, and that they have nothing else is proved, or
-/// they are divided. Every branch longer than the tolerance is found, but for cells that are listed as
-/// unresolved: where tangents are dependent, as where a curve ends in a pinch (Whitney's umbrella),
-/// at creases and singular poles, and where pieces touch or coincide. A curve that ends in a pinch
-/// ends within the tolerance of it; the unresolved place is where its pieces are as near to each
-/// other as that. No contacts are looked for. What borders of different sheets have in common is an
-/// intersection.
+/// control points are the same but for rounding, in either order, and cells round a pole are
+/// joined: what they have in common so is no intersection, and that they have nothing else is
+/// proved, or they are divided. Every branch longer than the tolerance is found, but for cells that
+/// are listed as unresolved: where tangents are dependent, as where a curve ends in a pinch
+/// (Whitney's umbrella), at creases and singular poles, and where pieces touch or coincide. A curve
+/// that ends in a pinch ends within the tolerance of it; the unresolved place is where its pieces
+/// are as near to each other as that. No contacts are looked for. What borders of different sheets
+/// have in common is an intersection.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.

@@ -131,8 +131,8 @@ impl Bridge {
         }
     }
 
-    /// The part of the bridge within a rectangle, if a cell of it is. Where the rectangle ends among
-    /// the inner rows, the last of them is the side.
+    /// The part of the bridge within a rectangle, if a cell of it is. Where the rectangle ends
+    /// among the inner rows, the last of them is the side.
     pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
         let (across, along) = self.direction.ordered(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));

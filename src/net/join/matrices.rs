@@ -57,8 +57,8 @@ fn side_by_side<T: Real>(
     }
 }
 
-/// Where each net starts in a direction, if `inner` rows or columns follow each; one entry more than
-/// there are nets.
+/// Where each net starts in a direction, if `inner` rows or columns follow each; one entry more
+/// than there are nets.
 pub(crate) fn starts(
     shapes: impl ExactSizeIterator<Item = Shape>,
     direction: Direction,

@@ -35,10 +35,10 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`],
-/// [`Error::OptionOutOfRange`] for the tolerance, for a twist of an open side and for inner rows that
-/// are to be welded,
-/// [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do not coincide,
-/// [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for the tolerance, for a twist of an open side and for inner rows
+/// that are to be welded, [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do
+/// not coincide, [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     join_mirrored(&[a, b], &[false; 2], options, job)
 }
@@ -177,12 +177,13 @@ fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
 }
 
 impl Net<'_> {
-    /// Changes the treatment of the cells of a bridge. One with inner rows is not welded. `tolerance`: the largest distance of nodes
-    /// that are welded. O(nodes) if welding begins or ends, else O(1).
+    /// Changes the treatment of the cells of a bridge. One with inner rows is not welded.
+    /// `tolerance`: the largest distance of nodes that are welded. O(nodes) if welding begins or
+    /// ends, else O(1).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance and for
-    /// inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
+    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance and
+    /// for inner rows, [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();

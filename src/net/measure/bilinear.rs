@@ -148,8 +148,8 @@ fn adaptive(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> B
     let gauss =
         |from: f64, width: f64| width * GAUSS_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>();
     let mut found = BilinearArea::default();
-    // Intervals: from, width, the integral, the depth, and if the one that it is half of agreed; the
-    // leftmost on top.
+    // Intervals: from, width, the integral, the depth, and if the one that it is half of agreed;
+    // the leftmost on top.
     let mut open = vec![(start, end - start, gauss(start, end - start), 0, false)];
     while let Some((from, width, whole, depth, agreed)) = open.pop() {
         let half = width / 2.0;

@@ -16,7 +16,8 @@ const REPORT_INTERVAL: usize = 1 << 16;
 /// Of each class of nodes what its representative has; entries of other nodes are not read.
 pub(in crate::net) struct Surface {
     pub(in crate::net) classes: Classes,
-    /// The position, in the unit and from the origin on, of the first node of the class that exists.
+    /// The position, in the unit and from the origin on, of the first node of the class that
+    /// exists.
     pub(in crate::net) positions: Vec<DVec3>,
     /// True of vertices that stay.
     pub(in crate::net) fixed: Vec<bool>,

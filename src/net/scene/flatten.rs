@@ -61,8 +61,8 @@ impl Scene {
     }
 }
 
-/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction with the
-/// inner rows after it, in double precision. Nodes of equal bits keep equal bits.
+/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction with
+/// the inner rows after it, in double precision. Nodes of equal bits keep equal bits.
 fn transform<T: Real>(
     planes: &mut Planes<'static, T>,
     direction: Direction,

@@ -1,7 +1,7 @@
 //! Anderson's acceleration of steps: D. G. Anderson, *Iterative procedures for nonlinear integral
-//! equations* (1965), as Y. Peng et al. use it (*Anderson acceleration for geometry optimization and
-//! physics simulation*, 2018): the combination of the last steps of which the displacement is least.
-//! Whoever takes it sees that the energy falls. O(unknowns), for a window of some steps.
+//! equations* (1965), as Y. Peng et al. use it (*Anderson acceleration for geometry optimization
+//! and physics simulation*, 2018): the combination of the last steps of which the displacement is
+//! least. Whoever takes it sees that the energy falls. O(unknowns), for a window of some steps.
 
 use crate::alloc;
 use crate::error::Result;

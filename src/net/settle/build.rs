@@ -222,8 +222,8 @@ impl Builder<'_> {
         })
     }
 
-    /// A point of the side's body a link away, in the direction from what lies before; `None` if it has
-    /// none.
+    /// A point of the side's body a link away, in the direction from what lies before; `None` if it
+    /// has none.
     fn add_aim(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
         let composite = &mut self.composite;
         let (at, slot) = (composite.points[side as usize], composite.model.slots[side as usize]);
@@ -295,8 +295,8 @@ impl Builder<'_> {
         Ok(self.composite)
     }
 
-    /// Moves what is not held of a body, and the bridges within it, to where they are in the reference
-    /// beside what is held.
+    /// Moves what is not held of a body, and the bridges within it, to where they are in the
+    /// reference beside what is held.
     fn reshape(&mut self, body: u32, reference: &Net<'_>) {
         let (parts, surface, net) = (self.parts, self.surface, self.net);
         let own = |part: &usize| parts.bodies[*part] == body;

@@ -2,8 +2,9 @@
 //!
 //! Above a length |e| lies |e|^2 / (2 l) + l / 2 with the present length l, and the force density
 //! 1 / l in it (Schek 1974); above the area of a triangle the Dirichlet energy of the map from the
-//! present one, with its cotangents (Pinkall and Polthier 1993; Pauletti and Pimenta 2008); above the
-//! energy of a spring that of one between points, its rest at its length in the present direction.
+//! present one, with its cotangents (Pinkall and Polthier 1993; Pauletti and Pimenta 2008); above
+//! the energy of a spring that of one between points, its rest at its length in the present
+//! direction.
 
 use super::term::Term;
 use crate::alloc;
@@ -53,14 +54,14 @@ impl Line {
         self.points.windows(2).map(|ends| x[ends[1] as usize] - x[ends[0] as usize])
     }
 
-    /// The root of the number of links times the sum of their squares: the length of the line once its
-    /// nodes are evenly spaced, which they become.
+    /// The root of the number of links times the sum of their squares: the length of the line once
+    /// its nodes are evenly spaced, which they become.
     fn length(&self, x: &[DVec3]) -> f64 {
         (self.rests.len() as f64 * self.edges(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
     }
 
-    /// The weight of a squared second difference: stiffness / h^3, h being the rest length of a link;
-    /// 0 if there is none.
+    /// The weight of a squared second difference: stiffness / h^3, h being the rest length of a
+    /// link; 0 if there is none.
     fn bending_weight(&self) -> f64 {
         let h = self.rests.iter().sum::<f64>() / self.rests.len() as f64;
         if self.law.stiffness > 0.0 && h > MIN_LENGTH { self.law.stiffness / (h * h * h) } else { 0.0 }

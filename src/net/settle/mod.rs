@@ -1,28 +1,32 @@
 //! The equilibrium of a composite net: bridges under tension, elasticity and stiffness (Deryagin,
 //! "Concatenation", Fig. 9: a bridge "can be given physical properties").
 //!
-//! The inner nodes of whole bridges, and parts that are free, each as a rigid body, move to where the
-//! sum of these energies is least. Lines run across a bridge, N links each; glued lines count once.
+//! The inner nodes of whole bridges, and parts that are free, each as a rigid body, move to where
+//! the sum of these energies is least. Lines run across a bridge, N links each; glued lines count
+//! once.
 //!
 //! | property | energy |
 //! |---|---|
-//! | tension T of a thread or ribbon | T times the root of N times the sum of the squared lengths of links, for each line: T times its length once its nodes are evenly spaced, which they become |
-//! | tension T of a tube | T times the area of its film, that of a cell being the mean of both triangulations |
-//! | elasticity Y | Y / 2 (l - r)^2 / r for each link of length l and rest length r across |
-//! | stiffness B | B / 2 h^3 times the sum of squared second differences along each line, and 2 (p1 - p0 - h d)^2 at each end, h being the mean rest length of its links and d the direction of the part's last link |
+//! | tension T of a thread or ribbon | T times the root of N times the sum of the squared lengths
+//! of links, for each line: T times its length once its nodes are evenly spaced, which they become
+//! | | tension T of a tube | T times the area of its film, that of a cell being the mean of both
+//! triangulations | | elasticity Y | Y / 2 (l - r)^2 / r for each link of length l and rest length
+//! r across | | stiffness B | B / 2 h^3 times the sum of squared second differences along each
+//! line, and 2 (p1 - p0 - h d)^2 at each end, h being the mean rest length of its links and d the
+//! direction of the part's last link |
 //!
 //! The film of a ribbon would have free edges, and none is in equilibrium but one of no area: its
-//! tension acts in its lines. A bridge of infinite stiffness is one body with both its sides. Hidden
-//! bridges have no force, welded ones have no inner nodes and make one body of two.
+//! tension acts in its lines. A bridge of infinite stiffness is one body with both its sides.
+//! Hidden bridges have no force, welded ones have no inner nodes and make one body of two.
 //!
-//! Each step goes to the minimum of a sum of squares that is nowhere below the energy and touches it
-//! where the net is: force densities (H.-J. Schek, *The force density method for form finding*, 1974),
-//! for films with the cotangents of U. Pinkall and K. Polthier (*Computing discrete minimal surfaces*,
-//! 1993), which are the natural force densities of R. Pauletti and P. Pimenta (2008). Bodies are
-//! translated with the nodes and then rotated each by itself. Where all parts are held,
-//! steps are accelerated (`anderson`) if that lowers the energy further. So it never grows; convergence is
-//! linear, and slow for films near the limit of stability. O(n^1.5) operations and O(n log n) memory
-//! for n inner nodes a step. One thread: the same bits always.
+//! Each step goes to the minimum of a sum of squares that is nowhere below the energy and touches
+//! it where the net is: force densities (H.-J. Schek, *The force density method for form finding*,
+//! 1974), for films with the cotangents of U. Pinkall and K. Polthier (*Computing discrete minimal
+//! surfaces*, 1993), which are the natural force densities of R. Pauletti and P. Pimenta (2008).
+//! Bodies are translated with the nodes and then rotated each by itself. Where all parts are held,
+//! steps are accelerated (`anderson`) if that lowers the energy further. So it never grows;
+//! convergence is linear, and slow for films near the limit of stability. O(n^1.5) operations and
+//! O(n log n) memory for n inner nodes a step. One thread: the same bits always.
 
 mod anderson;
 mod bodies;
@@ -69,8 +73,8 @@ pub struct Settled {
     pub idle: u32,
     /// The films that have collapsed: to less than a millionth of their area in places.
     pub collapsed: u32,
-    /// True if the last step was within the tolerance, or too small to lower the energy, and no film
-    /// has collapsed.
+    /// True if the last step was within the tolerance, or too small to lower the energy, and no
+    /// film has collapsed.
     pub converged: bool,
 }
 
@@ -83,9 +87,9 @@ const COLLAPSED: f64 = 1e-6;
 
 /// Moves the inner nodes of the whole bridges of a net, and its free parts, to equilibrium.
 ///
-/// Whole bridges run from side to side; those count whose direction is that of the last. If of parts
-/// that bridges join none is held, the first is. Lines with a missing node have no force, and links
-/// without a rest length no elasticity. A step that does not converge is told by the result.
+/// Whole bridges run from side to side; those count whose direction is that of the last. If of
+/// parts that bridges join none is held, the first is. Lines with a missing node have no force, and
+/// links without a rest length no elasticity. A step that does not converge is told by the result.
 ///
 /// # Errors
 /// [`Error::BadProperty`], [`Error::OptionOutOfRange`] for the tolerance and the ratio,

@@ -15,8 +15,8 @@ use glam::DVec3;
 /// The share of the diagonal that is added to it, so that what no force holds stays.
 const DAMPING: f64 = 1e-11;
 
-/// All that has forces, in the unit. Points are the classes of nodes, and after them the points that
-/// clamps aim at, which move with the bodies.
+/// All that has forces, in the unit. Points are the classes of nodes, and after them the points
+/// that clamps aim at, which move with the bodies.
 pub(super) struct Model {
     /// Of each point the number of its unknown, or its body above [`BODY`].
     pub(super) slots: Vec<u32>,

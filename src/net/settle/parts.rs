@@ -92,8 +92,8 @@ impl Parts {
         classes.representative(classes.shape().node(i, j))
     }
 
-    /// Unites parts that are glued or joined by rigid bridges to bodies, and returns for each class of
-    /// nodes its body above [`BODY`], or [`NOWHERE`] for what only bridges have.
+    /// Unites parts that are glued or joined by rigid bridges to bodies, and returns for each class
+    /// of nodes its body above [`BODY`], or [`NOWHERE`] for what only bridges have.
     pub(super) fn unite(&mut self, net: &Net<'_>, classes: &Classes, job: &Job<'_>) -> Result<Vec<u32>> {
         let shape = net.shape();
         let along = self.direction.extent(shape).1;
@@ -132,8 +132,8 @@ impl Parts {
         Ok(slots)
     }
 
-    /// Finds which bodies stay: those with a part that is held, and of bodies that bridges join, none
-    /// of which is held, the first.
+    /// Finds which bodies stay: those with a part that is held, and of bodies that bridges join,
+    /// none of which is held, the first.
     fn hold(&mut self, net: &Net<'_>) -> Result<()> {
         let count = self.ranges.len();
         self.held = alloc::filled(false, count)?;

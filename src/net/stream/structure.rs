@@ -273,9 +273,9 @@ fn write_bridges(bridges: &[Bridge], adaptations: &HashMap<*const Adaptation, u6
     bridges.iter().try_for_each(|bridge| write_bridge(bridge, adaptations, to))
 }
 
-/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the inner rows if
-/// there are any, the adaptations of the nets on both sides, and the properties if they are not all
-/// zero.
+/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the inner rows
+/// if there are any, the adaptations of the nets on both sides, and the properties if they are not
+/// all zero.
 fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     let direction = u8::from(bridge.direction == Direction::Down);
     let kind = KINDS.iter().position(|&kind| kind == bridge.kind).unwrap_or(0) as u8;

@@ -46,8 +46,8 @@ struct LocalCurve {
 struct Unclear;
 
 /// The part of a graph within a box: nothing longer than the tolerance, or one arc between two
-/// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if that
-/// is known.
+/// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if
+/// that is known.
 pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;
 
 /// The search for the arc of a box.

@@ -117,10 +117,10 @@ pub(super) fn chains(
     Ok(Chained { chains: links.chains(&dropped)?, crossings, passed: bridges.passed(&links)? })
 }
 
-/// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs of
-/// starts and ends that are near each other. Sheets may be turned against each other, so that such
-/// arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as neither of the
-/// surfaces is the first.
+/// Arcs that are others once more, found from both sides of a side of cells or of boxes: by pairs
+/// of starts and ends that are near each other. Sheets may be turned against each other, so that
+/// such arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as
+/// neither of the surfaces is the first.
 pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {

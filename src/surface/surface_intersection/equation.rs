@@ -68,8 +68,8 @@ impl Frame {
         left.dot(direction) / direction.length_squared() * tangent - back
     }
 
-    /// The step of the parameters `moved` and the next, those of one surface, that brings it nearest
-    /// to the other's point.
+    /// The step of the parameters `moved` and the next, those of one surface, that brings it
+    /// nearest to the other's point.
     pub(super) fn step_across(&self, moved: usize) -> DVec2 {
         let [p, q] = [self.columns[moved], self.columns[moved + 1]];
         let (pp, pq, qq) = (p.length_squared(), p.dot(q), q.length_squared());

@@ -35,14 +35,14 @@ impl Surface<'_> {
     /// once. Along a closed one the two pieces may change places, as on a Klein bottle: it ends
     /// where it begins in space, with `places` and `others` exchanged.
     ///
-    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`. Pieces
-    /// that are joined are taken as one: cells with a common side or corner, across a seam too,
-    /// opposite borders of a sheet whose control points are the same but for rounding, in either
-    /// order, and cells round a pole. Where they are proved to have nothing else in common they are
-    /// not looked at any more. Where the tangents are dependent, as where a curve ends in a pinch
-    /// (Whitney's umbrella) or at a crease, this cannot be proved: the cell is in `unresolved`, and
-    /// curves end within the tolerance of such a place. So are cells that touch each other or
-    /// coincide. Borders that different sheets have in common count as intersections.
+    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`.
+    /// Pieces that are joined are taken as one: cells with a common side or corner, across a seam
+    /// too, opposite borders of a sheet whose control points are the same but for rounding, in
+    /// either order, and cells round a pole. Where they are proved to have nothing else in common
+    /// they are not looked at any more. Where the tangents are dependent, as where a curve ends in
+    /// a pinch (Whitney's umbrella) or at a crease, this cannot be proved: the cell is in
+    /// `unresolved`, and curves end within the tolerance of such a place. So are cells that touch
+    /// each other or coincide. Borders that different sheets have in common count as intersections.
     ///
     /// Work and memory in proportion to the cells and to the pairs of cells that may meet, with a
     /// limit for each.

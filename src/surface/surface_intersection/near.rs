@@ -10,8 +10,8 @@
 //! dominance see Hanniel and Elber (2007, "Subdivision termination criteria").
 //!
 //! Other parts are halved; those that are apart by their parameters are solved as two surfaces.
-//! Where the tangents are dependent, as where a curve of self-intersection ends (Whitney's umbrella),
-//! halving ends where both are as good as a line to the tolerance.
+//! Where the tangents are dependent, as where a curve of self-intersection ends (Whitney's
+//! umbrella), halving ends where both are as good as a line to the tolerance.
 //!
 //! Cost: O(N^2) a test, and O(N^3) a split; a few parts for each halving round a singular point.
 
@@ -79,8 +79,8 @@ impl NearPair<'_> {
         Ok(())
     }
 
-    /// True if both parts are within half the tolerance of one line: as near to a pinch they are all
-    /// within the tolerance of each other, whatever their size.
+    /// True if both parts are within half the tolerance of one line: as near to a pinch they are
+    /// all within the tolerance of each other, whatever their size.
     fn is_thin<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
         let [centre, u, v] = part.nets.a.tangents(0.5, 0.5);
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };

@@ -11,7 +11,8 @@ const NEAREST_STEPS: usize = 16;
 /// Parameters that are farther outside their cells than this are moved with those of the other one.
 const CLAMP_ROUNDING: f64 = 1e-13;
 
-/// A point of the intersection: by parameters of a pair of cells, in space, and the direction there.
+/// A point of the intersection: by parameters of a pair of cells, in space, and the direction
+/// there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CurvePoint {
     pub(super) x: DVec4,
@@ -49,9 +50,9 @@ impl PairPlaces<'_> {
         (a.point - self.origin, Frame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] })
     }
 
-    /// The places of a solution, which may be outside its cells by the noise of a curve along a side
-    /// where the surfaces are nearly parallel: then the one surface's place is moved into its cell,
-    /// and the other's to the point there.
+    /// The places of a solution, which may be outside its cells by the noise of a curve along a
+    /// side where the surfaces are nearly parallel: then the one surface's place is moved into its
+    /// cell, and the other's to the point there.
     pub(super) fn places_inside(&self, pair: u32, x: DVec4) -> [Place; 2] {
         let mut inside = x.clamp(DVec4::ZERO, DVec4::ONE);
         let off = (inside - x).abs();

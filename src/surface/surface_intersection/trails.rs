@@ -1,8 +1,8 @@
 //! Arcs of self-intersections, joined to paths.
 //!
 //! An arc is of two pieces of one surface, of which neither is the first: N_A x N_B points one way
-//! or the other, as the two are called. So arcs have ends, and neither a start nor a goal; which end
-//! is joined with which follows from the place, the direction, and the two tangent planes.
+//! or the other, as the two are called. So arcs have ends, and neither a start nor a goal; which
+//! end is joined with which follows from the place, the direction, and the two tangent planes.
 //!
 //! Invariant: an end is joined with one other end at most. Cost: O(n log n) for n arcs.
 
