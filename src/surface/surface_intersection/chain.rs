@@ -131,7 +131,10 @@ pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool,
         let chord = one.ends[1] - one.ends[0];
         let between = 0.5 * (one.ends[0] + one.ends[1] - other.ends[0] - other.ends[1]);
         let is_beside = between.dot(chord).abs() <= 0.25 * chord.length_squared();
-        let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= 1e-5);
+        // Arcs whose ends are one point are one to the tolerance if their directions are that near:
+        // beside crossings, where the surfaces are nearly parallel, more is not known of them.
+        let angle = (tolerance / chord.length().max(2.0 * tolerance)).max(1e-5);
+        let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= angle);
         let along = one.is_along_side && other.is_along_side;
         let may_be_one = one.pair != other.pair || along && (either_way || e == f) && p / 2 != q / 2;
         // At poles directions are not known.

@@ -69,16 +69,20 @@ impl PairPlaces<'_> {
 
     /// The point of a pair's curve nearest to another, from parameters near it.
     pub(super) fn nearest(&self, pair: u32, start: DVec4, to: DVec3) -> Option<CurvePoint> {
-        let mut x = start;
+        let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..NEAREST_STEPS {
             let (point, frame) = self.frame(pair, x);
             let step = frame.step_towards(to - point);
             if !step.is_finite() {
                 return None;
             }
-            if step.abs().max_element() < 1e-12 {
+            // Beside crossings rounding moves the point by more: it is all that is left where steps
+            // do not fall any more.
+            let length = step.abs().max_element();
+            if length < 1e-12 || (length < 1e-9 && length > 0.25 * last) {
                 return Some(CurvePoint { x, point, direction: frame.direction().normalize_or_zero() });
             }
+            last = length;
             x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
         }
         None

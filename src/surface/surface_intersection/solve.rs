@@ -269,10 +269,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
-        let directions = ends.map(|end| end.direction.normalize_or_zero());
         let at_border = ends.map(|end| self.task.is_at_border(end.x));
         let pair = self.task.pair;
         let is_along_side = !is_closed && part.has_on_side(ends.map(|end| end.x), SIDE_SLACK);
+        // Those of Newton's last step but one are off by that step, over the distance from a crossing.
+        let exact = |end: End| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
+        let directions = ends.map(|end| exact(end).normalize_or_zero());
         let ends = places;
         let arc = Arc { pair, from, to, ends, directions, at_border, is_closed, is_along_side };
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
