@@ -151,6 +151,8 @@ impl<S: Surroundings> Bridges<'_, S> {
     ) -> Result<JoinedCrossings> {
         let mut done = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
         let ends = self.loose_ends(chains)?;
+        // By end, the other end of its path, which grows as chains are joined.
+        let mut others = alloc::collect((0..ends.len()).map(|k| k ^ 1))?;
         let places = alloc::collect(ends.iter().map(|end| end.point))?;
         let tree = tree(&places)?;
         for (k, point) in points.iter().enumerate().filter(|(_, point)| point.is_saddle) {
@@ -173,7 +175,7 @@ impl<S: Surroundings> Bridges<'_, S> {
             let score = |last: usize, start: usize| {
                 let (from, to) = (ends[last].direction, ends[start].direction);
                 if is_crossing {
-                    let is_one = last / 2 == start / 2;
+                    let is_one = others[last] == start;
                     from.dot(to) + if is_one { 4.0 } else { 0.0 }
                 } else {
                     point.turn() * from.cross(to).dot(point.normal)
@@ -184,6 +186,8 @@ impl<S: Surroundings> Bridges<'_, S> {
             let order = if straight >= crossed { [0, 1] } else { [1, 0] };
             for (last, start) in lasts.into_iter().zip(order.map(|n| starts[n])) {
                 links.join(ends[last].arc, ends[start].arc);
+                let (first, end) = (others[last], others[start]);
+                (others[first], others[end]) = (end, first);
                 if is_crossing {
                     alloc::push(&mut done.nodes, (ends[last].arc, k as u32))?;
                 }
