@@ -64,7 +64,7 @@ impl Overlaps<'_> {
                 if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * self.chord {
                     return;
                 }
-                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end);
+                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end, self.tolerance);
                 if let Some(at) = at.filter(|at| at.point.distance(end) <= within) {
                     result = alloc::push(cuts, Cut { arc: k, behind: n as u32, way, at });
                 }

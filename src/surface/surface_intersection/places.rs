@@ -8,6 +8,8 @@ use glam::DVec4;
 
 /// Steps of Newton's method to a point of a curve.
 const NEAREST_STEPS: usize = 16;
+/// Steps that are shorter than this part of the tolerance are the last.
+const NEAREST_STEP_SHARE: f64 = 1e-3;
 /// Parameters that are farther outside their cells than this are moved with those of the other one.
 const CLAMP_ROUNDING: f64 = 1e-13;
 
@@ -67,8 +69,9 @@ impl PairPlaces<'_> {
         self.places(pair, inside)
     }
 
-    /// The point of a pair's curve nearest to another, from parameters near it.
-    pub(super) fn nearest(&self, pair: u32, start: DVec4, to: DVec3) -> Option<CurvePoint> {
+    /// The point of a pair's curve nearest to another, from parameters near it, far within the
+    /// tolerance.
+    pub(super) fn nearest(&self, pair: u32, start: DVec4, to: DVec3, tolerance: f64) -> Option<CurvePoint> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..NEAREST_STEPS {
             let (point, frame) = self.frame(pair, x);
@@ -76,14 +79,17 @@ impl PairPlaces<'_> {
             if !step.is_finite() {
                 return None;
             }
-            // Beside crossings rounding moves the point by more: it is all that is left where steps
-            // do not fall any more.
-            let length = step.abs().max_element();
-            if length < 1e-12 || (length < 1e-9 && length > 0.25 * last) {
+            x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
+            // By lengths, as parameters are noise beside poles. Beside crossings rounding moves the point
+            // by more than the last step may be: there steps do not fall any more.
+            let [s, t, u, v] = frame.columns;
+            let (moved, other) = (s * step.x + t * step.y, u * step.z + v * step.w);
+            let length = moved.length().max(other.length());
+            if length <= NEAREST_STEP_SHARE * tolerance || (length <= 0.25 * tolerance && length > 0.25 * last) {
+                let (point, frame) = self.frame(pair, x);
                 return Some(CurvePoint { x, point, direction: frame.direction().normalize_or_zero() });
             }
             last = length;
-            x = (x + step).clamp(DVec4::ZERO, DVec4::ONE);
         }
         None
     }
