@@ -126,6 +126,10 @@ pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool,
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
+        // Most are arcs that follow each other.
+        if one.ends[1 - e].distance(other.ends[1 - f]) > 2.0 * tolerance {
+            continue;
+        }
         let way = if e == f { 1.0 } else { -1.0 };
         // Short ones that follow each other are no nearer together than they are long.
         let chord = one.ends[1] - one.ends[0];
@@ -139,7 +143,7 @@ pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool,
         let may_be_one = one.pair != other.pair || along && (either_way || e == f) && p / 2 != q / 2;
         // At poles directions are not known.
         let is_parallel = parallel[0] && parallel[1] || along && (parallel[0] || parallel[1]);
-        if may_be_one && is_parallel && is_beside && one.ends[1 - e].distance(other.ends[1 - f]) <= 2.0 * tolerance {
+        if may_be_one && is_parallel && is_beside {
             dropped[p.max(q) as usize / 2] = true;
         }
     }
