@@ -1,24 +1,4 @@
-//! Loops, winged-edge tables and the check of any faces: both ways of looking find the same edges.
+//! See `src/targets/boundary_check.rs`.
 #![no_main]
 
-use gusset::Job;
-use gusset::boundary::{NonManifold, Options, Survey, boundary_loops};
-use gusset::check::check;
-use gusset_fuzz::Soup;
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|soup: Soup| {
-    soup.visit(|mesh| {
-        let job = Job::default();
-        check(mesh, &job).expect("any mesh can be checked");
-        for non_manifold in [NonManifold::Cut, NonManifold::Stop] {
-            let found = [Survey::WholeMesh, Survey::BoundaryOnly].map(|survey| {
-                boundary_loops(mesh, &Options { non_manifold, survey }, &job).expect("any mesh has loops or none")
-            });
-            assert!(found[1].edge_count() <= found[0].edge_count());
-            for one in found[0].iter() {
-                assert!(one.vertices.iter().all(|&v| (v as usize) < mesh.positions().len()));
-            }
-        }
-    });
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gusset_fuzz::run("boundary_check", bytes));

@@ -1,45 +1,4 @@
-//! What can be asked of a curve, of any curve: answers within their ranges, or errors.
+//! See `src/targets/curve_ops.rs`.
 #![no_main]
 
-use gusset::Job;
-use gusset::outline::ops::{OffsetOptions, Spacing};
-use gusset::outline::{CurveView, Place};
-use gusset_fuzz::{Point, places};
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|input: (Vec<Point>, Vec<u8>, bool, Point, u8)| {
-    let (points, degrees, closed, query, t) = input;
-    let mut ends = vec![0];
-    ends.extend(degrees.iter().take(8).scan(0, |end, &degree| {
-        *end += 1 + u32::from(degree % 7);
-        Some(*end)
-    }));
-    let needed = ends[ends.len() - 1] as usize + 1;
-    let mut points: Vec<_> = places(&points).into_iter().cycle().take(needed).collect();
-    if let (true, Some(&first)) = (closed, points.first()) {
-        points[needed - 1] = first;
-    }
-    let Ok(curve) = CurveView::new(&points, &ends, closed) else { return };
-    let (job, query, t) = (Job::default(), query.at(), f64::from(t) / 255.0);
-    let place = Place { segment: 0, t };
-    let _ = (curve.split(place), curve.elevated_by(2), curve.reduced(2, 0.1), curve.bounding_box(), curve.moments());
-    if let Ok(found) = curve.nearest(&[query], &job) {
-        assert!(!found[0].distance.is_nan() && (0.0..=1.0).contains(&found[0].place.t));
-    }
-    if let Ok(found) = curve.intersect_plane(query, glam::DVec3::new(query.y, query.z, query.x)) {
-        assert!(found.places.iter().all(|place| (0.0..=1.0).contains(&place.t)));
-    }
-    if let Ok(found) = curve.self_intersections(&job) {
-        assert!(found.points.iter().all(|both| curve.point(both.a).is_ok() && curve.point(both.b).is_ok()));
-    }
-    let _ = (
-        curve.sampled(Spacing::Count(7), &Job::default()),
-        curve.svg_path(&Job::default()),
-        curve.contour(0.0),
-        curve.spline(),
-    );
-    let options = OffsetOptions { degree: 3, tolerance: 1e-3, max_segments: 50 };
-    if let Ok(done) = curve.offset(t, &options, &Job::default()) {
-        assert!(done.curve.view().points().iter().all(|point| !point.is_nan()));
-    }
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gusset_fuzz::run("curve_ops", bytes));

@@ -1,27 +1,4 @@
-//! Holes of any mesh, filled with every weight: an error, or a valid mesh that begins with the old
-//! faces.
+//! See `src/targets/fill.rs`.
 #![no_main]
 
-use gusset::Job;
-use gusset::fill::{Continuity, Fairing, Keep, Options, Refinement, Selection, Weight, fill_holes};
-use gusset_fuzz::Soup;
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|input: (Soup, bool, bool, bool, bool, bool)| {
-    let (soup, plain, faired, borders, curved, uncreased) = input;
-    soup.visit(|mesh| {
-        let options = Options {
-            weight: Weight::default(),
-            refinement: if plain { Refinement::None } else { Refinement::default() },
-            fairing: if faired { Fairing::ThinPlate } else { Fairing::None },
-            continuity: if curved { Continuity::C2 } else { Continuity::C1 },
-            ignore_creases: uncreased,
-            keep: if borders { Keep::Borders } else { Keep::None },
-            ..Options::default()
-        };
-        if let Ok(filled) = fill_holes(mesh, Selection::All, &options, &Job::default()) {
-            assert!(filled.mesh.face_count() >= mesh.faces().len());
-            filled.mesh.view(&Job::default()).expect("a valid mesh");
-        }
-    });
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gusset_fuzz::run("fill", bytes));

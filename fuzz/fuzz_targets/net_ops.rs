@@ -1,34 +1,4 @@
-//! Nets joined, taken apart, turned, coded and measured: what goes back and forth comes back to the
-//! bit.
+//! See `src/targets/net_ops.rs`.
 #![no_main]
 
-use gusset::Job;
-use gusset::net::convert::MeshOptions;
-use gusset::net::measure::measure;
-use gusset::net::normals::normals;
-use gusset::net::stream::{Mode, StreamOptions, decode, encode};
-use gusset::net::{Direction, JoinOptions, Net, concatenate};
-use gusset_fuzz::SmallNet;
-use libfuzzer_sys::fuzz_target;
-
-fn same(a: &Net<'_>, b: &Net<'_>) -> bool {
-    let nodes = || (0..a.shape().rows()).flat_map(|i| (0..a.shape().columns()).map(move |j| (i, j)));
-    let bits = |net: &Net<'_>, i, j| net.get(i, j).to_array().map(f64::to_bits);
-    a.shape() == b.shape() && a.topology() == b.topology() && nodes().all(|(i, j)| bits(a, i, j) == bits(b, i, j))
-}
-
-fuzz_target!(|input: (SmallNet, SmallNet, u8)| {
-    let (a, b, tolerance) = input;
-    let (Some(a), Some(b), job) = (a.net(), b.net(), Job::default()) else { return };
-    let there = a.transposed(&job).expect("any net can be transposed");
-    assert!(same(&a, &there.transposed(&job).expect("and back")));
-    let _ = (a.validate(f64::from(tolerance), &job), measure(&a, &job), normals(&a, &job));
-    if let Ok(made) = a.to_mesh(&MeshOptions::default(), &job) {
-        made.mesh.view(&job).expect("a valid mesh");
-    }
-    if let Ok(joined) = concatenate(&a, &b, &JoinOptions::new(Direction::Down), &job) {
-        let stream = encode(&joined, &StreamOptions::new(Mode::Lossless), &job).expect("a net can be encoded");
-        assert!(same(&joined, &decode(&stream, &job).expect("what was encoded can be decoded")));
-        let _ = joined.split(0, &job);
-    }
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gusset_fuzz::run("net_ops", bytes));

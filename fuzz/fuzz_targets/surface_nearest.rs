@@ -1,31 +1,4 @@
-//! Surfaces through any nodes, and their nearest points: no node is nearer than the distance found
-//! says, nor the bound above it.
+//! See `src/targets/surface_nearest.rs`.
 #![no_main]
 
-use gusset::Job;
-use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
-use gusset_fuzz::{Point, places};
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|input: (Vec<Point>, [u8; 2], [bool; 2], bool, Point)| {
-    let (points, size, closed, four, query) = input;
-    let [rows, columns] = size.map(|size| 2 + usize::from(size % 7));
-    let (points, query) = (places(&points), query.at());
-    if points.is_empty() {
-        return;
-    }
-    // Closed directions end where they begin.
-    let at = |k: usize, count: usize, closed: bool| if closed && k + 1 == count { 0 } else { k };
-    let node = |i, j| points[(at(i, rows, closed[0]) * columns + at(j, columns, closed[1])) % points.len()];
-    let nodes: Vec<f64> = (0..rows * columns).flat_map(|k| node(k / columns, k % columns).to_array()).collect();
-    let scheme = if four { Scheme::FourPoint } else { Scheme::SixTap };
-    let grid = Nodes::strided(nodes.clone(), rows, columns, 0, 0).and_then(|nodes| Grid::new(nodes, closed, scheme));
-    let Ok(surface) = grid.and_then(|grid| Surface::new(vec![Sheet::Grid(grid)], None, &Job::default())) else {
-        return;
-    };
-    let Some(found) = surface.closest(query, f64::INFINITY) else { return };
-    let nearest =
-        nodes.chunks(3).map(|node| query.distance(glam::DVec3::from_slice(node))).fold(f64::INFINITY, f64::min);
-    let slack = 1e-9 * (1.0 + nearest) + surface.tolerance();
-    assert!(found.bound <= found.distance && found.distance <= nearest + slack, "{found:?} {nearest}");
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gusset_fuzz::run("surface_nearest", bytes));

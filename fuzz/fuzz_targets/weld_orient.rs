@@ -1,23 +1,4 @@
-//! Welding at any tolerance, and orienting what comes of it: twice is once.
+//! See `src/targets/weld_orient.rs`.
 #![no_main]
 
-use gusset::Job;
-use gusset::repair::orient::{self, orient};
-use gusset::repair::weld::{Options, Vertices, weld};
-use gusset_fuzz::Soup;
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|input: (Soup, Option<u8>, bool, bool)| {
-    let (soup, tolerance, all, collapse) = input;
-    soup.visit(|mesh| {
-        let job = Job::default();
-        let vertices = if all { Vertices::All } else { Vertices::Boundary };
-        let options = Options { vertices, tolerance: tolerance.map(f64::from), collapse, remove_unused: true };
-        let Ok(welded) = weld(mesh, &options, &job) else { return };
-        let view = welded.mesh.view(&job).expect("a valid mesh");
-        let once = orient(&view, &orient::Options::default(), &job).expect("any mesh can be oriented");
-        let view = once.mesh.view(&job).expect("a valid mesh");
-        let twice = orient(&view, &orient::Options::default(), &job).expect("any mesh can be oriented");
-        assert_eq!(twice.turned_faces, 0);
-    });
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gusset_fuzz::run("weld_orient", bytes));

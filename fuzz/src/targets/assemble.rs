@@ -1,0 +1,48 @@
+//! Pieces, some of them given twice, made one mesh: an error, or a valid mesh whose account of itself is that
+//! of the check.
+
+use crate::agree::agreed;
+use crate::input::{self, Soup};
+use gusset::Job;
+use gusset::check::check;
+use gusset::mesh::MeshView;
+use gusset::repair::weld;
+use gusset::stitch::assemble::{Options, assemble};
+
+/// Runs one case.
+pub(crate) fn run(bytes: &[u8]) {
+    let Some((a, b, choices)) = input::taken::<(Soup, Soup, [u8; 3])>(bytes) else { return };
+    a.visit(|a| {
+        b.visit(|b| {
+            let pieces: &[MeshView<'_>] = match choices[0] % 4 {
+                0 => &[*a, *a],
+                1 => &[*a, *b, *a],
+                _ => &[*a, *b],
+            };
+            put_together(pieces, choices);
+        });
+    });
+}
+
+fn put_together(pieces: &[MeshView<'_>], [_, flags, choice]: [u8; 3]) {
+    let flag = |bit: u8| flags >> bit & 1 != 0;
+    let options = Options {
+        weld: flag(0).then(weld::Options::default),
+        edge_to_edge: flag(1),
+        keep_orientation: flag(2),
+        keep_inside_out: flag(3),
+        whole_loops_only: flag(4),
+        within_components: flag(5),
+        fill: flag(6).then(gusset::fill::Options::default),
+        ..Options::default()
+    };
+    let Ok(made) = agreed(choice, |job| assemble(pieces, &options, job)) else { return };
+    let job = Job::default();
+    let found = check(&made.mesh.view(&job).expect("a valid mesh"), &job).expect("any mesh can be checked");
+    assert_eq!(made.maps.len(), pieces.len());
+    for (map, piece) in made.maps.iter().zip(pieces) {
+        assert_eq!(map.faces.len(), piece.faces().len());
+        assert_eq!(map.vertices.len(), piece.positions().len());
+    }
+    assert_eq!(made.non_manifold_edges as usize, found.non_manifold_edges.len() / 2);
+}

@@ -1,0 +1,49 @@
+//! The targets: a file for each family of functions.
+
+mod assemble;
+mod boundary_check;
+mod curve_meet;
+mod curve_net;
+mod curve_ops;
+mod fill;
+mod filters;
+mod frame;
+mod gluing;
+mod net_edit;
+mod net_ops;
+mod outline;
+mod scene;
+mod sew;
+mod stitch;
+mod stream_decode;
+mod surface_lines;
+mod surface_nearest;
+mod surface_paths;
+mod weld_orient;
+
+/// A target: its name, and what runs one case made of some bytes. It panics if an oracle fails.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// All targets; `fuzz_targets` has a file for each of them, and the tests run each for a moment.
+pub const TARGETS: &[Target] = &[
+    ("assemble", assemble::run),
+    ("boundary_check", boundary_check::run),
+    ("curve_meet", curve_meet::run),
+    ("curve_net", curve_net::run),
+    ("curve_ops", curve_ops::run),
+    ("fill", fill::run),
+    ("filters", filters::run),
+    ("frame", frame::run),
+    ("gluing", gluing::run),
+    ("net_edit", net_edit::run),
+    ("net_ops", net_ops::run),
+    ("outline", outline::run),
+    ("scene", scene::run),
+    ("sew", sew::run),
+    ("stitch", stitch::run),
+    ("stream_decode", stream_decode::run),
+    ("surface_lines", surface_lines::run),
+    ("surface_nearest", surface_nearest::run),
+    ("surface_paths", surface_paths::run),
+    ("weld_orient", weld_orient::run),
+];

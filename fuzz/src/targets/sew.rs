@@ -1,0 +1,34 @@
+//! Borders sewn: an error, or a valid mesh, no edge of which is free that was not, with maps that lead from old
+//! to new and back.
+
+use crate::agree::agreed;
+use crate::input::{self, Soup};
+use gusset::Job;
+use gusset::mesh::NONE;
+use gusset::repair::sew::sew;
+use gusset::repair::weld::{Options, Vertices};
+
+/// Runs one case.
+pub(crate) fn run(bytes: &[u8]) {
+    let Some((soup, tolerance, flags, choice)) = input::taken::<(Soup, Option<u8>, [bool; 3], u8)>(bytes) else {
+        return;
+    };
+    soup.visit(|mesh| {
+        let options = Options {
+            vertices: if flags[0] { Vertices::All } else { Vertices::Boundary },
+            tolerance: tolerance.map(|tolerance| f64::from(tolerance) / 64.0),
+            collapse: flags[1],
+            remove_unused: flags[2],
+        };
+        let Ok(sewn) = agreed(choice, |job| sew(mesh, &options, job)) else { return };
+        let view = sewn.mesh.view(&Job::default()).expect("a valid mesh");
+        assert_eq!(sewn.vertex_map.len(), mesh.positions().len());
+        assert!(sewn.vertex_map.iter().all(|&v| v == NONE || (v as usize) < view.positions().len()));
+        assert!(sewn.face_origin.is_sorted() && sewn.face_origin.len() == view.faces().len());
+        for (old, &new) in (0..).zip(&sewn.face_map) {
+            assert!(new == NONE || sewn.face_origin[new as usize] == old);
+        }
+        let dropped = sewn.face_map.iter().filter(|&&face| face == NONE).count();
+        assert_eq!(dropped, sewn.dropped_faces as usize);
+    });
+}

@@ -1,0 +1,37 @@
+//! A short run of each fuzzer, on cases that are always the same: `make fuzz` has the long ones.
+
+use gusset_fuzz::{TARGETS, run, seed_bytes};
+use std::collections::BTreeSet;
+use std::panic::catch_unwind;
+
+/// Cases of a target. What takes longer for each has fewer.
+fn case_count(name: &str) -> u64 {
+    match name {
+        "filters" => 300,
+        "surface_paths" => 30,
+        "assemble" | "curve_meet" | "curve_net" | "fill" | "stitch" | "surface_lines" => 60,
+        _ => 150,
+    }
+}
+
+#[test]
+fn each_target_runs_for_a_moment() {
+    for (name, _) in TARGETS {
+        let begun = std::time::Instant::now();
+        for number in 0..case_count(name) {
+            let bytes = seed_bytes(number);
+            assert!(catch_unwind(|| run(name, &bytes)).is_ok(), "{name}: case {number}");
+        }
+        println!("{name}: {} cases, {:.2} s", case_count(name), begun.elapsed().as_secs_f64());
+    }
+}
+
+#[test]
+fn each_fuzzer_is_in_the_table() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz/fuzz_targets");
+    let files = std::fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
+    let names: BTreeSet<_> = files.map(|file| file.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    assert_eq!(names, TARGETS.iter().map(|(name, _)| (*name).to_owned()).collect());
+    let manifest = include_str!("../../fuzz/Cargo.toml");
+    assert!(names.iter().all(|name| manifest.contains(&format!("name = \"{name}\""))));
+}
