@@ -20,7 +20,7 @@ for source in fuzz/fuzz_targets/*.rs; do
     [ -z "$only" ] || [ "$only" = "$name" ] || continue
     mkdir -p "$folder/corpus/$name" "$folder/found/$name"
     "$folder/target/$host/release/$name" "$folder/corpus/$name" -artifact_prefix="$folder/found/$name/" -max_total_time="$seconds" \
-        -max_len=600 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 >"$folder/$name.log" 2>&1 || failed=1
+        -max_len=1000 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 >"$folder/$name.log" 2>&1 || failed=1
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/$name.log")
     count() { find "$folder/found/$name" -name "$1-*" | wc -l; }
     printf '%-18s %12s %8s %9s  %s\n' "$name" "${runs:-0}" "$seconds" "$(count crash)" \

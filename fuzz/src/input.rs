@@ -3,11 +3,11 @@
 
 use arbitrary::{Arbitrary, Result, Unstructured};
 use glam::DVec3;
-use gusset::Job;
-use gusset::mesh::{Faces, MeshView, Positions, Scalar};
+use gusset::mesh::{Faces, Mesh, MeshView, Positions, Scalar};
 use gusset::net::{Net, Shape, Sides, Topology};
 use gusset::outline::{Curve, CurveView};
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
+use gusset::{Error, Job};
 
 /// Faces of any kind over points of a lattice: any at all, or tubes and sheets with some of them left out.
 #[derive(Debug)]
@@ -167,7 +167,7 @@ pub struct SmallSheet {
 impl SmallSheet {
     /// The surface, if there is one.
     pub fn surface(&self) -> Option<Surface<'static>> {
-        let [rows, columns] = self.size.map(|size| 2 + usize::from(size % 4));
+        let [rows, columns] = self.size.map(|size| 2 + usize::from(size % 3));
         if self.nodes.is_empty() {
             return None;
         }
@@ -212,5 +212,17 @@ impl SmallCurve {
             points[needed - 1] = points[0];
         }
         CurveView::new(&points, &ends, self.closed).and_then(|view| view.to_owned()).ok()
+    }
+}
+
+/// Looks at a mesh that came out: it is valid, unless nothing is left of it.
+///
+/// # Panics
+/// If it is not.
+pub fn expect_valid(mesh: &Mesh, visit: impl FnOnce(&MeshView<'_>)) {
+    match mesh.view(&Job::default()) {
+        Ok(view) => visit(&view),
+        Err(Error::EmptyMesh { .. }) => {}
+        Err(error) => panic!("no valid mesh: {error:?}"),
     }
 }

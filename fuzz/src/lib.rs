@@ -27,7 +27,7 @@ pub fn seed_bytes(number: u64) -> Vec<u8> {
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     };
-    let length = 16 + next() as usize % 500;
+    let length = 16 + next() as usize % 1000;
     let mut bytes: Vec<u8> = Vec::with_capacity(length);
     while bytes.len() < length {
         match (next() % 8, bytes.len()) {

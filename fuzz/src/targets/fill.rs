@@ -22,7 +22,7 @@ pub(crate) fn run(bytes: &[u8]) {
         };
         if let Ok(filled) = fill_holes(mesh, Selection::All, &options, &Job::default()) {
             assert!(filled.mesh.face_count() >= mesh.faces().len());
-            filled.mesh.view(&Job::default()).expect("a valid mesh");
+            input::expect_valid(&filled.mesh, |_| {});
         }
     });
 }

@@ -25,7 +25,7 @@ pub(crate) fn run(bytes: &[u8]) {
     assert!(same(&a, &there.transposed(&job).expect("and back")));
     let _ = (a.validate(f64::from(tolerance), &job), measure(&a, &job), normals(&a, &job));
     if let Ok(made) = a.to_mesh(&MeshOptions::default(), &job) {
-        made.mesh.view(&job).expect("a valid mesh");
+        input::expect_valid(&made.mesh, |_| {});
     }
     if let Ok(joined) = concatenate(&a, &b, &JoinOptions::new(Direction::Down), &job) {
         let stream = encode(&joined, &StreamOptions::new(Mode::Lossless), &job).expect("a net can be encoded");

@@ -3,7 +3,6 @@
 
 use crate::agree::agreed;
 use crate::input::{self, Soup};
-use gusset::Job;
 use gusset::mesh::NONE;
 use gusset::repair::sew::sew;
 use gusset::repair::weld::{Options, Vertices};
@@ -21,10 +20,10 @@ pub(crate) fn run(bytes: &[u8]) {
             remove_unused: flags[2],
         };
         let Ok(sewn) = agreed(choice, |job| sew(mesh, &options, job)) else { return };
-        let view = sewn.mesh.view(&Job::default()).expect("a valid mesh");
+        input::expect_valid(&sewn.mesh, |_| {});
         assert_eq!(sewn.vertex_map.len(), mesh.positions().len());
-        assert!(sewn.vertex_map.iter().all(|&v| v == NONE || (v as usize) < view.positions().len()));
-        assert!(sewn.face_origin.is_sorted() && sewn.face_origin.len() == view.faces().len());
+        assert!(sewn.vertex_map.iter().all(|&v| v == NONE || (v as usize) < sewn.mesh.positions.len()));
+        assert!(sewn.face_origin.is_sorted() && sewn.face_origin.len() == sewn.mesh.face_count());
         for (old, &new) in (0..).zip(&sewn.face_map) {
             assert!(new == NONE || sewn.face_origin[new as usize] == old);
         }

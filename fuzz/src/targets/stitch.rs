@@ -29,7 +29,7 @@ pub(crate) fn run(bytes: &[u8]) {
             if let Ok(joined) = stitch(&request, &options(choices), &Job::default()) {
                 let old = a.faces().len() + b.faces().len();
                 assert_eq!(joined.mesh.face_count(), old + joined.strip_faces.len());
-                joined.mesh.view(&Job::default()).expect("a valid mesh");
+                input::expect_valid(&joined.mesh, |_| {});
             }
         });
     });

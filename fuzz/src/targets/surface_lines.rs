@@ -32,7 +32,7 @@ pub(crate) fn run(bytes: &[u8]) {
     }
     let Ok(minima) = agreed(choice, |job| surface.local_minima(a, f64::INFINITY, 100, job)) else { return };
     if let (Some(first), Some(closest)) = (minima.points.first(), surface.closest(a, f64::INFINITY)) {
-        assert!(closest.distance <= first.distance + slack, "{closest:?} {first:?}");
+        assert!(!closest.proven || closest.distance <= first.distance + slack, "{closest:?} {first:?}");
     }
     let _ = surface.closest_all(&[a, b], f64::INFINITY, &Job::default());
 }

@@ -15,7 +15,9 @@ pub(crate) fn run(bytes: &[u8]) {
         let vertices = if all { Vertices::All } else { Vertices::Boundary };
         let options = Options { vertices, tolerance: tolerance.map(f64::from), collapse, remove_unused: true };
         let Ok(welded) = weld(mesh, &options, &job) else { return };
-        let view = welded.mesh.view(&job).expect("a valid mesh");
+        let Ok(view) = welded.mesh.view(&job) else {
+            return input::expect_valid(&welded.mesh, |_| {});
+        };
         let once = orient(&view, &orient::Options::default(), &job).expect("any mesh can be oriented");
         let view = once.mesh.view(&job).expect("a valid mesh");
         let twice = orient(&view, &orient::Options::default(), &job).expect("any mesh can be oriented");

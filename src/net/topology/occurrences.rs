@@ -78,6 +78,7 @@ pub struct Occurrence {
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
 pub fn occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<Occurrence>> {
     let (shape, classes) = (topology.shape(), Classes::of_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
+    let job = job.part(0.2, 1.0);
     let (h, w) = (shape.rows(), shape.columns());
     let mut sizes = alloc::filled(0u32, shape.node_count())?;
     (0..shape.node_count() as u32).for_each(|node| sizes[classes.representative(node) as usize] += 1);
