@@ -42,7 +42,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -53,6 +53,7 @@ help:
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, and with cancels; minutes'
+	@echo 'make fuzz [TARGET=sew] [SECONDS=60]  the fuzzers, each for so many seconds; what they find is left in build/fuzz'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
@@ -86,7 +87,7 @@ check: lint test-rust
 
 test-rust: test-units test-programs
 
-# The fuzzers among all others, under a stable compiler and without linking; to run them: CONTRIBUTING.md.
+# The fuzzers among all others, under a stable compiler and without linking; to run them: `make fuzz`.
 lint:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
@@ -132,6 +133,11 @@ torture: stage
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture --parallel 2
 	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 ctest --test-dir build/cpp -R '^torture/' --verbose --parallel 2
+
+# A clang of the system is not needed: the compiler has what libFuzzer asks for.
+fuzz:
+	@scripts/install-packages.sh g++
+	@CARGO='$(CARGO)' scripts/fuzz.sh '$(or $(SECONDS),60)' '$(TARGET)'
 
 check-cancel: stage
 	@scripts/install-packages.sh $(test_packages)

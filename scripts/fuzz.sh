@@ -11,7 +11,7 @@ mkdir -p "$folder"
 # The edges and comparisons of the library alone, with its checks of overflow: a target is named, so that what runs while building is left as it is.
 RUSTFLAGS="--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
     -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares -Cdebug-assertions -Ccodegen-units=8" \
-    cargo build --locked -p gusset-fuzz --bins --features libfuzzer --release --target "$host" --target-dir "$folder/target"
+    "${CARGO:-cargo}" build --locked -p gusset-fuzz --bins --features libfuzzer --release --target "$host" --target-dir "$folder/target"
 
 failed=0
 printf '%-18s %12s %8s %9s  %s\n' target executions seconds crashes 'slow or hung' >"$folder/report.txt"

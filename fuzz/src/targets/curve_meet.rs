@@ -29,7 +29,8 @@ pub(crate) fn run(bytes: &[u8]) {
 }
 
 fn meet(first: &CurveView<'_>, second: &CurveView<'_>, choice: u8) {
-    let slack = 1e-6 * size(first, second);
+    // Where curves touch, half of the digits of the places are left, and fewer where they osculate.
+    let slack = 1e-4 * size(first, second);
     if let Ok(found) = agreed(choice, |job| first.intersections(second, job)) {
         for both in &found.points {
             let [p, q] = [first.point(both.a), second.point(both.b)].map(|point| point.expect("a place of the curve"));
