@@ -80,7 +80,9 @@ mod tests {
             for context in [context, ptr::null_mut()] {
                 assert_eq!(guard(context, |_| panic!("planted")), GUSSET_ERROR_PANIC);
                 let status = guard(context, |_| {
-                    thread::scope(|scope| scope.spawn(|| panic!("planted")));
+                    thread::scope(|scope| {
+                        scope.spawn(|| panic!("planted"));
+                    });
                     Ok(())
                 });
                 assert_eq!(status, GUSSET_ERROR_PANIC);
