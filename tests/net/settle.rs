@@ -4,8 +4,11 @@ use crate::space::{Random, bits, sheet, sphere};
 use glam::{DQuat, DVec3};
 use gusset::mesh::Scalar;
 use gusset::net::settle::{SettleOptions, Settled, settle};
-use gusset::net::{BridgeKind, BridgeProperties, Direction, JoinOptions, Net, Shape, Sides, Topology, concatenate_all};
-use gusset::{Error, Job, Progress};
+use gusset::net::{
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, JoinOptions, Net, Shape, Sides, Topology,
+    concatenate_all,
+};
+use gusset::{Element, Error, Job, Progress};
 use std::ops::ControlFlow;
 
 struct Silent;
@@ -408,5 +411,22 @@ fn bridges_with_rows_come_back_from_streams() {
         let back = decode(&bytes, &Job::default()).unwrap();
         assert!(back.bridges() == net.bridges() && bits(&back) == bits(&net));
         assert_eq!(back.bridges()[1].rows, 5);
+    }
+}
+
+/// What the fuzzer `net_edit` found: an index out of bounds.
+#[test]
+fn bridges_beyond_the_net_are_refused() {
+    // Six rows: the last row before the bridge and the first one behind it must be among them.
+    for (at, rows, fits) in
+        [(5, 1, true), (6, 1, false), (5, 5, false), (5, 4, true), (u32::MAX, 1, false), (0, 0, false)]
+    {
+        let mut net = sheet(6, 5, Scalar::F64);
+        let mut bridge = Bridge::new(Direction::Down, at, 5, BridgeKind::Ribbon, BridgeMode::Keep);
+        (bridge.rows, bridge.properties.tension) = (rows, 1.0);
+        net.bridges_mut().push(bridge);
+        let done = settle(&mut net, &SettleOptions::default(), &Job::default());
+        let refused = Error::NoSuch { element: Element::Bridge, index: 0 };
+        assert_eq!(done.err(), (!fits).then_some(refused), "{at} {rows}");
     }
 }

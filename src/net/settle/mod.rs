@@ -94,7 +94,7 @@ const COLLAPSED: f64 = 1e-6;
 /// # Errors
 /// [`Error::BadProperty`], [`Error::OptionOutOfRange`] for the tolerance and the ratio,
 /// [`Error::ArrayTooShort`] for flags of some parts only, [`Error::SidesDiffer`] for a reference of
-/// another size, [`Error::NoSuch`] for bridges that overlap, [`Error::OutOfMemory`],
+/// another size, [`Error::NoSuch`] for bridges that overlap or leave the net, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`]. The net is then unchanged.
 pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> Result<Settled> {
     let (tolerance, ratio) = (options.tolerance, options.rest_ratio);

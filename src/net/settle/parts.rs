@@ -67,12 +67,13 @@ impl Parts {
         let (mut ranges, mut start) = (alloc::with_capacity(bridges.len() + 1)?, 0);
         for &index in &bridges {
             check(index, all[index].properties)?;
-            let end = all[index].first_side() as usize + 1;
-            if end <= start {
-                // It lies within another.
+            let (at, rows) = (all[index].at, all[index].rows);
+            let is_inside = rows < at && (at as usize) < direction.extent(net.shape()).0;
+            if !is_inside || all[index].first_side() as usize + 1 <= start {
+                // It is no bridge of this net, or lies within another.
                 return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
             }
-            ranges.push(start..end);
+            ranges.push(start..all[index].first_side() as usize + 1);
             start = all[index].at as usize;
         }
         ranges.push(start..direction.extent(net.shape()).0);
