@@ -19,9 +19,10 @@ static OUTSIDE: OnceLock<Box<Hook>> = OnceLock::new();
 /// library has no state, nor has this one.
 fn silenced() -> Box<Hook> {
     let outside = take_hook();
-    set_hook(Box::new(|info| match (CALLS.load(Ordering::Relaxed), OUTSIDE.get()) {
-        (0, Some(outside)) => outside(info),
-        _ => {}
+    set_hook(Box::new(|info| {
+        if let (0, Some(outside)) = (CALLS.load(Ordering::Relaxed), OUTSIDE.get()) {
+            outside(info);
+        }
     }));
     outside
 }

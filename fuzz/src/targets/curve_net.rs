@@ -43,6 +43,10 @@ pub(crate) fn run(bytes: &[u8]) {
     }
     for point in across.iter().flat_map(|row| [row.points()[0], row.points()[row.points().len() - 1]]) {
         let found = surface.closest(point, f64::INFINITY).expect("a surface has points");
-        assert!(found.distance <= surface.tolerance() + 1e-6 * size, "{point} is {} away of {size}", found.distance);
+        assert!(
+            !found.proven || found.distance <= surface.tolerance() + 1e-6 * size,
+            "{point} is {} away of {size}",
+            found.distance
+        );
     }
 }

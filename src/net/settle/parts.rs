@@ -69,7 +69,7 @@ impl Parts {
             check(index, all[index].properties)?;
             let (at, rows) = (all[index].at, all[index].rows);
             let is_inside = rows < at && (at as usize) < direction.extent(net.shape()).0;
-            if !is_inside || all[index].first_side() as usize + 1 <= start {
+            if !is_inside || (all[index].first_side() as usize) < start {
                 // It is no bridge of this net, or lies within another.
                 return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
             }
