@@ -3654,7 +3654,8 @@ typedef struct gusset_strip_view {
      */
     const double *weights;
     /**
-     * Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no face.
+     * Interior rows; the matrix has two rows more. 0 where there is one meridian alone, and no
+     * face.
      */
     uint32_t row_count;
     /**
@@ -4350,8 +4351,8 @@ typedef struct gusset_gluing_occurrence {
 } gusset_gluing_occurrence;
 
 /**
- * The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units: of
- * length that of the coordinates, of force any one that all have.
+ * The physical properties of a bridge, under which gusset_net_settle finds its equilibrium. Units:
+ * of length that of the coordinates, of force any one that all have.
  */
 typedef struct gusset_bridge_properties {
     /**
@@ -4990,8 +4991,8 @@ typedef struct gusset_settle_options {
      */
     size_t struct_size;
     /**
-     * The displacement below which a step is the last, as a part of the diagonal of the net's box; 0:
-     * 1e-12.
+     * The displacement below which a step is the last, as a part of the diagonal of the net's box;
+     * 0: 1e-12.
      */
     double tolerance;
     /**
@@ -5004,8 +5005,9 @@ typedef struct gusset_settle_options {
      */
     const struct gusset_net *reference;
     /**
-     * A byte for each part, the nets between the bridges that run from side to side, in their order: 1
-     * for one that moves, as a rigid body, and 0 for one that is held; NULL: all are held.
+     * A byte for each part, the nets between the bridges that run from side to side, in their
+     * order: 1 for one that moves, as a rigid body, and 0 for one that is held; NULL: all are
+     * held.
      */
     const uint8_t *free;
     /**
@@ -5064,7 +5066,8 @@ typedef struct gusset_settle_report {
      */
     uint32_t settled;
     /**
-     * Those without: hidden or welded ones, and those whose properties are all 0; their nodes stay.
+     * Those without: hidden or welded ones, and those whose properties are all 0; their nodes
+     * stay.
      */
     uint32_t idle;
     /**
@@ -5072,8 +5075,8 @@ typedef struct gusset_settle_report {
      */
     uint32_t collapsed;
     /**
-     * 1 if the last step was within the tolerance, or too small to lower the energy, and no film has
-     * collapsed; else 0, and the net is as near as the steps came.
+     * 1 if the last step was within the tolerance, or too small to lower the energy, and no film
+     * has collapsed; else 0, and the net is as near as the steps came.
      */
     uint32_t converged;
     /**
@@ -10038,8 +10041,8 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
 
 /**
  * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as
- * they were joined, unless they were changed since; copies that were made to equalise sizes, and the
- * rows of the bridge, are removed.
+ * they were joined, unless they were changed since; copies that were made to equalise sizes, and
+ * the rows of the bridge, are removed.
  *
  * Of a net that was joined of joined ones, the last bridge is such a one; take nets apart in the
  * reverse order of joining. What is glued across the bridge is cut.
@@ -10314,10 +10317,10 @@ gusset_status gusset_net_grid_create(const struct gusset_context *context,
  *
  * Vertices and their bits are kept. Of the cells the parts lend the first of the two triangles.
  * Where several pairings of the triangles make a grid, as if all diagonals run one way, one is
- * taken, always the same for the same mesh; of a torus that may be one that closes with a shift, so
- * that rows and columns are others than it was made from. Tubes and tori whose diagonals run without
- * any rule may be refused, and so are fans of fewer than six triangles at the pole of an open sheet;
- * at least one row of quads is needed.
+ * taken, always the same for the same mesh; of a torus that may be one that closes with a shift,
+ * so that rows and columns are others than it was made from. Tubes and tori whose diagonals run
+ * without any rule may be refused, and so are fans of fewer than six triangles at the pole of an
+ * open sheet; at least one row of quads is needed.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param mesh triangles; see gusset_mesh_view.
@@ -10377,8 +10380,8 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
  * gluing.
  *
  * Two nodes that have the same bits as each other in both nets, as glued ones have, have the same
- * bits as each other in it. It is glued as the first, and has its bridges; a node missing in one of
- * them is missing between.
+ * bits as each other in it. It is glued as the first, and has its bridges; a node missing in one
+ * of them is missing between.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param first the net at 0.
@@ -10881,28 +10884,30 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
                                             struct gusset_scene **scene);
 
 /**
- * Moves the nodes of bridges that are their own, and parts that are free, to the equilibrium of the
- * bridges' properties.
+ * Moves the nodes of bridges that are their own, and parts that are free, to the equilibrium of
+ * the bridges' properties.
  *
- * The sum of these energies becomes least, for each line of links across a bridge: tension times its
- * length, its nodes becoming evenly spaced, or in a tube times the area of the film; elasticity / 2
- * (l - r)^2 / r for each link of length l and rest length r; stiffness / 2 h^3 times the squared second
- * differences, h being the mean rest length, lines leaving parts in the direction of these. A bridge of
- * infinite stiffness and both its sides are one body. Bridges within a part do not count, nor do those
- * across the direction of the last. If of parts that bridges join none is held, the first is. What is
- * found is a local minimum, and the energy never grows on the way.
+ * The sum of these energies becomes least, for each line of links across a bridge: tension times
+ * its length, its nodes becoming evenly spaced, or in a tube times the area of the film;
+ * elasticity / 2 (l - r)^2 / r for each link of length l and rest length r; stiffness / 2 h^3
+ * times the squared second differences, h being the mean rest length, lines leaving parts in the
+ * direction of these. A bridge of infinite stiffness and both its sides are one body. Bridges
+ * within a part do not count, nor do those across the direction of the last. If of parts that
+ * bridges join none is held, the first is. What is found is a local minimum, and the energy never
+ * grows on the way.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] net the net.
  * @param options NULL for the defaults.
  * @param[out] report receives what was done, its struct_size set; that the steps did not converge
  *     is no error.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
- *     (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER (the reference has
- *     another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is negative, NaN or
- *     infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another), OUT_OF_MEMORY,
- *     CANCELLED; the net is then unchanged.
- * @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and O(nodes).
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE (a byte of free), SIZE_OVERFLOW (free_count is too small), SIDES_DIFFER (the
+ *     reference has another size), OUT_OF_RANGE (tolerance, rest_ratio; a property that is
+ *     negative, NaN or infinite, with the bridge), NO_SUCH_ELEMENT (a bridge lies within another),
+ *     OUT_OF_MEMORY, CANCELLED; the net is then unchanged.
+ * @complexity For each step O(n^1.5) operations and O(n log n) memory for n inner nodes, and
+ *     O(nodes).
  * @threads One thread; the same bits always.
  * @source Deryagin, "Concatenation"; Schek 1974; Pinkall and Polthier 1993.
  * @since 0.1
@@ -12466,9 +12471,9 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * away from it in turn, and goes back the way that closes it if there is one: a figure of eight is
  * two closed paths that have one point in common. Cells of a where the surfaces touch in another
  * way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
- * unresolved, and curves may end there, or be in parts or missing within such cells; they are joined
- * across such a place where a chord is as near to both surfaces as elsewhere. For where one surface
- * meets itself see gusset_surface_self_intersection_create.
+ * unresolved, and curves may end there, or be in parts or missing within such cells; they are
+ * joined across such a place where a chord is as near to both surfaces as elsewhere. For where one
+ * surface meets itself see gusset_surface_self_intersection_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.
@@ -12497,18 +12502,18 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  * marked so. Each curve is given once.
  *
  * Along a closed curve the two pieces may change places, as on a Klein bottle: it then ends where
- * it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a seam,
- * as a Möbius band is, the direction turns too.
+ * it begins in space, with `places` and `others` exchanged. Where a sheet is turned over at a
+ * seam, as a Möbius band is, the direction turns too.
  *
  * Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
- * control points are the same but for rounding, in either order, and cells round a pole are joined:
- * what they have in common so is no intersection, and that they have nothing else is proved, or
- * they are divided. Every branch longer than the tolerance is found, but for cells that are listed as
- * unresolved: where tangents are dependent, as where a curve ends in a pinch (Whitney's umbrella),
- * at creases and singular poles, and where pieces touch or coincide. A curve that ends in a pinch
- * ends within the tolerance of it; the unresolved place is where its pieces are as near to each
- * other as that. No contacts are looked for. What borders of different sheets have in common is an
- * intersection.
+ * control points are the same but for rounding, in either order, and cells round a pole are
+ * joined: what they have in common so is no intersection, and that they have nothing else is
+ * proved, or they are divided. Every branch longer than the tolerance is found, but for cells that
+ * are listed as unresolved: where tangents are dependent, as where a curve ends in a pinch
+ * (Whitney's umbrella), at creases and singular poles, and where pieces touch or coincide. A curve
+ * that ends in a pinch ends within the tolerance of it; the unresolved place is where its pieces
+ * are as near to each other as that. No contacts are looked for. What borders of different sheets
+ * have in common is an intersection.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.

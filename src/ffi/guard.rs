@@ -11,12 +11,12 @@ type Hook = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 
 /// Calls under way, in all threads: their own and those that they start may panic.
 static CALLS: AtomicUsize = AtomicUsize::new(0);
-/// What tells of panics outside of calls. The shared library has a standard library of its own, where there are
-/// none; a Rust program that links this crate has.
+/// What tells of panics outside of calls. The shared library has a standard library of its own,
+/// where there are none; a Rust program that links this crate has.
 static OUTSIDE: OnceLock<Box<Hook>> = OnceLock::new();
 
-/// Lets panics in calls go untold; gives what told of them before. Neither box takes memory: that of the standard
-/// library has no state, nor has this one.
+/// Lets panics in calls go untold; gives what told of them before. Neither box takes memory: that
+/// of the standard library has no state, nor has this one.
 fn silenced() -> Box<Hook> {
     let outside = take_hook();
     set_hook(Box::new(|info| {
@@ -47,7 +47,8 @@ impl Drop for Call {
     }
 }
 
-/// Runs `body`, of which nothing unwinds into the host: a panic becomes `GUSSET_ERROR_PANIC`, and prints nothing.
+/// Runs `body`, of which nothing unwinds into the host: a panic becomes `GUSSET_ERROR_PANIC`, and
+/// prints nothing.
 pub(crate) fn caught<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     let _call = Call::begin();
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {

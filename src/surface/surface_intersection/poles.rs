@@ -3,8 +3,8 @@
 //! At a pole S(0, v) = c, the sheet is S = c + u T(u, v). Over a plane let r and a be the radius
 //! and the angle of u T. By s = log u and v their derivatives are
 //!
-//! r_s / r = 1 + T . u T_u / T^2, r_v / r = T . T_v / T^2, a_s = T x u T_u / T^2, a_v = T x T_v /
-//! T^2.
+//! r_s / r = 1 + T . u T_u / T^2, r_v / r = T . T_v / T^2,
+//! a_s = T x u T_u / T^2, a_v = T x T_v / T^2.
 //!
 //! If min(r_s / r) min(a_v) > max |r_v / r| max |a_s| over all the cells round the pole, two points
 //! whose log r and a are the same are one, as each row of the mean values of these derivatives
