@@ -9,6 +9,19 @@ use gusset::outline::{Curve, CurveView};
 use gusset::surface::{Grid, Nodes, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
 
+/// Makes the fields of a structure one after the other, as `derive(Arbitrary)` would. That one
+/// asks for features of `syn` that the library alone does not: tests/interface/features.rs.
+macro_rules! in_order {
+    ($structure:ident { $($field:ident),+ }) => {
+        impl<'a> arbitrary::Arbitrary<'a> for $structure {
+            fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
+                Ok($structure { $($field: u.arbitrary()?),+ })
+            }
+        }
+    };
+}
+pub(crate) use in_order;
+
 /// Faces of any kind over points of a lattice: any at all, or tubes and sheets with some of them left out.
 #[derive(Debug)]
 pub struct Soup {
@@ -72,13 +85,15 @@ impl Soup {
 }
 
 /// Points, most of them near together.
-#[derive(Arbitrary, Debug)]
+#[derive(Debug)]
 pub struct Point {
     near: [i16; 3],
     shift: [i8; 3],
     exponent: i8,
     special: u8,
 }
+
+in_order!(Point { near, shift, exponent, special });
 
 /// A number of points; the first byte says how many.
 #[derive(Debug)]
@@ -127,13 +142,15 @@ pub fn places(points: &[Point]) -> Vec<DVec3> {
 }
 
 /// A small net, glued along its sides in any way.
-#[derive(Arbitrary, Debug)]
+#[derive(Debug)]
 pub struct SmallNet {
     size: [u8; 2],
     sides: u8,
     narrow: bool,
     nodes: Cloud,
 }
+
+in_order!(SmallNet { size, sides, narrow, nodes });
 
 impl SmallNet {
     /// The net, if there is one of this size.
@@ -156,13 +173,15 @@ pub fn taken<'a, T: Arbitrary<'a>>(bytes: &'a [u8]) -> Option<T> {
 }
 
 /// A sheet through a few nodes, some of them equal.
-#[derive(Arbitrary, Debug)]
+#[derive(Debug)]
 pub struct SmallSheet {
     size: [u8; 2],
     closed: [bool; 2],
     four: bool,
     nodes: Cloud,
 }
+
+in_order!(SmallSheet { size, closed, four, nodes });
 
 impl SmallSheet {
     /// The surface, if there is one.
@@ -186,13 +205,15 @@ impl SmallSheet {
 }
 
 /// A curve of segments of any degree, in the plane z = 0 or in space.
-#[derive(Arbitrary, Debug)]
+#[derive(Debug)]
 pub struct SmallCurve {
     points: Cloud,
     degrees: [u8; 4],
     count: u8,
     closed: bool,
 }
+
+in_order!(SmallCurve { points, degrees, count, closed });
 
 impl SmallCurve {
     /// The curve, if there is one.

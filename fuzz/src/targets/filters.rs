@@ -3,13 +3,12 @@
 
 use crate::agree::agreed;
 use crate::input::{self, Cloud, Point, Soup, places};
-use arbitrary::Arbitrary;
 use gusset::filters::data::{Curves, Input, InputKind, Output, OutputKind};
 use gusset::filters::param::{Param, ParamKind};
 use gusset::filters::{FILTERS, Filter};
 
 /// A filter, its inputs and values.
-#[derive(Arbitrary, Debug)]
+#[derive(Debug)]
 struct Case {
     filter: u8,
     choice: u8,
@@ -17,6 +16,8 @@ struct Case {
     lines: [(Cloud, u8, bool); 3],
     values: [u8; 12],
 }
+
+input::in_order!(Case { filter, choice, meshes, lines, values });
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
