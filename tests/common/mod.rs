@@ -181,3 +181,29 @@ impl Progress for Steady {
         ControlFlow::Continue(())
     }
 }
+
+/// Neither listens nor cancels.
+pub struct Silent;
+
+impl Progress for Silent {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// Cancels at a report, counted from 0.
+pub struct StopAt(Cell<u32>);
+
+impl StopAt {
+    pub fn new(report: u32) -> Self {
+        StopAt(Cell::new(report))
+    }
+}
+
+impl Progress for StopAt {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        let left = self.0.get();
+        self.0.set(left.wrapping_sub(1));
+        if left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}

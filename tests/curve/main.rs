@@ -1,5 +1,8 @@
 //! Curves: outlines through points, operations on curves, frames of outlines.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod construct;
 mod curves;
 mod frame_missing;

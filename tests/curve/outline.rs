@@ -1,6 +1,7 @@
 //! Outlines: the curves pass their points, are smooth where they should be, and move with their
 //! points.
 
+use crate::common::Silent;
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::outline::{
@@ -239,12 +240,6 @@ proptest! {
         let outlines =
             Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed, constraints: &constraints };
         let options = Options { mode, ..Options::default() };
-        struct Silent;
-        impl gusset::job::Progress for Silent {
-            fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-                std::ops::ControlFlow::Continue(())
-            }
-        }
         let all = [1, 2, 3].map(|threads| fit(&outlines, &options, &Job::new(threads, &Silent)).unwrap());
         prop_assert!(all[0] == all[1] && all[1] == all[2]);
         for k in 0..sizes.len() {

@@ -2,12 +2,11 @@
 
 #![allow(unsafe_code, reason = "an allocator that counts")]
 
+use crate::common::Silent;
 use gusset::Job;
-use gusset::job::Progress;
 use gusset::outline::{Lock, Mode, Options, Outlines, Points, fit};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::ops::ControlFlow;
 
 struct Counting;
 
@@ -38,14 +37,6 @@ unsafe impl GlobalAlloc for Counting {
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 /// Allocations for `count` outlines of 20 points each in one call.
 fn allocations(count: u32, options: &Options, closed: bool) -> usize {

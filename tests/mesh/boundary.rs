@@ -1,6 +1,6 @@
 //! Boundary loops against shapes whose boundary is known, and against a count by hashing.
 
-use crate::common::{Soup, cap, edge_counts, sheet};
+use crate::common::{Silent, Soup, cap, edge_counts, sheet};
 use gusset::Job;
 use gusset::boundary::{Boundary, EdgeFlags, LoopFlags, NonManifold, Options, Survey, boundary_loops};
 use gusset::mesh::Defect;
@@ -244,7 +244,7 @@ fn the_same_for_any_thread_count() {
         for survey in [Survey::WholeMesh, Survey::BoundaryOnly] {
             let all = |threads| {
                 let options = Options { survey, ..Options::default() };
-                let found = boundary_loops(&soup.view(), &options, &Job::new(threads, &Quiet)).unwrap();
+                let found = boundary_loops(&soup.view(), &options, &Job::new(threads, &Silent)).unwrap();
                 let list: Vec<_> = found.iter().map(|l| format!("{l:?}")).collect();
                 (list, found.defects().to_vec(), found.walk_count())
             };
@@ -280,13 +280,6 @@ fn many_faces_at_a_vertex_and_on_an_edge() {
         let found = boundary(&fan);
         check_invariants(&fan, &found);
         assert_eq!((found.edge_count(), found.defects().len()), (101, 2));
-    }
-}
-
-struct Quiet;
-impl gusset::Progress for Quiet {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        std::ops::ControlFlow::Continue(())
     }
 }
 

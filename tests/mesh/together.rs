@@ -1,13 +1,12 @@
 //! Several loops closed by one patch, held against known areas and volumes and Euler's formula.
 
-use crate::common::{Soup, cap, edge_counts, euler, faces_of, some_of, volume};
+use crate::common::{Silent, Soup, cap, edge_counts, euler, faces_of, some_of, volume};
+use gusset::Job;
 use gusset::fill::{
     Fairing, Filled, Finish, HoleStatus, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
 use gusset::mesh::NONE;
-use gusset::{Job, Progress};
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 const WEIGHTS: [Weight; 4] = [Weight::Continuation, Weight::AreaAndBend, Weight::BendThenArea, Weight::Area];
 
@@ -404,14 +403,6 @@ fn no_edge_of_a_joint_patch_repeats_one_of_the_mesh() {
                 assert_eq!(counts, (1, 1), "edge {edge:?}");
             }
         }
-    }
-}
-
-struct Silent;
-
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
     }
 }
 

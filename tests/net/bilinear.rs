@@ -1,20 +1,12 @@
 //! The area of bilinear patches against dense subdivision, formulas, and plane cells.
 
+use crate::common::Silent;
 use crate::space::{Random, sheet, sphere, torus};
 use glam::DVec3;
 use gusset::Job;
-use gusset::job::Progress;
 use gusset::mesh::Scalar;
 use gusset::net::Net;
 use gusset::net::measure::{bilinear_area, measure};
-use std::ops::ControlFlow;
-
-struct Silent;
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 fn cell([a, b, c, d]: [DVec3; 4]) -> Net<'static> {
     let topology = sheet(2, 2, Scalar::F64).topology().clone();

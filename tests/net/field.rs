@@ -1,8 +1,8 @@
 //! Fields of deformation: each against its own geometry, chains, strengths, gluing, errors.
 
+use crate::common::Silent;
 use crate::space::{Gapped, Random, bits, glued_bits_agree, sheet, sphere, torus};
 use glam::DVec3;
-use gusset::job::Progress;
 use gusset::mesh::Scalar;
 use gusset::net::analyse::jacobian;
 use gusset::net::field::{self, *};
@@ -10,14 +10,6 @@ use gusset::net::transform::{Affine, Axis, Sense};
 use gusset::net::{Net, Sides, Topology};
 use gusset::{Error, Job};
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
-
-struct Silent;
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 fn whole(field: &dyn Field) -> Step<'_> {
     Step { field, strength: 1.0 }

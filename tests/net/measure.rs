@@ -1,9 +1,9 @@
 //! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes,
 //! nothing of what is missing.
 
+use crate::common::Silent;
 use crate::space::{Random, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
-use gusset::job::Progress;
 use gusset::mesh::Scalar;
 use gusset::net::field::{Step, deform};
 use gusset::net::measure::{measure, moments, planarity};
@@ -11,14 +11,6 @@ use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::net::*;
 use gusset::{Error, Job};
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
-
-struct Silent;
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 /// The box from the origin to `size`, as a tube of 4 n columns with a pole in the middle of its
 /// floor and its roof.

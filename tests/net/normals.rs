@@ -1,21 +1,13 @@
 //! Normals: analytic shapes, brute force over polygons, rims, holes, scales, bits.
 
+use crate::common::Silent;
 use crate::space::{Gapped, Random, is_present, sheet, sphere, torus};
 use glam::DVec3;
-use gusset::job::Progress;
 use gusset::mesh::Scalar;
 use gusset::net::normals::{normals, normals_into};
 use gusset::net::topology::{Links, Reduced, Run};
 use gusset::net::*;
 use gusset::{Error, Job};
-use std::ops::ControlFlow;
-
-struct Silent;
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 fn degrees(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b)).to_degrees()

@@ -1,5 +1,6 @@
 //! Cells made plane: against best planes, against other plane nets nearby, on real grids.
 
+use crate::common::StopAt;
 use crate::space::{Random, bits, glued_bits_agree, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
 use gusset::mesh::Scalar;
@@ -219,19 +220,11 @@ fn real_grids_become_plane() {
 
 #[test]
 fn whatever_stops_it_the_net_stays_and_any_unit_will_do() {
-    struct StopAt(std::cell::Cell<u32>);
-    impl gusset::job::Progress for StopAt {
-        fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-            let left = self.0.get();
-            self.0.set(left.wrapping_sub(1));
-            if left == 0 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
-        }
-    }
     let before = bumpy(5, 6, 0.3, 4);
     let mut done = false;
     for stop in 0..2000 {
         let mut net = before.copied().unwrap();
-        let at = StopAt(std::cell::Cell::new(stop));
+        let at = StopAt::new(stop);
         match planarise(&mut net, &PlanariseOptions::default(), &Job::new(1, &at)) {
             Ok(report) => {
                 assert!(report.converged);

@@ -1,5 +1,6 @@
 //! Bridges at rest: against closed forms, and against random neighbours of what was found.
 
+use crate::common::{Silent, StopAt};
 use crate::space::{Random, bits, sheet, sphere};
 use glam::{DQuat, DVec3};
 use gusset::mesh::Scalar;
@@ -8,16 +9,7 @@ use gusset::net::{
     Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, JoinOptions, Net, Shape, Sides, Topology,
     concatenate_all,
 };
-use gusset::{Element, Error, Job, Progress};
-use std::ops::ControlFlow;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
+use gusset::{Element, Error, Job};
 
 fn properties(tension: f64, elasticity: f64, stiffness: f64) -> BridgeProperties {
     BridgeProperties { tension, elasticity, stiffness, user: 0 }
@@ -328,16 +320,6 @@ fn tension_and_stiffness_make_a_beam() {
     assert!(errors[0] / errors[1] > 3.6 && errors[1] / errors[2] > 3.6 && errors[2] < 1e-3, "{errors:?}");
 }
 
-/// Breaks off at a report.
-struct StopAt(std::cell::Cell<u32>);
-impl gusset::job::Progress for StopAt {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        let left = self.0.get();
-        self.0.set(left.wrapping_sub(1));
-        if left == 0 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
-    }
-}
-
 /// A composite with a film, a free part and springs, displaced.
 fn composite(map: impl Fn(DVec3) -> DVec3, [tension, others]: [f64; 2]) -> (Net<'static>, Net<'static>) {
     let parts = [ring(12, -1.5, -0.5), ring(12, 0.3, 0.9), ring(12, 1.7, 2.0)];
@@ -360,7 +342,7 @@ fn whatever_stops_it_the_net_stays() {
     let mut stops = 0;
     loop {
         let mut net = given.copied().unwrap();
-        let at = StopAt(std::cell::Cell::new(stops));
+        let at = StopAt::new(stops);
         let free = [false, true, false];
         let options =
             SettleOptions { reference: Some(&reference), max_iterations: 5, free: &free, ..SettleOptions::default() };

@@ -1,6 +1,6 @@
 //! Streams of nets: what comes back, how small they are, and what becomes of damaged ones.
 
-use crate::common::some_of;
+use crate::common::{Silent, some_of};
 use glam::DVec3;
 use gusset::Error;
 use gusset::job::Job;
@@ -196,14 +196,6 @@ fn the_same_bytes_for_any_number_of_threads() {
                 &decode(&one, &Job::new(1, &Silent)).unwrap(),
             );
         }
-    }
-}
-
-struct Silent;
-
-impl gusset::job::Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        std::ops::ControlFlow::Continue(())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Spatial operations: the paper's formulas, bits, reflections.
 
+use crate::common::Silent;
 use crate::space::{Gapped, Random, bits, glued_bits_agree, sphere, torus};
 use glam::DVec3;
 use gusset::job::Progress;
@@ -8,13 +9,6 @@ use gusset::net::Net;
 use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::{Error, Job};
 use std::ops::ControlFlow;
-
-struct Silent;
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 /// Turned about a unit axis by the right hand: the part along the axis stays, the rest goes round
 /// in its plane.

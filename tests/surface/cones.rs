@@ -1,6 +1,7 @@
 //! Cones of normals: every normal of a block is in its cone and in those of all blocks above, also
 //! where patches jump, fold or end in poles.
 
+use crate::common::Silent;
 use crate::shapes::{Random, SHAPES, Shape, WIGLEY, grid, rough};
 use glam::DVec3;
 use gusset::Job;
@@ -194,7 +195,7 @@ fn cones_are_built_once() {
     let shape = Shape { cells: [203, 401], ..SHAPES[1] };
     let made: Vec<Surface<'_>> =
         (0..3).map(|_| Surface::new(vec![Sheet::Grid(grid(&shape))], None, &Job::default()).unwrap()).collect();
-    let quiet = Quiet;
+    let quiet = Silent;
     made[0].build_cones(&Job::new(1, &quiet)).unwrap();
     made[1].build_cones(&Job::new(3, &quiet)).unwrap();
     std::thread::scope(|scope| {
@@ -211,12 +212,4 @@ fn cones_are_built_once() {
     let bytes = (made[0].index_bytes() + made[0].cone_bytes()) as f64 / made[0].node_count() as f64;
     assert!(made[0].cone_bytes() > 0 && bytes < 9.0, "{bytes}");
     assert_eq!(made[0].cone_bytes(), made[2].cone_bytes());
-}
-
-struct Quiet;
-
-impl gusset::Progress for Quiet {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        std::ops::ControlFlow::Continue(())
-    }
 }

@@ -1,6 +1,7 @@
 //! Sections, contours and curves of angle: against fine sampling, against circles, and against what
 //! closed surfaces demand.
 
+use crate::common::Silent;
 use crate::contours::{check, length, surface};
 use crate::shapes::{Random, SHAPES, Shape, curvatures, grid, torus};
 use glam::DVec3;
@@ -333,11 +334,11 @@ fn stacks_threads_and_chains() {
     let offsets: Vec<f64> = (0..9).map(|k| 0.11 * f64::from(k) - 0.5).collect();
     let (point, normal) = (DVec3::new(0.1, 0.2, 0.0), DVec3::new(1.0, 0.3, 0.4));
     let planes = Planes { point, normal, offsets: &offsets };
-    let one = surface.section(&planes, PointSpacing::Auto, &Job::new(1, &Quiet)).unwrap();
-    assert_eq!(one, surface.section(&planes, PointSpacing::Auto, &Job::new(3, &Quiet)).unwrap());
+    let one = surface.section(&planes, PointSpacing::Auto, &Job::new(1, &Silent)).unwrap();
+    assert_eq!(one, surface.section(&planes, PointSpacing::Auto, &Job::new(3, &Silent)).unwrap());
     let angles = [0.3, 1.0, FRAC_PI_2, 3.0];
-    let round = surface.isophotes(normal, &angles, false, PointSpacing::Auto, &Job::new(1, &Quiet)).unwrap();
-    assert_eq!(round, surface.isophotes(normal, &angles, false, PointSpacing::Auto, &Job::new(3, &Quiet)).unwrap());
+    let round = surface.isophotes(normal, &angles, false, PointSpacing::Auto, &Job::new(1, &Silent)).unwrap();
+    assert_eq!(round, surface.isophotes(normal, &angles, false, PointSpacing::Auto, &Job::new(3, &Silent)).unwrap());
     // One by one.
     let mut count = 0;
     for (k, &offset) in offsets.iter().enumerate() {
@@ -468,14 +469,6 @@ fn any_size_and_place() {
             let (a, b) = (length(&paths, k) / size, length(&truth, k));
             assert!((a - b).abs() < 1e-6 * b, "{size} {shift}: {a} {b}");
         }
-    }
-}
-
-struct Quiet;
-
-impl Progress for Quiet {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
     }
 }
 

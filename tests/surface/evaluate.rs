@@ -1,5 +1,6 @@
 //! Normals and their limits, curvatures, parameters, estimates, meshes.
 
+use crate::common::Silent;
 use crate::shapes::{Random, SHAPES, Shape, grid, torus};
 use glam::DVec3;
 use gusset::surface::{
@@ -154,14 +155,6 @@ fn curvatures_of_a_torus() {
     assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 2 })));
     bad[1].cell[1] = 128;
     assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 1 })));
-}
-
-struct Silent;
-
-impl gusset::Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        std::ops::ControlFlow::Continue(())
-    }
 }
 
 #[test]

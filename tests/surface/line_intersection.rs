@@ -1,5 +1,6 @@
 //! Lines against many starts of Newton's method in every cell, and against parity.
 
+use crate::common::Silent;
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::{DMat3, DVec3};
 use gusset::surface::line_intersection::{HitSelection, Line};
@@ -200,9 +201,9 @@ fn batches_are_single_lines() {
         let surface = Surface::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
         let lines = lines(&grid, 1200);
         for which in [HitSelection::All, HitSelection::First, HitSelection::Any] {
-            let one = surface.lines(&lines, which, &Job::new(1, &Quiet)).unwrap();
+            let one = surface.lines(&lines, which, &Job::new(1, &Silent)).unwrap();
             for threads in [2, 5] {
-                assert_eq!(surface.lines(&lines, which, &Job::new(threads, &Quiet)).unwrap(), one);
+                assert_eq!(surface.lines(&lines, which, &Job::new(threads, &Silent)).unwrap(), one);
             }
             for (k, line) in lines.iter().enumerate() {
                 assert_eq!(surface.line(line, which).unwrap(), one.hits_of(k), "{} {line:?}", shape.name);
@@ -217,14 +218,6 @@ fn batches_are_single_lines() {
                 assert!((hit.normal.length() - 1.0).abs() < 1e-12, "{hit:?}");
             }
         }
-    }
-}
-
-struct Quiet;
-
-impl gusset::Progress for Quiet {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        std::ops::ControlFlow::Continue(())
     }
 }
 

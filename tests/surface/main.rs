@@ -1,5 +1,8 @@
 //! Smooth surfaces: construction, evaluation, nearest points, contours, intersections.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod arcs;
 mod bounds;
 mod cones;

@@ -1,11 +1,11 @@
 //! The nearest point against brute force, and the lower bounds that are returned.
 
+use crate::common::Silent;
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
 use gusset::surface::construct::{Spline, SplineAxis, SplineOptions};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
-use gusset::{Element, Error, Job, Progress};
-use std::ops::ControlFlow;
+use gusset::{Element, Error, Job};
 
 /// The smallest distance of many points of every cell, each improved by steps of alternating
 /// search: an upper bound, near the truth.
@@ -69,14 +69,6 @@ fn nearest_points_by_force() {
             assert!(found.bound >= found.distance - 1e-8, "{}: no proof: {query} {found:?}", shape.name);
             assert_eq!(surface.jet(found.place).point.distance(query), found.distance);
         }
-    }
-}
-
-struct Silent;
-
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
     }
 }
 

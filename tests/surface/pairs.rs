@@ -2,22 +2,13 @@
 
 #![allow(dead_code, unreachable_pub, reason = "shared by several tests, none of which needs all of it")]
 
+use crate::common::Silent;
 use crate::shapes::{Random, Shape, torus};
 use glam::{DMat3, DVec3};
 use gusset::Job;
-use gusset::job::Progress;
 use gusset::surface::surface_intersection::Options;
 use gusset::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface};
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
-
-pub struct Quiet;
-
-impl Progress for Quiet {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-}
 
 /// A shape's grid, moved.
 pub fn grid(shape: &Shape, scheme: Scheme, motion: impl Fn(DVec3) -> DVec3) -> Grid<'static> {
@@ -67,7 +58,7 @@ pub fn from_torus(p: DVec3) -> f64 {
 }
 
 pub fn meet(a: &Surface<'_>, b: &Surface<'_>) -> Paths {
-    let paths = a.meet(b, &Options::default(), &Job::new(1, &Quiet)).unwrap();
+    let paths = a.meet(b, &Options::default(), &Job::new(1, &Silent)).unwrap();
     check(&paths, a, b);
     paths
 }

@@ -2,6 +2,7 @@
 //! and by the recursion of Cox and de Boor; smooth where these are; the same bits where they must
 //! be.
 
+use crate::common::Silent;
 use crate::construct::basis;
 use crate::shapes::Random;
 use glam::DVec3;
@@ -367,14 +368,8 @@ fn ratios_of_weights_and_places_far_away() {
 }
 
 fn sheet_on_threads(nurbs: &Nurbs, tolerance: Option<f64>, threads: usize) -> Vec<DVec3> {
-    struct Quiet;
-    impl Progress for Quiet {
-        fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-            ControlFlow::Continue(())
-        }
-    }
     let options = SplineOptions { tolerance, max_cells: None };
-    control_points(&nurbs.sheet_with(&options, &Job::new(threads, &Quiet)).unwrap())
+    control_points(&nurbs.sheet_with(&options, &Job::new(threads, &Silent)).unwrap())
 }
 
 fn control_points(sheet: &Sheet<'_>) -> Vec<DVec3> {

@@ -1,6 +1,7 @@
 //! The theorems behind the paper's search, by brute force on surfaces without any regularity, and
 //! cell regions.
 
+use crate::common::Silent;
 use crate::shapes::{Random, SHAPES, curvatures, grid, rough};
 use glam::DVec3;
 use gusset::surface::line_intersection::Line;
@@ -102,14 +103,6 @@ fn diameters_bound_distances_and_lengths() {
             assert!(euclidean <= 6.0 * widest && intrinsic <= 12.0 * widest, "{euclidean} {intrinsic} {widest}");
         }
         assert_eq!(found.euclidean.greatest(), found.euclidean.all().iter().copied().fold(0.0, f64::max));
-    }
-}
-
-struct Silent;
-
-impl Progress for Silent {
-    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
-        ControlFlow::Continue(())
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where one surface meets itself: against equations, and against triangles.
 
-use crate::pairs::{Quiet, ball, distance, flat, grid, length, one, ring, summary};
+use crate::common::Silent;
+use crate::pairs::{ball, distance, flat, grid, length, one, ring, summary};
 use crate::shapes::{Random, SHAPES, Shape, torus};
 use glam::DVec3;
 use gusset::Job;
@@ -10,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 /// The paths, after what holds for all results: one point on both pieces, at different parameters.
 fn meet(surface: &Surface<'_>) -> Paths {
-    let paths = surface.meet_itself(&Options::default(), &Job::new(1, &Quiet)).unwrap();
+    let paths = surface.meet_itself(&Options::default(), &Job::new(1, &Silent)).unwrap();
     check(&paths, surface);
     paths
 }
@@ -512,7 +513,7 @@ fn the_same_for_any_number_of_threads_and_cancelled() {
         }
     }
     let surface = lattice([40, 36], [false, true], klein);
-    let run = |threads| surface.meet_itself(&Options::default(), &Job::new(threads, &Quiet)).unwrap();
+    let run = |threads| surface.meet_itself(&Options::default(), &Job::new(threads, &Silent)).unwrap();
     let paths = [1, 2, 5].map(run);
     assert!(paths[0] == paths[1] && paths[0] == paths[2]);
     for after in [0, 1, 2, 5, 10, 40] {

@@ -1,8 +1,9 @@
 //! Intersections of two surfaces: against equations, against dense sampling, and against each
 //! other.
 
+use crate::common::Silent;
 use crate::pairs::{
-    Quiet, ball, changes, check, distance, flat, from_torus, grid, length, meet, ring, summary, surface, turn,
+    ball, changes, check, distance, flat, from_torus, grid, length, meet, ring, summary, surface, turn,
 };
 use crate::shapes::{Random, Shape, torus};
 use glam::{DMat3, DVec3};
@@ -161,7 +162,7 @@ fn the_same_for_any_number_of_threads_and_any_scale() {
     let turn = DMat3::from_rotation_y(0.7);
     let shift = DVec3::new(0.4, 0.3, 0.2);
     let (a, b) = (surface(&shape, |p| p), surface(&shape, |p| turn * p + shift));
-    let paths = [1, 2, 5].map(|threads| a.meet(&b, &Options::default(), &Job::new(threads, &Quiet)).unwrap());
+    let paths = [1, 2, 5].map(|threads| a.meet(&b, &Options::default(), &Job::new(threads, &Silent)).unwrap());
     assert!(paths[0] == paths[1] && paths[0] == paths[2] && !paths[0].is_empty());
     for scale in [1e-9, 1e9] {
         let (a, b) = (surface(&shape, |p| scale * p), surface(&shape, |p| scale * (turn * p + shift)));
