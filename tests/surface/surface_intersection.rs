@@ -3,7 +3,7 @@
 
 use crate::common::Silent;
 use crate::pairs::{
-    ball, changes, check, distance, flat, from_torus, grid, length, meet, ring, summary, surface, turn,
+    ball, changes, check, distance, flat, from_torus, grid, length, meet, one, ring, summary, surface, turn,
 };
 use crate::shapes::{Random, Shape, torus};
 use glam::{DMat3, DVec3};
@@ -322,5 +322,34 @@ fn waves_between_points_are_seen() {
             let near = near.fold(f64::INFINITY, f64::min);
             assert!(near <= 1.01 * chord, "{c}, {x}: {near}");
         }
+    }
+}
+
+/// Whitney's umbrella, (u v, u, v^2), cut beside its pinch: parabolas as thin as the distance from
+/// it, whose tips are beyond the ends of chords from leg to leg.
+#[test]
+fn tips_of_hairpins_are_seen() {
+    for (distance_of_cut, [from, to]) in [0.1, 0.01, 3e-3, 1e-3]
+        .into_iter()
+        .flat_map(|y| [[-1.0, 1.0], [-1.0, 1.2], [-0.3, 1.0], [-1.0, 0.1], [-0.11, 0.1]].map(|range| (y, range)))
+    {
+        let (u, v) = ([0.0, 0.5, 1.0], [from, 0.5 * (from + to), to]);
+        let square = [from * from, from * to, to * to];
+        let umbrella: Vec<DVec3> = (0..9).map(|k| DVec3::new(u[k / 3] * v[k % 3], u[k / 3], square[k % 3])).collect();
+        let plane =
+            [[-2.0, -1.0], [-2.0, 2.0], [2.0, -1.0], [2.0, 2.0]].map(|[x, z]| DVec3::new(x, distance_of_cut, z));
+        let [umbrella, plane] = [(umbrella.as_slice(), 2), (plane.as_slice(), 1)]
+            .map(|(points, degree)| one(Sheet::Cubic(Patches::new(points, [degree; 2], 1, 1).unwrap())));
+        let chord = 1e-3;
+        let options = Options { chord: Some(chord), tolerance: None };
+        let paths = umbrella.meet(&plane, &options, &Job::new(1, &Quiet)).unwrap();
+        check(&paths, &umbrella, &plane);
+        assert!(paths.len() == 1 && !paths.closed[0] && paths.unresolved.is_empty(), "{}", summary(&paths));
+        let truth = |k: i32| {
+            let v = from + (to - from) * f64::from(k) / 1000.0;
+            DVec3::new(distance_of_cut * v, distance_of_cut, v * v)
+        };
+        let far = (0..=1000).map(|k| distance(&paths, truth(k))).fold(0.0, f64::max);
+        assert!(far <= chord, "{distance_of_cut} {from} {to}: {far} {}", summary(&paths));
     }
 }

@@ -18,6 +18,8 @@ use crate::surface::cells::Cells;
 use crate::surface::prelude::*;
 use crate::surface::{Paths, Place, Surface, each_sheet};
 
+/// Pairs of cells told apart between two steps of the job.
+const PAIRS_PER_STEP: usize = 1 << 16;
 /// Boxes of parameters examined for cells with points in common before they are put back.
 const FIRST_MAX_BOXES: usize = 1 << 11;
 /// Boxes examined for all of these that were put back: shared among them.
@@ -58,10 +60,11 @@ impl Surface<'_> {
         let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
         let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
             let sheet = self.sheet(k);
-            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise))
+            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise, &job.part(0.2, 0.2)))
         }))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
+            job.part(0.2, 0.2).step_every(PAIRS_PER_STEP, k, pairs.len(), "pairs of cells")?;
             let [a, b] = pair.sheets;
             let joined = a == b && joints[a as usize].are_joined(pair.cells);
             alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
@@ -77,6 +80,7 @@ impl Surface<'_> {
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
         intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
+        job.step(0.9, "paths")?;
         let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
         let trails = intersection.trails(&pieces)?;
         intersection.trail_paths(&pieces, &trails, &job.part(0.9, 1.0))
@@ -109,17 +113,17 @@ impl Intersection<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         let together = if last { 1 } else { 16 };
-        let found = par::map_cancellable(job, "intersection", near.chunks(together), |part| {
+        let found = par::map_jobs(job, "intersection", near.chunks(together), |part, job| {
             let mut found = FoundArcs::default();
             for &k in part {
                 let number = self.places.pairs[k as usize].sheets[0] as usize;
                 each_sheet!(self.places.surfaces[0].sheet(number), cells => {
-                    self.near_pair(cells, k, &joints[number], (max_boxes, last), &mut found)?;
+                    self.near_pair(cells, k, &joints[number], (max_boxes, last), &mut found, job)?;
                 });
             }
             Ok(found)
         })?;
-        found.into_iter().try_for_each(|found: Result<FoundArcs>| pieces.append(&found?))
+        found.iter().try_for_each(|found| pieces.append(found))
     }
 
     /// Adds the arcs of two cells that have points in common.
@@ -130,6 +134,7 @@ impl Intersection<'_> {
         joints: &Joints,
         (max_boxes, last): (usize, bool),
         found: &mut FoundArcs,
+        job: &Job<'_>,
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
@@ -137,7 +142,7 @@ impl Intersection<'_> {
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);
-        NearPair { task: &task, cells, joints }.solve(&whole, found)
+        NearPair { task: &task, cells, joints }.solve(&whole, found, job)
     }
 
     /// The arcs, joined.

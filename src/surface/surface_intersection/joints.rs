@@ -61,7 +61,12 @@ fn side<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k:
 
 impl Joints {
     /// Of a sheet. `noise`: control points that are no farther apart are one.
-    pub(super) fn new<const N: usize>(cells: &impl Cells<N>, closed: [bool; 2], noise: f64) -> Result<Self> {
+    pub(super) fn new<const N: usize>(
+        cells: &impl Cells<N>,
+        closed: [bool; 2],
+        noise: f64,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let counts = cells.counts();
         let mut joints = Joints { cells: counts.map(|n| n as i64), seams: [Seam::Open; 2], poles: [[None; 2]; 2] };
         let near = |p: &DVec3, q: &DVec3| p.distance(*q) <= noise;
@@ -88,7 +93,7 @@ impl Joints {
         }
         for (d, s) in [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().filter(|&(d, s)| is_pole[d][s]) {
             let is_ring = joints.seams[1 - d] == Seam::Straight;
-            joints.poles[d][s] = Some(Pole { band: poles::injective_band(cells, d, s, is_ring)? });
+            joints.poles[d][s] = Some(Pole { band: poles::injective_band(cells, d, s, is_ring, job)? });
         }
         Ok(joints)
     }

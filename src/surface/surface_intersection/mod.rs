@@ -228,19 +228,18 @@ impl Intersection<'_> {
         // Most pairs take a box or two, those that are done again all they may.
         let batch = if last { BOXES_PER_STEP.div_ceil(max_boxes) } else { BOXES_PER_STEP / 16 };
         for (k, part) in which.chunks(batch).enumerate() {
-            job.step((k * batch) as f64 / which.len() as f64, "intersection")?;
-            let found = par::map(job.threads(), par::ranges(part.len(), chunk), |range| {
-                self.chunk(&part[range], max_boxes, last)
-            });
-            for found in found {
-                pieces.append(&found?)?;
-            }
+            let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / which.len() as f64).min(1.0));
+            let ranges = par::ranges(part.len(), chunk);
+            let found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
+                self.chunk(&part[range], max_boxes, last, job)
+            })?;
+            found.iter().try_for_each(|found| pieces.append(found))?;
         }
         Ok(())
     }
 
     /// The arcs of some pairs, whichever their sheets are.
-    fn chunk(&self, which: &[u32], max_boxes: usize, last: bool) -> Result<FoundArcs> {
+    fn chunk(&self, which: &[u32], max_boxes: usize, last: bool, job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
         let sheets = |&k: &u32| self.places.pairs[k as usize].sheets;
         for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
@@ -248,7 +247,7 @@ impl Intersection<'_> {
             let (one, other) = (self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize));
             let task = |k: u32, rounding_error: f64| self.task(k, rounding_error, max_boxes, last);
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
-                self.run(cells_a, cells_b, run, &task, &mut pieces)?;
+                self.run(cells_a, cells_b, run, &task, &mut pieces, job)?;
             }));
         }
         Ok(pieces)
@@ -271,6 +270,7 @@ impl Intersection<'_> {
         which: &[u32],
         task: &impl Fn(u32, f64) -> PairTask,
         pieces: &mut FoundArcs,
+        job: &Job<'_>,
     ) -> Result<()> {
         let mut whole = ParameterBox::<N, M>::WHOLE;
         let (mut last, mut size_a) = (None, 0.0);
@@ -283,7 +283,7 @@ impl Intersection<'_> {
             }
             let size_b;
             (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
-            task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces)?;
+            task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces, job)?;
         }
         Ok(())
     }

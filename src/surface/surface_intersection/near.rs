@@ -24,6 +24,8 @@ use crate::surface::prelude::*;
 /// Pairs of parts of one size that have points in common, and are not proved to have no others:
 /// above that they are reported as they are.
 const MAX_PARTS: usize = 512;
+/// Parts between two steps of the job.
+const PARTS_PER_STEP: usize = 1 << 8;
 
 /// Two cells of one sheet that have points in common.
 pub(super) struct NearPair<'a> {
@@ -37,8 +39,13 @@ type Slopes = [[[f64; 2]; 2]; 2];
 
 impl NearPair<'_> {
     /// Adds the arcs of the pair.
-    pub(super) fn solve<const N: usize>(&self, whole: &ParameterBox<N, N>, pieces: &mut FoundArcs) -> Result<()> {
-        let mut search = self.task.search(&whole.nets, pieces);
+    pub(super) fn solve<const N: usize>(
+        &self,
+        whole: &ParameterBox<N, N>,
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let mut search = self.task.search(&whole.nets, pieces, job);
         let done = self.descend(&mut search, whole);
         search.finish(done, whole)
     }
@@ -52,7 +59,10 @@ impl NearPair<'_> {
         let mut parts = alloc::filled(whole.clone(), 1)?;
         while !parts.is_empty() {
             let mut left = Vec::new();
-            for part in parts {
+            for (k, part) in parts.into_iter().enumerate() {
+                if (k + 1).is_multiple_of(PARTS_PER_STEP) {
+                    search.step()?;
+                }
                 let joint = match self.joints.meeting(self.cells, &part) {
                     Meeting::Injective => continue,
                     Meeting::Apart => {

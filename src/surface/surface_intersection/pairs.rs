@@ -5,6 +5,7 @@
 //! surface over their cells, so that no pair that meets is dropped. Cost: O(pairs of blocks that
 //! come near to each other).
 
+use crate::sort;
 use crate::surface::cells::{BLOCK, Cells, cells_of_block};
 use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::prelude::*;
@@ -279,8 +280,7 @@ fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
     };
-    found[before..].sort_unstable_by_key(key);
-    Ok(())
+    sort::sort(&mut found[before..], |one, other| key(one).cmp(&key(other)), &job.part(0.0, 0.0), "pairs of cells")
 }
 
 /// The descent of both pyramids.

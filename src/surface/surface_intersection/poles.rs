@@ -22,6 +22,8 @@ use std::f64::consts::TAU;
 
 /// Halvings towards the pole that are tried.
 const MAX_BAND: i32 = 8;
+/// Cells between two steps of the job.
+const CELLS_PER_STEP: usize = 1 << 8;
 /// Pieces of a cell round the pole.
 const PIECES: usize = 8;
 
@@ -120,11 +122,12 @@ pub(super) fn injective_band<const N: usize>(
     direction: usize,
     side: usize,
     is_ring: bool,
+    job: &Job<'_>,
 ) -> Result<Option<i32>> {
     let count = cells.counts()[1 - direction];
     let mut quotients = alloc::collect((0..count).map(|k| quotient(&outwards(cells, direction, side, k))))?;
     for band in 0..=MAX_BAND {
-        if are_injective(&quotients, is_ring) {
+        if are_injective(&quotients, is_ring, job)? {
             return Ok(Some(band));
         }
         quotients.iter_mut().for_each(|patch| *patch = patch.halves()[0]);
@@ -132,19 +135,25 @@ pub(super) fn injective_band<const N: usize>(
     Ok(None)
 }
 
-fn are_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool) -> bool {
+fn are_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool, job: &Job<'_>) -> Result<bool> {
     let fan = |patch: &Patch<N>| patch.points[0].windows(2).map(|pair| pair[0].cross(pair[1])).sum::<DVec3>();
     let Some(normal) = quotients.iter().map(fan).sum::<DVec3>().try_normalize() else {
-        return false;
+        return Ok(false);
     };
     let mut bounds = Bounds { least: [f64::INFINITY; 2], greatest: [0.0; 2], turn: 0.0, spread: 0.0 };
     let pieces = |patch: &Patch<N>| {
         let eighths = |half: Patch<N>| half.halves().map(|quarter| quarter.halves());
         patch.transposed().halves().map(eighths)
     };
-    let whole = quotients.iter().all(|patch| {
+    for (k, patch) in quotients.iter().enumerate() {
+        if (k + 1).is_multiple_of(CELLS_PER_STEP) {
+            job.step(0.0, "poles")?;
+        }
         let pieces = pieces(patch);
-        pieces.as_flattened().as_flattened().iter().all(|piece| bounds.add(&piece.transposed(), normal).is_some())
-    });
-    whole && bounds.are_injective(is_ring)
+        let mut pieces = pieces.as_flattened().as_flattened().iter();
+        if !pieces.all(|piece| bounds.add(&piece.transposed(), normal).is_some()) {
+            return Ok(false);
+        }
+    }
+    Ok(bounds.are_injective(is_ring))
 }

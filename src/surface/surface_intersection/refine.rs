@@ -3,7 +3,8 @@
 //! Where the curve is between two of its points follows nearly from its tangents there, as the
 //! cubic through both: in space, how far it is from their chord, and so into how many pieces it is
 //! to be cut; by parameters, where the points in between are, so that a step or two of Newton's
-//! method suffice.
+//! method suffice. Near a cusp a curve goes on beyond an end of its chord and comes back: distances
+//! are those from the chord, not from its line.
 //!
 //! Invariant: every point added solves the equation. Cost: one or two steps of Newton's method a
 //! point.
@@ -29,6 +30,8 @@ struct Knot {
     rates: DVec4,
     point: DVec3,
     direction: DVec3,
+    /// How long the curve is for the free parameter's unit.
+    speed: f64,
 }
 
 /// An arc that is refined.
@@ -49,7 +52,8 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         let knots = [0, 1].map(|k| {
             let End { x, tangent, direction } = ends[k];
             let rates = tangent / tangent[self.free];
-            Knot { x, rates, point: places[k], direction: direction.normalize_or_zero() }
+            let speed = self.speed(tangent, direction);
+            Knot { x, rates, point: places[k], direction: direction.normalize_or_zero(), speed }
         });
         let pieces = self.pieces(&knots);
         if pieces > 1.0 {
@@ -68,9 +72,9 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
             return false;
         };
         let [first, last] = *knots;
-        let off = middle.point - first.point;
-        let along = (last.point - first.point).normalize_or_zero();
-        let off = (off - off.dot(along) * along).length();
+        let (off, chord) = (middle.point - first.point, last.point - first.point);
+        let along = chord.normalize_or_zero();
+        let off = (off - off.dot(along).clamp(0.0, chord.length()) * along).length();
         let arch = self.height(&[first, middle]).max(self.height(&[middle, last]));
         let max = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
         max > self.chord
@@ -89,7 +93,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
                 let more = self.pieces(&piece);
                 if more > 1.0 {
                     self.cut(piece, more, depth - 1, points)?;
-                } else if CUBIC < N.max(M) && self.is_bent(&piece) {
+                } else if (CUBIC < N.max(M) || turns_back(&piece)) && self.is_bent(&piece) {
                     self.cut(piece, 2.0, depth - 1, points)?;
                 }
             }
@@ -109,14 +113,25 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
 
     /// How far the cubic between two knots is from their chord. With directions T and U across the
     /// chord, L long, that is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T
-    /// + U|.
+    /// + U|. If it runs back at an end, by D, the parabola along the chord goes D^2 / (4 (L + D))
+    /// beyond it.
     fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
         let whole = last.point - first.point;
         let length = whole.length();
         let along = whole / length.max(f64::MIN_POSITIVE);
         let across = |direction: DVec3| direction - direction.dot(along) * along;
         let (one, other) = (across(first.direction), across(last.direction));
-        length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()))
+        let aside = length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()));
+        let span = (last.x[self.free] - first.x[self.free]).abs();
+        let beyond = |knot: &Knot| {
+            let back = (-span * knot.speed * knot.direction.dot(along)).max(0.0);
+            back * back / (4.0 * (length + back)).max(f64::MIN_POSITIVE)
+        };
+        aside.max(beyond(first)).max(beyond(last))
+    }
+
+    fn speed(&self, tangent: DVec4, direction: DVec3) -> f64 {
+        direction.length() / tangent[self.free].abs()
     }
 
     /// The knot at a part of the way between two by the free parameter.
@@ -125,8 +140,13 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
         let rise = s * first.rates - t * last.rates;
         let line = s * s * (1.0 + 2.0 * t) * first.x + t * t * (3.0 - 2.0 * t) * last.x;
         let (x, frame) = self.equation.refine(line + (s * t * whole) * rise, self.free)?;
-        let rates = frame.tangent() / frame.tangent()[self.free];
-        let direction = frame.direction().normalize_or_zero();
-        Some(Knot { x, rates, point: self.equation.point(x), direction })
+        let (tangent, direction) = (frame.tangent(), frame.direction());
+        let (rates, speed) = (tangent / tangent[self.free], self.speed(tangent, direction));
+        Some(Knot { x, rates, point: self.equation.point(x), direction: direction.normalize_or_zero(), speed })
     }
+}
+
+/// Whether the curve between two knots runs in opposite directions there.
+fn turns_back([first, last]: &[Knot; 2]) -> bool {
+    first.direction.dot(last.direction) < 0.0
 }

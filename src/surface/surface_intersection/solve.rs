@@ -32,6 +32,9 @@ const MIN_SPLIT_SIZE: f64 = 1e-8;
 /// Curves whose ends are as near as this to a side, by parameters, may run along it.
 const SIDE_SLACK: f64 = 1e-6;
 
+/// Boxes of a pair between two steps of the job.
+const BOXES_PER_STEP: usize = 1 << 10;
+
 /// Spots of one pair that do not touch each other.
 const MAX_BALLS: usize = 64;
 
@@ -140,8 +143,9 @@ impl PairTask {
         &self,
         whole: &ParameterBox<N, M>,
         pieces: &mut FoundArcs,
+        job: &Job<'_>,
     ) -> Result<()> {
-        let mut search = self.search(&whole.nets, pieces);
+        let mut search = self.search(&whole.nets, pieces, job);
         // Most pairs have one box: no copy of it, and no memory for more.
         let done = search.run(Cow::Borrowed(whole));
         search.finish(done, whole)
@@ -152,8 +156,9 @@ impl PairTask {
         &'a self,
         equation: &'a Equation<N, M>,
         pieces: &'a mut FoundArcs,
+        job: &'a Job<'a>,
     ) -> PairSearch<'a, N, M> {
-        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, is_near: false, pieces }
+        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, is_near: false, pieces, job }
     }
 }
 
@@ -167,6 +172,7 @@ pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
     /// Whether boxes are split across the widest range, not across the longest side.
     is_near: bool,
     pieces: &'a mut FoundArcs,
+    job: &'a Job<'a>,
 }
 
 /// Why a search ends early.
@@ -194,6 +200,9 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
         let (PairTask { tolerance, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
+        if self.examined.is_multiple_of(BOXES_PER_STEP) {
+            self.step()?;
+        }
         let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
         if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.coincide()) {
             return Err(Stop::Degenerate);
@@ -305,6 +314,11 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
         self.is_near = true;
         self.run(Cow::Borrowed(part))
+    }
+
+    /// Reports to the job: how much is left of a pair is not known.
+    pub(super) fn step(&self) -> Result<()> {
+        self.job.step(0.0, "intersection")
     }
 
     /// Ends the search of a pair.
