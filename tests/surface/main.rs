@@ -33,6 +33,7 @@ mod range;
 mod rational;
 mod reference;
 mod self_intersection;
+mod self_intersection_sampled;
 mod shapes;
 mod surface_intersection;
 mod surface_intersection_along;

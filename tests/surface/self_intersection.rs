@@ -1,7 +1,7 @@
-//! Where one surface meets itself: against equations, and against triangles.
+//! Where one surface meets itself: against equations. Against triangles: `self_intersection_sampled`.
 
 use crate::common::Silent;
-use crate::pairs::{ball, distance, flat, grid, length, one, ring, summary};
+use crate::pairs::{ball, flat, grid, length, one, ring, summary};
 use crate::shapes::{Random, SHAPES, Shape, torus};
 use glam::DVec3;
 use gusset::Job;
@@ -10,7 +10,7 @@ use gusset::surface::{Grid, Nodes, Patches, Paths, Place, Scheme, Sheet, Surface
 use std::f64::consts::{PI, TAU};
 
 /// The paths, after what holds for all results: one point on both pieces, at different parameters.
-fn meet(surface: &Surface<'_>) -> Paths {
+pub fn meet(surface: &Surface<'_>) -> Paths {
     let paths = surface.meet_itself(&Options::default(), &Job::new(1, &Silent)).unwrap();
     check(&paths, surface);
     paths
@@ -58,7 +58,7 @@ fn bernstein(values: &[DVec3]) -> Vec<DVec3> {
 }
 
 /// A polynomial over a rectangle, as patches.
-fn polynomial(
+pub fn polynomial(
     f: impl Fn(f64, f64) -> DVec3,
     degree: usize,
     cells: [usize; 2],
@@ -101,7 +101,7 @@ fn a_cylinder_over_a_figure_of_eight_has_one_line() {
 }
 
 /// A grid of the values of a function.
-fn lattice([h, w]: [usize; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> DVec3) -> Surface<'static> {
+pub fn lattice([h, w]: [usize; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> DVec3) -> Surface<'static> {
     let at = |k: usize, n: usize, closed: bool| (if closed { k % n } else { k }) as f64 / n as f64;
     let data: Vec<f64> = (0..=h)
         .flat_map(|i| (0..=w).map(move |j| (i, j)))
@@ -204,7 +204,7 @@ fn bohemian_dome() {
     }
 }
 
-fn klein(u: f64, v: f64) -> DVec3 {
+pub fn klein(u: f64, v: f64) -> DVec3 {
     let (u, v) = (TAU * u, TAU * v);
     let (s, c) = (0.5 * u).sin_cos();
     let (x, z) = (c * v.sin() - s * (2.0 * v).sin(), s * v.sin() + c * (2.0 * v).sin());
@@ -357,150 +357,6 @@ fn three_leaves_through_a_point() {
     assert_eq!(through, [1, 1, 1], "{}", summary(&paths));
     // The bends meet each other, too, and are pinched.
     assert!(paths.unresolved.iter().all(|&place| surface.jet(place).point.length() > 0.5));
-}
-
-/// Where an edge crosses a triangle, if it does.
-fn crossing([a, b]: [DVec3; 2], [p, q, r]: [DVec3; 3]) -> Option<DVec3> {
-    let volume = |x: DVec3, y: DVec3, z: DVec3| (x - a).cross(y - a).dot(z - a);
-    let above = |x: DVec3| (q - p).cross(r - p).dot(x - p);
-    let signs = [volume(b, p, q), volume(b, q, r), volume(b, r, p)].map(|x| x > 0.0);
-    let (low, high) = (above(a), above(b));
-    ((low > 0.0) != (high > 0.0) && signs[0] == signs[1] && signs[1] == signs[2]).then(|| a.lerp(b, low / (low - high)))
-}
-
-/// The place of parameters that count cells.
-fn place(surface: &Surface<'_>, at: [f64; 2]) -> Place {
-    let counts = surface.sheet(0).cells();
-    let cell = [0, 1].map(|k| (at[k].floor().max(0.0) as usize).min(counts[k] - 1));
-    Place { sheet: 0, cell: cell.map(|k| k as u32), u: at[0] - cell[0] as f64, v: at[1] - cell[1] as f64 }
-}
-
-/// S(p) = S(q) near two places, by Newton's steps of least length.
-fn solution(surface: &Surface<'_>, start: [[f64; 2]; 2]) -> Option<(DVec3, [[f64; 2]; 2])> {
-    let mut x = start;
-    let counts = surface.sheet(0).cells();
-    for _ in 0..20 {
-        let [one, other] = x.map(|at| surface.jet(place(surface, at)));
-        let miss = one.point - other.point;
-        let columns = [one.u, one.v, -other.u, -other.v];
-        let square =
-            columns.iter().fold(glam::DMat3::ZERO, |sum, c| sum + glam::DMat3::from_cols(*c * c.x, *c * c.y, *c * c.z));
-        let dual = square.inverse() * miss;
-        for k in 0..4 {
-            x[k / 2][k % 2] -= columns[k].dot(dual);
-            if !(-0.01..=counts[k % 2] as f64 + 0.01).contains(&x[k / 2][k % 2]) {
-                return None;
-            }
-        }
-        if miss.length() < 1e-12 {
-            let inside = (0..4).all(|k| (1e-6..=counts[k % 2] as f64 - 1e-6).contains(&x[k / 2][k % 2]));
-            return inside.then_some((one.point, x));
-        }
-    }
-    None
-}
-
-#[test]
-fn random_sheets_against_triangles() {
-    random_sheets(12);
-}
-
-#[test]
-#[ignore = "a minute or two"]
-fn exhaustive_random_sheets_against_triangles() {
-    random_sheets(100);
-}
-
-/// Sheets through nodes at random: what triangles of theirs show is on a path, or in cells that are
-/// unresolved.
-fn random_sheets(count: usize) {
-    const DENSE: usize = 6;
-    let mut excused = 0;
-    let mut random = Random(23);
-    let (mut curves, mut closed, mut places, mut trivial, mut unresolved, mut worst) = (0, 0, 0, 0, 0, 0.0_f64);
-    for number in 0..count {
-        let cells = [5, 6];
-        let shifts: Vec<DVec3> = (0..42).map(|_| random.point(0.2)).collect();
-        let surface = lattice(cells, [false; 2], |u, v| {
-            let (i, j) = ((5.0 * u).round() as usize, (6.0 * v).round() as usize);
-            DVec3::new(u, v, 0.0) + shifts[i * 7 + j]
-        });
-        let paths = meet(&surface);
-        curves += paths.len();
-        closed += paths.closed.iter().filter(|&&closed| closed).count();
-        unresolved += paths.unresolved.len();
-        // Open ends are at the border, or in a pinch.
-        for k in (0..paths.len()).filter(|&k| !paths.closed[k]) {
-            let range = paths.ends[k] as usize..paths.ends[k + 1] as usize;
-            for end in [range.start, range.end - 1] {
-                let at_border = |place: &Place| {
-                    [(place.cell[0], place.u, cells[0]), (place.cell[1], place.v, cells[1])].iter().any(
-                        |&(cell, t, n)| {
-                            let at = f64::from(cell) + t;
-                            at < 1e-9 || at > n as f64 - 1e-9
-                        },
-                    )
-                };
-                let pinch = |place: &Place| [paths.places[end].cell, paths.others[end].cell].contains(&place.cell);
-                assert!(
-                    at_border(&paths.places[end])
-                        || at_border(&paths.others[end])
-                        || paths.unresolved.iter().any(pinch),
-                    "{number}: {} {}",
-                    paths.points[end],
-                    summary(&paths)
-                );
-            }
-        }
-        let [h, w] = cells.map(|n| n * DENSE);
-        let at = |i: usize, j: usize| [i as f64 / DENSE as f64, j as f64 / DENSE as f64];
-        let points: Vec<DVec3> =
-            (0..(h + 1) * (w + 1)).map(|k| surface.jet(place(&surface, at(k / (w + 1), k % (w + 1)))).point).collect();
-        let triangles: Vec<[[usize; 2]; 3]> = (0..h * w)
-            .flat_map(|k| {
-                let (i, j) = (k / w, k % w);
-                [[[i, j], [i + 1, j], [i + 1, j + 1]], [[i, j], [i + 1, j + 1], [i, j + 1]]]
-            })
-            .collect();
-        let corner = |[i, j]: [usize; 2]| points[i * (w + 1) + j];
-        let boxes: Vec<[DVec3; 2]> =
-            triangles.iter().map(|t| t.map(corner)).map(|[p, q, r]| [p.min(q).min(r), p.max(q).max(r)]).collect();
-        for (m, one) in triangles.iter().enumerate() {
-            for (n, other) in triangles.iter().enumerate() {
-                let meets = boxes[m][0].cmple(boxes[n][1]).all() && boxes[n][0].cmple(boxes[m][1]).all();
-                if !meets || m == n || one.iter().any(|p| other.contains(p)) {
-                    continue;
-                }
-                let edges = (0..3).map(|k| [one[k], one[(k + 1) % 3]].map(corner));
-                if !edges.into_iter().any(|edge| crossing(edge, other.map(corner)).is_some()) {
-                    continue;
-                }
-                let middle = |t: &[[usize; 2]; 3]| {
-                    [0, 1].map(|k| t.iter().map(|p| p[k] as f64).sum::<f64>() / (3 * DENSE) as f64)
-                };
-                let Some((point, [p, q])) = solution(&surface, [middle(one), middle(other)]) else {
-                    continue;
-                };
-                if (p[0] - q[0]).abs().max((p[1] - q[1]).abs()) < 1e-3 {
-                    trivial += 1;
-                    continue;
-                }
-                places += 1;
-                let far = distance(&paths, point);
-                let cells = [p, q].map(|at| place(&surface, at).cell);
-                if far >= 1e-3 && paths.unresolved.iter().any(|place| cells.contains(&place.cell)) {
-                    excused += 1;
-                    continue;
-                }
-                worst = worst.max(far);
-                assert!(far < 1e-3, "{number}: {point} {far} {p:?} {q:?} {}", summary(&paths));
-            }
-        }
-    }
-    println!(
-        "{curves} curves, {closed} closed, {unresolved} unresolved; {places} places, farthest {worst:e}, {excused} in unresolved cells; {trivial} trivial"
-    );
-    assert!(curves > count && places > 50 * count && 100 * excused <= places);
 }
 
 #[test]

@@ -342,7 +342,7 @@ fn tips_of_hairpins_are_seen() {
             .map(|(points, degree)| one(Sheet::Cubic(Patches::new(points, [degree; 2], 1, 1).unwrap())));
         let chord = 1e-3;
         let options = Options { chord: Some(chord), tolerance: None };
-        let paths = umbrella.meet(&plane, &options, &Job::new(1, &Quiet)).unwrap();
+        let paths = umbrella.meet(&plane, &options, &Job::new(1, &Silent)).unwrap();
         check(&paths, &umbrella, &plane);
         assert!(paths.len() == 1 && !paths.closed[0] && paths.unresolved.is_empty(), "{}", summary(&paths));
         let truth = |k: i32| {
