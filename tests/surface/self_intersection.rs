@@ -247,6 +247,39 @@ fn a_bump_through_the_other_leaf_of_a_fold_has_a_loop() {
     assert!((length(&paths) / (TAU * radius) - 1.0).abs() < 2e-3);
 }
 
+/// A circle turned about a line that cuts it. Its rows are one curve, scaled and lifted, so that the
+/// surface through the nodes meets itself where this factor is 0 and else nowhere: in two points,
+/// each of which is a whole row of parameters. All cells of that row are unresolved, no others.
+#[test]
+fn a_spindle_torus_has_two_points() {
+    for (cells, shift) in [([25, 7], 0.1), ([12, 6], 0.0)] {
+        let surface = lattice(cells, [true, true], |u, v| {
+            let (t, a) = (TAU * (u + shift / cells[0] as f64), TAU * v);
+            let r = 0.5 + t.cos();
+            DVec3::new(r * a.cos(), r * a.sin(), t.sin())
+        });
+        let paths = meet(&surface);
+        println!("spindle {cells:?} {shift}: {} {}", summary(&paths), paths.unresolved.len());
+        // Where the first column crosses the axis, by halving.
+        let radius = |i: usize, u: f64| surface.jet(Place { sheet: 0, cell: [i as u32, 0], u, v: 0.0 }).point.x;
+        let mut truth: Vec<u32> = Vec::new();
+        for i in 0..cells[0] {
+            let [low, high] = [0.0, 1.0].map(|u| radius(i, u));
+            // A node on the axis is in the cells on both sides.
+            if low.abs() < 1e-12 || high.abs() < 1e-12 || (low > 0.0) != (high > 0.0) {
+                truth.extend((0..cells[1]).map(|_| i as u32));
+            }
+        }
+        let rows: Vec<u32> = paths.unresolved.iter().map(|place| place.cell[0]).collect();
+        assert_eq!(rows, truth, "{cells:?} {shift}");
+        assert!(paths.is_empty(), "{}", summary(&paths));
+        for &place in &paths.unresolved {
+            let off = surface.jet(place).point.truncate().length();
+            assert!(off < 2e-3, "{place:?} {off}");
+        }
+    }
+}
+
 fn torus_of(u: f64, v: f64) -> DVec3 {
     torus(u, v, 0.0)
 }

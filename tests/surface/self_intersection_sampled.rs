@@ -276,3 +276,27 @@ fn a_tube_along_a_lemniscate() {
         }
     }
 }
+
+/// A trefoil knot, thick enough to meet itself: alike at all three of its crossings.
+#[test]
+fn a_thick_trefoil() {
+    let knot = |t: f64| DVec3::new(t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin());
+    for (radius, loops) in [(0.3, 0), (0.5, 0), (0.8, 3), (0.9, 3)] {
+        let surface = tube([60, 12], radius, [0.03, 0.02], knot);
+        let paths = meet(&surface);
+        let lengths: Vec<f64> = (0..paths.len())
+            .map(|k| {
+                let points = paths.points_of(k);
+                (0..points.len()).map(|n| points[n].distance(points[(n + 1) % points.len()])).sum()
+            })
+            .collect();
+        let name = format!("trefoil {radius}");
+        println!("{name}: {} {lengths:?}", summary(&paths));
+        let sampled = Sampled { surface: &surface, closed: [true; 2] };
+        let places = sampled.check(&name, &paths, 2, default_chord(&surface));
+        assert_eq!(places > 0, loops > 0, "{name}");
+        assert!(paths.unresolved.is_empty(), "{name}: {}", summary(&paths));
+        assert!(paths.len() == loops && paths.closed.iter().all(|&closed| closed), "{name}: {}", summary(&paths));
+        assert!(lengths.iter().all(|length| (length / lengths[0] - 1.0).abs() < 1e-3), "{name}: {lengths:?}");
+    }
+}

@@ -350,6 +350,7 @@ fn tips_of_hairpins_are_seen() {
             DVec3::new(distance_of_cut * v, distance_of_cut, v * v)
         };
         let far = (0..=1000).map(|k| distance(&paths, truth(k))).fold(0.0, f64::max);
-        assert!(far <= chord, "{distance_of_cut} {from} {to}: {far} {}", summary(&paths));
+        // The height of an arc is nearly that of the cubic with its tangents.
+        assert!(far <= 1.1 * chord, "{distance_of_cut} {from} {to}: {far} {}", summary(&paths));
     }
 }
