@@ -416,3 +416,21 @@ fn the_same_for_any_number_of_threads_and_cancelled() {
         assert!(matches!(tolerance, Err(gusset::Error::OptionOutOfRange { option: "tolerance", .. })));
     }
 }
+
+/// One pair of cells with a pinch is a long search, and heard all along.
+#[test]
+fn searches_of_one_pair_of_cells_are_heard() {
+    struct Heard(std::cell::RefCell<Vec<f64>>);
+    impl gusset::Progress for Heard {
+        fn step(&self, fraction: f64, _: &'static str) -> std::ops::ControlFlow<()> {
+            self.0.borrow_mut().push(fraction);
+            std::ops::ControlFlow::Continue(())
+        }
+    }
+    let umbrella = polynomial(|u, v| DVec3::new(u * v, u, v * v), 2, [1, 1], [[-1.0, 1.0]; 2]);
+    let heard = Heard(std::cell::RefCell::default());
+    umbrella.meet_itself(&Options::default(), &Job::new(1, &heard)).unwrap();
+    let steps = heard.0.into_inner();
+    println!("{} steps", steps.len());
+    assert!(steps.len() > 12 && steps.is_sorted() && steps.iter().all(|x| (0.0..=1.0).contains(x)), "{steps:?}");
+}
