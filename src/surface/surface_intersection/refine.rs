@@ -112,8 +112,8 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     }
 
     /// How far the cubic between two knots is from their chord. With directions T and U across the
-    /// chord, L long, that is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T
-    /// + U|. If it runs back at an end, by D, the parabola along the chord goes D^2 / (4 (L + D))
+    /// chord, L long, that is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3)
+    /// |T + U|. If it runs back at an end, by D, the parabola along the chord goes D^2 / (4 (L + D))
     /// beyond it.
     fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
         let whole = last.point - first.point;
