@@ -10,7 +10,7 @@ use gusset::surface::{Grid, Nodes, Patches, Paths, Place, Scheme, Sheet, Surface
 use std::f64::consts::{PI, TAU};
 
 /// The paths, after what holds for all results: one point on both pieces, at different parameters.
-pub fn meet(surface: &Surface<'_>) -> Paths {
+pub(crate) fn meet(surface: &Surface<'_>) -> Paths {
     let paths = surface.meet_itself(&Options::default(), &Job::new(1, &Silent)).unwrap();
     check(&paths, surface);
     paths
@@ -58,7 +58,7 @@ fn bernstein(values: &[DVec3]) -> Vec<DVec3> {
 }
 
 /// A polynomial over a rectangle, as patches.
-pub fn polynomial(
+fn polynomial(
     f: impl Fn(f64, f64) -> DVec3,
     degree: usize,
     cells: [usize; 2],
@@ -101,7 +101,7 @@ fn a_cylinder_over_a_figure_of_eight_has_one_line() {
 }
 
 /// A grid of the values of a function.
-pub fn lattice([h, w]: [usize; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> DVec3) -> Surface<'static> {
+pub(crate) fn lattice([h, w]: [usize; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> DVec3) -> Surface<'static> {
     let at = |k: usize, n: usize, closed: bool| (if closed { k % n } else { k }) as f64 / n as f64;
     let data: Vec<f64> = (0..=h)
         .flat_map(|i| (0..=w).map(move |j| (i, j)))
@@ -204,7 +204,7 @@ fn bohemian_dome() {
     }
 }
 
-pub fn klein(u: f64, v: f64) -> DVec3 {
+fn klein(u: f64, v: f64) -> DVec3 {
     let (u, v) = (TAU * u, TAU * v);
     let (s, c) = (0.5 * u).sin_cos();
     let (x, z) = (c * v.sin() - s * (2.0 * v).sin(), s * v.sin() + c * (2.0 * v).sin());

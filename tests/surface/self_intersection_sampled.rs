@@ -18,9 +18,9 @@ fn crossing([a, b]: [DVec3; 2], [p, q, r]: [DVec3; 3]) -> Option<DVec3> {
 }
 
 /// A surface of one sheet, by parameters that count its cells: those of two of its points.
-pub struct Sampled<'a> {
-    pub surface: &'a Surface<'a>,
-    pub closed: [bool; 2],
+struct Sampled<'a> {
+    surface: &'a Surface<'a>,
+    closed: [bool; 2],
 }
 
 impl Sampled<'_> {
@@ -52,7 +52,7 @@ impl Sampled<'_> {
     }
 
     /// S(p) = S(q) near two places, by Newton's steps of least length.
-    pub fn solution(&self, start: DVec4) -> Option<(DVec3, DVec4)> {
+    fn solution(&self, start: DVec4) -> Option<(DVec3, DVec4)> {
         let (mut x, counts) = (start, self.counts());
         for _ in 0..20 {
             let [one, other] = [[x.x, x.y], [x.z, x.w]].map(|at| self.surface.jet(self.place(at)));
@@ -143,7 +143,7 @@ impl Sampled<'_> {
 
     /// Asserts all that holds of paths with chords of the given height, and returns how many places
     /// there were.
-    pub fn check(&self, name: &str, paths: &Paths, dense: usize, chord: f64) -> usize {
+    fn check(&self, name: &str, paths: &Paths, dense: usize, chord: f64) -> usize {
         let chords = self.chords(paths);
         // Points of long paths may be left out that are near others: that adds to the height.
         let limit = 1.5 * chord;
