@@ -5,6 +5,7 @@ pub mod agree;
 pub mod input;
 pub mod targets;
 
+use glam::DVec3;
 pub use targets::TARGETS;
 
 /// Runs one case of a target.
@@ -14,6 +15,13 @@ pub use targets::TARGETS;
 pub fn run(name: &str, bytes: &[u8]) {
     let target = TARGETS.iter().find(|(known, _)| *known == name).expect("a target of the table");
     (target.1)(bytes);
+}
+
+/// How far two points are apart: at 1e300 too.
+#[must_use]
+pub fn distance(p: DVec3, q: DVec3) -> f64 {
+    let [x, y, z] = (p - q).to_array();
+    x.hypot(y).hypot(z)
 }
 
 /// The bytes of case `number` of a target, for runs that are always the same, and for the first corpora:

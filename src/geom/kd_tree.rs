@@ -13,7 +13,7 @@ use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::sort::select;
 use glam::DVec3;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 /// Ranges of at most this many points are searched one by one.
 const MAX_LEAF_POINTS: usize = 8;
@@ -190,31 +190,48 @@ impl KdTree<'_> {
     /// Calls `visit` with (squared distance in units of the reach, index) of every point within
     /// `reach` of the query, in no particular order. O(log n) for each point found.
     pub(crate) fn for_each_within(&self, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
-        self.search_within(0..self.order.len(), query, reach, visit);
+        let _ = self.visit_within(query, reach, &mut |squared, index| {
+            visit(squared, index);
+            ControlFlow::Continue(())
+        });
     }
 
-    fn search_within(&self, range: Range<usize>, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
+    /// The same, until `visit` breaks off.
+    pub(crate) fn visit_within(
+        &self,
+        query: DVec3,
+        reach: Radius,
+        visit: &mut impl FnMut(f64, u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        self.search_within(0..self.order.len(), query, reach, visit)
+    }
+
+    fn search_within(
+        &self,
+        range: Range<usize>,
+        query: DVec3,
+        reach: Radius,
+        visit: &mut impl FnMut(f64, u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let mut test = |index: u32| {
             let squared = reach.squared(self.points[index as usize] - query);
-            if squared <= reach.limit {
-                visit(squared, index);
-            }
+            if squared <= reach.limit { visit(squared, index) } else { ControlFlow::Continue(()) }
         };
         if range.len() <= MAX_LEAF_POINTS {
-            self.order[range].iter().for_each(|&index| test(index));
-            return;
+            return self.order[range].iter().try_for_each(|&index| test(index));
         }
         let middle = usize::midpoint(range.start, range.end);
-        test(self.order[middle]);
+        test(self.order[middle])?;
         let axis = self.axis[middle] as usize;
         let offset = self.points[self.order[middle] as usize][axis] - query[axis];
         let near = reach.squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
         if near || offset >= 0.0 {
-            self.search_within(range.start..middle, query, reach, visit);
+            self.search_within(range.start..middle, query, reach, visit)?;
         }
         if near || offset <= 0.0 {
-            self.search_within(middle + 1..range.end, query, reach, visit);
+            self.search_within(middle + 1..range.end, query, reach, visit)?;
         }
+        ControlFlow::Continue(())
     }
 }
 

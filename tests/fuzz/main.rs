@@ -3,6 +3,9 @@
 use gusset_fuzz::{TARGETS, run, seed_bytes};
 use std::collections::BTreeSet;
 use std::panic::catch_unwind;
+use std::path::PathBuf;
+use std::time::Instant;
+use std::{env, fs};
 
 /// Cases of a target. What takes longer for each has fewer.
 fn case_count(name: &str) -> u64 {
@@ -19,7 +22,7 @@ fn case_count(name: &str) -> u64 {
 fn each_target_runs_for_a_moment() {
     let mut failed = Vec::new();
     for (name, _) in TARGETS {
-        let begun = std::time::Instant::now();
+        let begun = Instant::now();
         for number in 0..case_count(name) {
             let bytes = seed_bytes(number);
             if catch_unwind(|| run(name, &bytes)).is_err() {
@@ -31,10 +34,30 @@ fn each_target_runs_for_a_moment() {
     assert!(failed.is_empty(), "{failed:?}");
 }
 
+/// What the fuzzers found, which is mended: the folder's README.
+#[test]
+fn what_was_found_is_mended() {
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz/found"));
+    let folder = env::var_os("GUSSET_FOUND").map_or(folder, PathBuf::from);
+    let mut failed = Vec::new();
+    for (name, _) in TARGETS {
+        let Ok(files) = fs::read_dir(folder.join(name)) else { continue };
+        for file in files.map(|file| file.unwrap().path()) {
+            let bytes = fs::read(&file).unwrap();
+            let begun = Instant::now();
+            if catch_unwind(|| run(name, &bytes)).is_err() {
+                failed.push(file.clone());
+            }
+            println!("{}: {:.2} s", file.display(), begun.elapsed().as_secs_f64());
+        }
+    }
+    assert!(failed.is_empty(), "{failed:?}");
+}
+
 #[test]
 fn each_fuzzer_is_in_the_table() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz/fuzz_targets");
-    let files = std::fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
+    let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
     let names: BTreeSet<_> = files.map(|file| file.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
     assert_eq!(names, TARGETS.iter().map(|(name, _)| (*name).to_owned()).collect());
     let manifest = include_str!("../../fuzz/Cargo.toml");

@@ -2,6 +2,7 @@
 //! far apart as it says.
 
 use crate::agree::agreed;
+use crate::distance;
 use crate::input::{self, SmallCurve};
 use gusset::outline::CurveView;
 
@@ -21,7 +22,7 @@ pub(crate) fn run(bytes: &[u8]) {
         for near in &found.places {
             let [p, q] = [first.point(near.a), second.point(near.b)].map(|point| point.expect("a place of the curve"));
             assert!(
-                (p.distance(q) - near.distance).abs() <= slack && near.distance <= within + slack,
+                (distance(p, q) - near.distance).abs() <= slack && near.distance <= within + slack,
                 "{near:?} {p} {q}"
             );
         }
@@ -34,7 +35,7 @@ fn meet(first: &CurveView<'_>, second: &CurveView<'_>, choice: u8) {
     if let Ok(found) = agreed(choice, |job| first.intersections(second, job)) {
         for both in &found.points {
             let [p, q] = [first.point(both.a), second.point(both.b)].map(|point| point.expect("a place of the curve"));
-            assert!(p.distance(q) <= slack, "{both:?}: {p} {q}");
+            assert!(distance(p, q) <= slack, "{both:?}: {p} {q}");
         }
     }
 }

@@ -2,6 +2,7 @@
 //! of the minima is the nearest point.
 
 use crate::agree::agreed;
+use crate::distance;
 use crate::input::{self, Point, SmallSheet};
 use gusset::Job;
 use gusset::surface::line_intersection::{HitSelection, Line};
@@ -22,10 +23,10 @@ pub(crate) fn run(bytes: &[u8]) {
         let hits = found.hits_of(0);
         assert!(hits.is_sorted_by(|one, next| one.at <= next.at));
         for hit in hits {
-            assert!(surface.has(&hit.place) && surface.jet(hit.place).point.distance(hit.point) <= slack, "{hit:?}");
+            assert!(surface.has(&hit.place) && distance(surface.jet(hit.place).point, hit.point) <= slack, "{hit:?}");
             assert!((line.from..=line.to).contains(&hit.at), "{hit:?}");
             if !hit.tangent {
-                let off = (line.origin + hit.at * line.direction).distance(hit.point);
+                let off = distance(line.origin + hit.at * line.direction, hit.point);
                 assert!(off <= slack, "{off} from the line: {hit:?}");
             }
         }

@@ -1,6 +1,7 @@
 //! Surfaces through any nodes, and their nearest points: no node is nearer than the distance found
 //! says, nor the bound above it.
 
+use crate::distance;
 use crate::input;
 use crate::input::{Cloud, Point, places};
 use gusset::Job;
@@ -26,7 +27,7 @@ pub(crate) fn run(bytes: &[u8]) {
     };
     let Some(found) = surface.closest(query, f64::INFINITY) else { return };
     let nearest =
-        nodes.chunks(3).map(|node| query.distance(glam::DVec3::from_slice(node))).fold(f64::INFINITY, f64::min);
+        nodes.chunks(3).map(|node| distance(query, glam::DVec3::from_slice(node))).fold(f64::INFINITY, f64::min);
     let slack = 1e-9 * (1.0 + nearest) + surface.tolerance();
     assert!(found.bound <= found.distance && found.distance <= nearest + slack, "{found:?} {nearest}");
 }

@@ -2,6 +2,7 @@
 //! and paths are complete.
 
 use crate::agree::agreed;
+use crate::distance;
 use crate::input::{self, SmallSheet};
 use glam::DVec3;
 use gusset::surface::contour::{Planes, PointSpacing};
@@ -44,7 +45,7 @@ fn check(surface: &Surface<'_>, paths: &Paths) {
     let size = surface.bounds()[0].abs().max(surface.bounds()[1].abs()).max_element();
     for (place, point) in paths.places.iter().zip(&paths.points) {
         assert!(surface.has(place) && point.is_finite(), "{place:?} {point}");
-        let off = surface.jet(*place).point.distance(*point);
+        let off = distance(surface.jet(*place).point, *point);
         assert!(off <= surface.tolerance() + 1e-9 * size, "{off} of {size} from its place");
     }
 }

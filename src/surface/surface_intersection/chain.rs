@@ -9,10 +9,11 @@ use super::solve::{Arc, FoundArcs};
 use crate::geom::kd_tree::{KdTree, Radius};
 use crate::sort;
 use crate::surface::prelude::*;
+use std::ops::ControlFlow;
 
 /// Neighbours of a point that are compared: more of them can only be the same point again and
 /// again.
-const MAX_NEIGHBOURS: usize = 32;
+const MAX_NEIGHBOURS: usize = 64;
 
 /// Points of about the same place along a direction that are compared with each other: of more, a
 /// tree is faster.
@@ -56,12 +57,14 @@ fn add_pairs_of_many(
     let own = alloc::collect(run.iter().map(|&(_, k)| points[k as usize]))?;
     let (tree, reach) = (KdTree::new(&own, &Job::default(), "")?, Radius::new(within.max(f64::MIN_POSITIVE)));
     for (at, &(_, k)) in run.iter().enumerate() {
-        let (mut result, before) = (Ok(()), pairs.len());
-        tree.for_each_within(own[at], reach, &mut |_, n| {
-            if n as usize > at && result.is_ok() && pairs.len() - before < MAX_NEIGHBOURS {
+        let (mut result, mut seen) = (Ok(()), 0);
+        let _ = tree.visit_within(own[at], reach, &mut |_, n| {
+            seen += 1;
+            if n as usize > at {
                 let distance = own[at].distance(own[n as usize]);
                 result = alloc::push(pairs, (distance, k, run[n as usize].1));
             }
+            if result.is_err() || seen == MAX_NEIGHBOURS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         result?;
     }

@@ -55,13 +55,15 @@ impl Overlaps<'_> {
         for (n, pair) in points.windows(2).enumerate() {
             let to = self.places.point(arc.pair, pair[1]);
             let (whole, mut result) = (to - from, Ok(()));
-            let reach = Radius::new((0.5 * whole.length() + self.chord).max(f64::MIN_POSITIVE));
+            // Without a bound of chords, arcs are of boxes over which they turn by little.
+            let chord = self.chord.min(whole.length());
+            let reach = Radius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
             tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
                 let end = ends[end as usize];
                 let way = (end - from).dot(whole) / whole.length_squared();
                 let off = (end - from - way * whole).length();
                 let is_own = arc.ends.into_iter().any(|own| own.distance(end) <= within);
-                if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * self.chord {
+                if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * chord {
                     return;
                 }
                 let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end, self.tolerance);
