@@ -6399,8 +6399,8 @@ typedef struct gusset_intersection_options {
     /**
      * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of
      * the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
-     * of cells of either surface. (In gusset_contour_options `spacing` says which of these is
-     * meant.)
+     * of cells of either surface; a smaller one than `tolerance` counts as that. (In
+     * gusset_contour_options `spacing` says which of these is meant.)
      */
     double chord;
     /**
@@ -12523,7 +12523,8 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  *     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
  *     CANCELLED.
  * @complexity In proportion to the cells and to the pairs of cells that may meet, with a limit for
- *     each; threads; the same bits for any number of them.
+ *     each; of n cells round a pole n^2 / 2 pairs are looked at, and held only where the sheet is
+ *     not proved to be regular there; threads; the same bits for any number of them.
  * @source After gusset_surface_intersection_create; the proofs for joined cells are ours.
  * @since 0.1
  */

@@ -12,8 +12,8 @@ pub struct gusset_intersection_options {
     pub struct_size: usize,
     /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of
     /// the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
-    /// of cells of either surface. (In gusset_contour_options `spacing` says which of these is
-    /// meant.)
+    /// of cells of either surface; a smaller one than `tolerance` counts as that. (In
+    /// gusset_contour_options `spacing` says which of these is meant.)
     pub chord: f64,
     /// A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
     /// overlap, by no more than that touch; 0: the smaller one of the tolerances of the
@@ -135,7 +135,8 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
 ///     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
 ///     CANCELLED.
 /// @complexity In proportion to the cells and to the pairs of cells that may meet, with a limit for
-///     each; threads; the same bits for any number of them.
+///     each; of n cells round a pole n^2 / 2 pairs are looked at, and held only where the sheet is
+///     not proved to be regular there; threads; the same bits for any number of them.
 /// @source After gusset_surface_intersection_create; the proofs for joined cells are ours.
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -15,6 +15,9 @@ use std::ops::ControlFlow;
 /// again.
 const MAX_NEIGHBOURS: usize = 64;
 
+/// Points between two steps of the job.
+const ENDS_PER_STEP: usize = 1 << 12;
+
 /// Points of about the same place along a direction that are compared with each other: of more, a
 /// tree is faster.
 const MAX_COMPARED: usize = 16;
@@ -23,18 +26,25 @@ const MAX_COMPARED: usize = 16;
 ///
 /// Sorted along some direction, near ones follow each other, and hardly any others: few points are
 /// in one plane across it, to `within`, but for those of curves in such planes.
-pub(super) fn near_pairs(points: &[DVec3], within: f64) -> Result<Vec<(f64, u32, u32)>> {
+pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result<Vec<(f64, u32, u32)>> {
     // Not along the axes, to which surfaces are often parallel.
     let direction = DVec3::new(0.540_302, 0.612_372, 0.577_35);
     let mut order = alloc::collect(points.iter().enumerate().map(|(k, p)| (p.dot(direction), k as u32)))?;
     sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut pairs = Vec::new();
     // Keys are rounded.
+    let mut done = 0;
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
+        let own = job.part(done as f64 / points.len() as f64, 1.0);
         if run.len() > MAX_COMPARED {
-            add_pairs_of_many(points, run, within, &mut pairs)?;
+            add_pairs_of_many(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
+            done += run.len();
             continue;
         }
+        if (done + run.len()) / ENDS_PER_STEP > done / ENDS_PER_STEP {
+            own.step(0.0, "paths")?;
+        }
+        done += run.len();
         for (at, &(_, k)) in run.iter().enumerate() {
             for &(_, n) in &run[at + 1..] {
                 let distance = points[k as usize].distance(points[n as usize]);
@@ -53,10 +63,12 @@ fn add_pairs_of_many(
     run: &[(f64, u32)],
     within: f64,
     pairs: &mut Vec<(f64, u32, u32)>,
+    job: &Job<'_>,
 ) -> Result<()> {
     let own = alloc::collect(run.iter().map(|&(_, k)| points[k as usize]))?;
-    let (tree, reach) = (KdTree::new(&own, &Job::default(), "")?, Radius::new(within.max(f64::MIN_POSITIVE)));
+    let (tree, reach) = (KdTree::new(&own, job, "paths")?, Radius::new(within.max(f64::MIN_POSITIVE)));
     for (at, &(_, k)) in run.iter().enumerate() {
+        job.step_every(ENDS_PER_STEP, at, run.len(), "paths")?;
         let (mut result, mut seen) = (Ok(()), 0);
         let _ = tree.visit_within(own[at], reach, &mut |_, n| {
             seen += 1;
@@ -87,11 +99,12 @@ pub(super) fn chains(
     critical: &CriticalPoints,
     surroundings: &impl Surroundings,
     tolerance: f64,
+    job: &Job<'_>,
 ) -> Result<Chained> {
     let arcs = &pieces.arcs;
     // Starts and ends, in turn.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&ends, 2.0 * tolerance)?;
+    let near = near_pairs(&ends, 2.0 * tolerance, job)?;
     let mut dropped = repeated(arcs, &near, false, tolerance)?;
     let mut links = Links::new(arcs.len())?;
     let mut joints = Vec::new();

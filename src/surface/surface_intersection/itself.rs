@@ -9,6 +9,7 @@ use super::chart::ParameterBox;
 use super::joints::Joints;
 use super::near::NearPair;
 use super::net::Net;
+use super::pairs::CellPair;
 use super::places::PairPlaces;
 use super::solve::FoundArcs;
 use super::trails::{Step, Trail, Trails};
@@ -20,6 +21,8 @@ use crate::surface::{Paths, Place, Surface, each_sheet};
 
 /// Pairs of cells told apart between two steps of the job.
 const PAIRS_PER_STEP: usize = 1 << 16;
+/// Arcs whose normals are evaluated between two steps of the job.
+const ARCS_PER_STEP: usize = 1 << 12;
 /// Boxes of parameters examined for cells with points in common before they are put back.
 const FIRST_MAX_BOXES: usize = 1 << 11;
 /// Boxes examined for all of these that were put back: shared among them.
@@ -55,13 +58,7 @@ impl Surface<'_> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
-        let mut pairs = self.candidates(self, tolerance, &job.part(0.0, 0.2))?;
-        pairs.retain(|pair| (pair.sheets[0], pair.cells[0]) <= (pair.sheets[1], pair.cells[1]));
-        let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
-        let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
-            let sheet = self.sheet(k);
-            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise, &job.part(0.2, 0.2)))
-        }))?;
+        let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
             job.part(0.2, 0.2).step_every(PAIRS_PER_STEP, k, pairs.len(), "pairs of cells")?;
@@ -80,10 +77,24 @@ impl Surface<'_> {
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
         intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
-        job.step(0.9, "paths")?;
-        let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
-        let trails = intersection.trails(&pieces)?;
-        intersection.trail_paths(&pieces, &trails, &job.part(0.9, 1.0))
+        let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.92))?.unwrap_or(pieces);
+        let trails = intersection.trails(&pieces, &job.part(0.92, 0.95))?;
+        intersection.trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
+    }
+
+    /// How the cells of each sheet are joined, and the pairs of cells that may meet elsewhere.
+    fn own_pairs(&self, tolerance: f64, job: &Job<'_>) -> Result<(Vec<Joints>, Vec<CellPair>)> {
+        let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
+        let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
+            let sheet = self.sheet(k);
+            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise, &job.part(0.0, 0.0)))
+        }))?;
+        let proved = |pair: &CellPair| {
+            let [a, b] = pair.sheets;
+            a == b && joints[a as usize].are_proved(pair.cells)
+        };
+        let pairs = self.candidates_of_itself(tolerance, &proved, job)?;
+        Ok((joints, pairs))
     }
 }
 
@@ -146,13 +157,17 @@ impl Intersection<'_> {
     }
 
     /// The arcs, joined.
-    fn trails(&self, pieces: &FoundArcs) -> Result<Vec<Trail>> {
-        let normals = alloc::collect((0..2 * pieces.arcs.len()).map(|k| {
+    fn trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
+        let count = 2 * pieces.arcs.len();
+        let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
+            job.part(0.0, 0.5).step_every(ARCS_PER_STEP, k, count, "paths")?;
             let arc = pieces.arcs[k / 2];
             let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
-            self.places.places(arc.pair, pieces.points[at as usize]).map(|place| self.places.surfaces[0].normal(place))
+            let places = self.places.places(arc.pair, pieces.points[at as usize]);
+            Ok(places.map(|place| self.places.surfaces[0].normal(place)))
         }))?;
-        let mut trails = Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance }.run()?;
+        let trails = Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance };
+        let mut trails = trails.run(&job.part(0.5, 1.0))?;
         trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
         Ok(trails)
     }
@@ -210,5 +225,35 @@ impl Intersection<'_> {
         }
         alloc::push(&mut paths.ends, paths.places.len() as u32)?;
         alloc::push(&mut paths.closed, trail.closed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::{Grid, Nodes, Scheme, Sheet};
+    use std::f64::consts::TAU;
+
+    /// A ball of few rows of many cells: of the pairs round its poles, which are proved and as many
+    /// as the square of the columns, none is held, and of the others each once.
+    #[test]
+    fn pairs_round_poles_are_not_held() {
+        let columns = 64;
+        let point = |k: usize| {
+            let (u, v) = ((k / (columns + 1)) as f64 / 4.0, (k % (columns + 1) % columns) as f64 / columns as f64);
+            let ring = if u == 0.0 || u == 1.0 { 0.0 } else { (0.5 * TAU * u).sin() };
+            [ring * (TAU * v).cos(), ring * (TAU * v).sin(), (0.5 * TAU * u).cos()]
+        };
+        let data = (0..5 * (columns + 1)).flat_map(point).collect::<Vec<f64>>();
+        let nodes = Nodes::strided(data, 5, columns + 1, 0, 0).unwrap();
+        let sheet = Sheet::Grid(Grid::new(nodes, [false, true], Scheme::SixTap).unwrap());
+        let ball = Surface::new(vec![sheet], None, &Job::default()).unwrap();
+        let (_, pairs) = ball.own_pairs(ball.tolerance(), &Job::default()).unwrap();
+        let rows = |row: u32| pairs.iter().filter(|pair| pair.cells.iter().all(|cell| cell[0] == row)).count();
+        assert!(rows(0) == 0 && rows(3) == 0, "{} {}", rows(0), rows(3));
+        // Elsewhere each cell is a pair with itself and with the one beside it.
+        assert!((1..3).all(|row| rows(row) >= 2 * columns), "{} {}", rows(1), rows(2));
+        assert!(pairs.windows(2).all(|two| two[0] < two[1]) && pairs.iter().all(|pair| pair.cells.is_sorted()));
+        assert!(ball.meet_itself(&Options::default(), &Job::default()).unwrap().is_empty());
     }
 }

@@ -54,6 +54,12 @@ struct Part {
     count: i64,
 }
 
+impl Part {
+    fn whole(cell: [u32; 2]) -> Part {
+        Part { cell: cell.map(i64::from), at: [0; 2], count: 1 }
+    }
+}
+
 /// The control points of a border of cell `k` along it: of rows (`direction` 0) or columns.
 fn side<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> [DVec3; N] {
     poles::outwards(cells, direction, side, k).points[0]
@@ -100,8 +106,14 @@ impl Joints {
 
     /// Whether two cells have points in common.
     pub(super) fn are_joined(&self, [p, q]: [[u32; 2]; 2]) -> bool {
-        let [p, q] = [p, q].map(|cell| Part { cell: cell.map(i64::from), at: [0; 2], count: 1 });
+        let [p, q] = [p, q].map(Part::whole);
         self.between(p.cell, q.cell).next().is_some() || self.common_poles(p, q).next().is_some()
+    }
+
+    /// Whether two cells are proved to have nothing in common but what is declared.
+    pub(super) fn are_proved(&self, [p, q]: [[u32; 2]; 2]) -> bool {
+        let [p, q] = [p, q].map(Part::whole);
+        self.within_band(p, q)
     }
 
     /// The ways in which two cells have points in common, but for poles.

@@ -129,7 +129,7 @@ impl Surface<'_> {
         };
         let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
         let pieces = intersection.solve(&all, &job.part(0.2, 0.9))?;
-        let pieces = intersection.cut_overlaps(&pieces)?.unwrap_or(pieces);
+        let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.9))?.unwrap_or(pieces);
         let search = ContactSearch {
             surfaces: [self, other],
             pairs: &pairs,
@@ -138,7 +138,7 @@ impl Surface<'_> {
             tolerance: intersection.tolerance,
         };
         let critical = search.run(&job.part(0.9, 0.92))?;
-        let chained = chains(&pieces, &critical, &intersection, intersection.tolerance)?;
+        let chained = chains(&pieces, &critical, &intersection, intersection.tolerance, &job.part(0.92, 0.92))?;
         let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
             let is_explained = chained.passed[k]
@@ -290,9 +290,9 @@ impl Intersection<'_> {
 
     /// The arcs, those along sides that others share cut where these end; `None` if they are as
     /// they were.
-    fn cut_overlaps(&self, pieces: &FoundArcs) -> Result<Option<FoundArcs>> {
+    fn cut_overlaps(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let (tolerance, chord) = (self.tolerance, self.chord);
-        Overlaps { pieces, places: &self.places, tolerance, chord }.cut()
+        Overlaps { pieces, places: &self.places, tolerance, chord }.cut(job)
     }
 
     fn contact(&self, point: &CriticalPoint) -> Contact {

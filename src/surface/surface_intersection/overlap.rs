@@ -13,6 +13,9 @@ use crate::geom::kd_tree::{KdTree, Radius};
 use crate::sort;
 use crate::surface::prelude::*;
 
+/// Arcs between two steps of the job, if they are along sides.
+const ARCS_PER_STEP: usize = 1 << 6;
+
 /// A cut through an arc, behind one of its points.
 struct Cut {
     arc: u32,
@@ -32,15 +35,17 @@ pub(super) struct Overlaps<'a> {
 
 impl Overlaps<'_> {
     /// The arcs, those along sides cut; `None` if there is nothing to cut.
-    pub(super) fn cut(&self) -> Result<Option<FoundArcs>> {
+    pub(super) fn cut(&self, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let along = || self.pieces.arcs.iter().filter(|arc| arc.is_along_side);
         let ends = alloc::gather(along().flat_map(|arc| arc.ends))?;
         if ends.len() < 4 {
             return Ok(None);
         }
-        let tree = KdTree::new(&ends, &Job::default(), "")?;
+        let tree = KdTree::new(&ends, &job.part(0.0, 0.1), "paths")?;
         let mut cuts = Vec::new();
-        for (k, arc) in self.pieces.arcs.iter().enumerate().filter(|(_, arc)| arc.is_along_side) {
+        let arcs = &self.pieces.arcs;
+        for (k, arc) in arcs.iter().enumerate().filter(|(_, arc)| arc.is_along_side) {
+            job.part(0.1, 1.0).step_every(ARCS_PER_STEP, k, arcs.len(), "paths")?;
             self.add_cuts(k as u32, arc, &ends, &tree, &mut cuts)?;
         }
         sort::stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));

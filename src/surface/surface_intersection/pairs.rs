@@ -23,8 +23,8 @@ pub struct CellPair {
 /// The largest number of pairs of cells.
 pub const MAX_PAIRS: u64 = 1 << 26;
 
-/// Pairs of blocks between two looks at the job.
-const VISITS_PER_STEP: usize = 1024;
+/// Pairs of blocks, or of cells, between two looks at the job.
+const PAIRS_PER_STEP: usize = 1 << 16;
 
 /// A sheet and its index.
 struct Indexed<'a> {
@@ -249,21 +249,58 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite;
     /// [`Error::TooLarge`] above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
+        let all = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
+        self.candidates_among(all, other, (within, &|_| true), job)
+    }
+
+    /// Pairs of cells of the surface itself, each once. Without those that are `proved` to have
+    /// nothing to be looked for: round a pole they are as many as the square of its cells, of which
+    /// none needs be held.
+    ///
+    /// # Errors
+    /// As [`Surface::candidates`].
+    pub(super) fn candidates_of_itself(
+        &self,
+        within: f64,
+        proved: &dyn Fn(&CellPair) -> bool,
+        job: &Job<'_>,
+    ) -> Result<Vec<CellPair>> {
+        let once = (0..self.len()).flat_map(|k| (k..self.len()).map(move |n| [k, n]));
+        let wanted = |pair: &CellPair| {
+            let ([a, b], [p, q]) = (pair.sheets, pair.cells);
+            (a, p) <= (b, q) && !proved(pair)
+        };
+        self.candidates_among(once, self, (within, &wanted), job)
+    }
+
+    fn candidates_among(
+        &self,
+        sheets: impl Iterator<Item = [usize; 2]>,
+        other: &Surface<'_>,
+        (within, wanted): (f64, &dyn Fn(&CellPair) -> bool),
+        job: &Job<'_>,
+    ) -> Result<Vec<CellPair>> {
         Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
         let mut found = Vec::new();
-        for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
+        for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
                 let (sheet, index) = surface.indexed(k);
                 Indexed { number: k as u32, sheet, index }
             });
-            pairs(&a, &b, within, &mut found, job)?;
+            pairs(&a, &b, (within, wanted), &mut found, job)?;
         }
         Ok(found)
     }
 }
 
-/// Adds the pairs of cells of two sheets that may be as near as `within`, in order.
-fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair>, job: &Job<'_>) -> Result<()> {
+/// Adds the pairs of cells of two sheets that are wanted and may be as near as `within`, in order.
+fn pairs(
+    a: &Indexed<'_>,
+    b: &Indexed<'_>,
+    (within, wanted): (f64, &dyn Fn(&CellPair) -> bool),
+    found: &mut Vec<CellPair>,
+    job: &Job<'_>,
+) -> Result<()> {
     let origin = a.index.origin();
     let shift = b.index.origin() - origin;
     // Boxes hold the surface to the bit; the shift from one origin to the other rounds.
@@ -274,7 +311,7 @@ fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
     let blocks = [Block::NONE; 2];
-    let mut descent = Descent { a, b, origin, shift, by, blocks, visited: 0, found, job };
+    let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
     descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
@@ -291,20 +328,30 @@ struct Descent<'a> {
     origin: DVec3,
     shift: DVec3,
     by: f64,
+    /// Which pairs of cells are.
+    wanted: &'a dyn Fn(&CellPair) -> bool,
     /// The last ones of A and of B.
     blocks: [Block; 2],
-    visited: usize,
+    /// Pairs since the last look at the job.
+    unheard: usize,
     found: &'a mut Vec<CellPair>,
     job: &'a Job<'a>,
 }
 
 impl Descent<'_> {
-    /// Adds the pairs of cells of two blocks.
-    fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
-        self.visited += 1;
-        if self.visited.is_multiple_of(VISITS_PER_STEP) {
+    /// So many more pairs are looked at.
+    fn count(&mut self, pairs: usize) -> Result<()> {
+        self.unheard += pairs;
+        if self.unheard >= PAIRS_PER_STEP {
+            self.unheard = 0;
             self.job.step(0.0, "pairs of cells")?;
         }
+        Ok(())
+    }
+
+    /// Adds the pairs of cells of two blocks.
+    fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
+        self.count(1)?;
         if one.level == 0 && other.level == 0 {
             return self.cells(one, other);
         }
@@ -324,7 +371,7 @@ impl Descent<'_> {
 
     /// Adds the pairs of cells of two blocks of cells.
     fn cells(&mut self, one: &Node, other: &Node) -> Result<()> {
-        let Descent { a, b, ref mut blocks, ref mut found, .. } = *self;
+        let Descent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
         let [left, right] = blocks;
         left.read(a, one, self.origin);
         right.read(b, other, self.origin);
@@ -332,11 +379,14 @@ impl Descent<'_> {
         left.choose(a.sheet, &other.bounds, by);
         right.choose(b.sheet, &one.bounds, by);
         for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
-            if p.meets(q, by) {
-                alloc::push(found, CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] })?;
+            let pair = CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] };
+            if wanted(&pair) && p.meets(q, by) {
+                alloc::push(found, pair)?;
             }
         }
-        Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)
+        Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)?;
+        let looked_at = left.quads.len() * right.quads.len();
+        self.count(looked_at)
     }
 }
 

@@ -51,8 +51,8 @@ pub(super) struct Trails<'a> {
 
 impl Trails<'_> {
     /// The paths, by their first arcs.
-    pub(super) fn run(&self) -> Result<Vec<Trail>> {
-        let (mates, dropped) = self.mates()?;
+    pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Trail>> {
+        let (mates, dropped) = self.mates(job)?;
         let mut done = dropped;
         let mut trails = Vec::new();
         // First those that have an end, from there.
@@ -88,10 +88,10 @@ impl Trails<'_> {
     }
 
     /// The end that each end is joined with, and which arcs are others once more.
-    fn mates(&self) -> Result<(Vec<u32>, Vec<bool>)> {
+    fn mates(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-        let near = near_pairs(&ends, 2.0 * self.tolerance)?;
+        let near = near_pairs(&ends, 2.0 * self.tolerance, job)?;
         let alike = |p: u32, q: u32| unlike(&self.normals[p as usize], &self.normals[q as usize]).0;
         let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= REPEATED_COST))?;
         let dropped = repeated(arcs, &same, true, self.tolerance)?;
