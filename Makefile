@@ -42,7 +42,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture sanitize fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -53,6 +53,7 @@ help:
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, and with cancels; minutes'
+	@echo 'make sanitize [KIND=thread] [TESTS=regex]  the C and C++ tests with the library under the address sanitizer, or that of threads; minutes'
 	@echo 'make fuzz [TARGET=sew] [SECONDS=60]  the fuzzers, each for so many seconds; what they find is left in build/fuzz'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
@@ -133,6 +134,11 @@ torture: stage
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture --parallel 2
 	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 ctest --test-dir build/cpp -R '^torture/' --verbose --parallel 2
+
+# Both kinds, one after the other, unless KIND says which.
+sanitize:
+	@scripts/install-packages.sh $(test_packages)
+	@for kind in $(or $(KIND),address thread); do scripts/sanitize.sh $$kind '$(TESTS)' || exit 1; done
 
 # A clang of the system is not needed: the compiler has what libFuzzer asks for.
 fuzz:

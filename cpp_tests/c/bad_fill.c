@@ -190,6 +190,7 @@ static void results(void) {
     {
         const uint32_t missing[3] = {1, 2, 99};
         gusset_error_report report = {sizeof report, 0, 0, 0, 0, 0, 0};
+        loops[0].data = rim, loops[0].count = 4;
         loops[1].data = NULL, loops[1].count = 3;
         EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, &mesh, loops, 2, NULL, &fill));
         EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));

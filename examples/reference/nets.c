@@ -297,7 +297,7 @@ static void what_a_deformation_does(void) {
 
 //! [net_normals]
 static void normals(void) {
-    static double x[33 * 65], y[33 * 65], z[33 * 65];
+    double x[33 * 65], y[33 * 65], z[33 * 65];
     gusset_net *net = sphere();
     uint64_t without = 9;
 

@@ -5,7 +5,7 @@ enum { ROWS = 9, COLUMNS = 13 };
 
 /* Nodes of a tube of radius 1 about the z axis, closed round, from z = 0 to 4. */
 static gusset_sheet *tube(void) {
-    static double points[ROWS][COLUMNS][3];
+    double points[ROWS][COLUMNS][3];
     gusset_nodes nodes = {.struct_size = sizeof nodes,
                           .nodes = points,
                           .rows = ROWS,
@@ -64,7 +64,7 @@ static void found_and_kept(const gusset_sheet *sheet) {
 //! [sheet]
 static void through_nodes(void) {
     /* In the host's memory, which must stay as it is. */
-    static double points[4][4][3];
+    double points[4][4][3];
     const gusset_nodes nodes = {
         .struct_size = sizeof nodes, .nodes = points, .rows = 4, .columns = 4, .scalar = GUSSET_F64};
     gusset_sheet *copied = NULL, *borrowed = NULL;
@@ -305,7 +305,7 @@ static void lines_and_curves(const gusset_surface *surface) {
 
 //! [surface_level]
 static void sections(const gusset_surface *surface) {
-    static double heights[ROWS * COLUMNS];
+    double heights[ROWS * COLUMNS];
     const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0, 1}, eastwards[3] = {1, 0, 0};
     const double offsets[2] = {1.1, 2.2}, across = 0.5 * pi;
     gusset_surface_paths *paths = NULL;

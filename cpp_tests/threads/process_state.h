@@ -1,0 +1,16 @@
+/* What a library that lives in somebody else's process must leave as it was. */
+#ifndef PROCESS_STATE_H
+#define PROCESS_STATE_H
+
+#include <stdint.h>
+
+typedef struct process_state {
+    uint64_t environment, locale, signals, signal_mask, rounding, control_word, descriptors, folder, file_mask, limits, threads;
+} process_state;
+
+process_state process_state_now(void);
+
+/* How many of the things above differ; names them on standard output. */
+int process_state_changed(const process_state *before, const process_state *after);
+
+#endif
