@@ -2,6 +2,7 @@
 
 use super::glue::versioned;
 use super::guard::caught;
+use super::handle::{self, Handle, handle};
 use super::host::{Callbacks, Host, Watch};
 use super::input::{self, Versioned};
 use super::status::{Failure, gusset_element, gusset_status};
@@ -19,6 +20,8 @@ pub struct gusset_context {
     watch: Watch,
     state: Mutex<State>,
 }
+
+handle! { gusset_context }
 
 /// Called now and then during long work, on the thread that made the call. fraction: part done, 0
 /// to 1. stage: what is being done, valid during the callback only. Return nonzero to cancel the
@@ -104,7 +107,7 @@ pub(crate) fn guard(
         if context.is_null() {
             return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);
         }
-        let context = input::reference(context, "context")?;
+        let context = handle::get(context, "context")?;
         let mut state = context.lock()?;
         let host = Host::new(&context.watch, state.callbacks);
         let job = Job::new(state.threads as usize, &host);
@@ -166,13 +169,13 @@ pub(crate) fn answer_struct<T: Versioned>(
 }
 
 /// As [`answer`], with a new handle.
-pub(crate) fn create<T>(
+pub(crate) fn create<T: Handle>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
-    answer(context, (out, name), ptr::null_mut(), |job| Ok(Box::into_raw(Box::new(body(job)?))))
+    answer(context, (out, name), ptr::null_mut(), |job| Ok(handle::give(body(job)?)))
 }
 
 /// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
@@ -180,7 +183,7 @@ pub(crate) fn create<T>(
 macro_rules! lend {
     ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
         $crate::ffi::context::answer_struct(std::ptr::null(), ($out, stringify!($out)), |_| {
-            let $it = $crate::ffi::input::reference($handle, stringify!($handle))?;
+            let $it = $crate::ffi::handle::get($handle, stringify!($handle))?;
             Ok($body)
         })
     };
@@ -213,7 +216,7 @@ pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
-    input::destroy(context);
+    handle::destroy(context);
 }
 
 /// Sets the number of threads, on which results do not depend.
@@ -266,7 +269,7 @@ pub unsafe extern "C" fn gusset_context_set_log(
 
 fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusset_status {
     guard(ptr::null(), |_| {
-        let mut state = input::reference(context, "context")?.lock()?;
+        let mut state = handle::get(context, "context")?.lock()?;
         set(&mut state);
         state.record(Ok(()));
         Ok(())
@@ -281,7 +284,7 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut State)) -> gusse
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
-    if let Ok(context) = input::reference(context, "context") {
+    if let Ok(context) = handle::get(context, "context") {
         context.watch.cancelled.store(true, Ordering::Relaxed);
     }
 }
@@ -296,7 +299,7 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
-    if let Ok(context) = input::reference(context, "context") {
+    if let Ok(context) = handle::get(context, "context") {
         context.watch.cancelled.store(false, Ordering::Relaxed);
     }
 }
@@ -309,7 +312,7 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
-    input::reference(context, "context").map_or(0.0, |context| context.watch.fraction())
+    handle::get(context, "context").map_or(0.0, |context| context.watch.fraction())
 }
 
 /// What went wrong in the last call with this context, as an English sentence; empty after a
@@ -324,7 +327,7 @@ pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_cont
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
-    let state = input::reference(context, "context").and_then(gusset_context::lock);
+    let state = handle::get(context, "context").and_then(gusset_context::lock);
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
 

@@ -1,6 +1,5 @@
 //! Raw pointers to values, slices and structs, each checked for what can be checked.
 
-use super::guard::caught;
 use super::status::Failure;
 use super::status::gusset_status::{
     GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,
@@ -9,7 +8,7 @@ use super::status::gusset_status::{
 use std::mem::MaybeUninit;
 use std::ptr;
 
-fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
+pub(super) fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
     if pointer.is_null() {
         Err(Failure::null(name))
     } else if !pointer.is_aligned() {
@@ -20,19 +19,11 @@ fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
     }
 }
 
-/// A handle, or another object that lives while the call runs.
+/// An object that lives while the call runs; handles are read by [`handle::get`](super::handle::get).
 pub(crate) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
     aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; that it points to a live T is the caller's promise.
     Ok(unsafe { &*pointer })
-}
-
-/// A handle that the call changes.
-pub(crate) fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
-    aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it points to a live T that nobody else uses now is the
-    // caller's promise.
-    Ok(unsafe { &mut *pointer })
 }
 
 /// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
@@ -112,19 +103,6 @@ pub(crate) fn handles<'a, T>(
         handles.cast::<*mut T>().write_bytes(0, count);
         Ok(&mut *handles)
     }
-}
-
-/// Frees what a `_create` function gave out; NULL is allowed.
-pub(crate) fn destroy<T>(handle: *mut T) {
-    // A destructor cannot fail; should one panic, the host must not see it.
-    let _ = caught(|| {
-        if !handle.is_null() {
-            // SAFETY: it came from Box::into_raw in a `_create` function, and the caller gives it
-            // up.
-            drop(unsafe { Box::from_raw(handle) });
-        }
-        Ok::<_, Failure>(())
-    });
 }
 
 /// `count` elements of the caller's, read as bytes: any alignment will do.

@@ -6,6 +6,7 @@
 //! | `glue` | macros that write impls for structs and enums |
 //! | `guard` | panics made failures |
 //! | `input` | raw pointers to slices, buffers, flags and structs |
+//! | `handle` | objects behind opaque pointers, with their kinds |
 //! | `host` | callbacks, as the core calls them |
 //! | [`context`] | threads, progress, cancel, log, message, report; how calls begin and end |
 //! | [`version`] | versions of the library and of its binary interface |
@@ -30,6 +31,7 @@
 mod prelude {
     pub(crate) use super::context::{answer, answer_optional, answer_struct, create, guard, gusset_context, lend};
     pub(crate) use super::glue::{c_enum, fixed, laid_out_like, versioned};
+    pub(crate) use super::handle::{self, handle};
     pub(crate) use super::input::{self, Choice, choice, fill, flag, lent};
     pub(crate) use super::status::{Failure, gusset_status};
     pub(crate) use crate::alloc;
@@ -44,6 +46,7 @@ pub mod context;
 pub mod curve;
 mod glue;
 mod guard;
+pub(crate) mod handle;
 mod host;
 pub(crate) mod input;
 pub mod mesh;

@@ -37,6 +37,9 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
     /// Arrays that the library would write to overlap.
     GUSSET_ERROR_OVERLAP = 11,
+    /// A handle is of another kind than the function takes, or was destroyed. (That is seen where the
+    /// memory has not been used again; a pointer to anything else cannot be told.)
+    GUSSET_ERROR_WRONG_HANDLE = 12,
     /// More vertices, faces or half-edges than this version takes.
     GUSSET_ERROR_TOO_LARGE = 1000,
     /// The bytes of an array exceed the address space.

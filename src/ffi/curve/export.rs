@@ -15,6 +15,8 @@ pub struct gusset_curve_form {
     degree: usize,
 }
 
+handle! { gusset_curve_form }
+
 /// The parts of a form; those that it does not have are empty. Pointers are valid until it is
 /// destroyed.
 #[repr(C)]
@@ -124,7 +126,7 @@ pub unsafe extern "C" fn gusset_curve_spline_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form) {
-    input::destroy(form);
+    handle::destroy(form);
 }
 
 /// Lends the parts.

@@ -2,6 +2,7 @@
 
 use crate::ffi::curve::outline::{Given, gusset_outline, gusset_outlines};
 use crate::ffi::curve::outline_options::gusset_outline_options;
+use crate::ffi::handle::Tagged;
 use crate::ffi::mesh::{self, gusset_indices};
 use crate::ffi::prelude::*;
 use crate::outline::Options;
@@ -24,13 +25,15 @@ pub const GUSSET_CORRESPONDENCE_LANDMARKS: u32 = 3;
 /// of the points.
 pub struct gusset_frame {
     pub(crate) grid: NodeGrid,
-    pub(crate) across: gusset_outline,
-    pub(crate) along: gusset_outline,
+    pub(crate) across: Tagged<gusset_outline>,
+    pub(crate) along: Tagged<gusset_outline>,
     options: Options,
     /// Whether the sections are closed, and whether the last one is followed by the first.
     pub(crate) closed: bool,
     pub(crate) ring: bool,
 }
+
+handle! { gusset_frame }
 
 /// How a frame is made; all zero is the default: the points themselves are the nodes.
 #[repr(C)]
@@ -201,7 +204,7 @@ pub unsafe extern "C" fn gusset_frame_create(
         let given = Given::read(sections)?;
         let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
         let closed = given.outlines().closed;
-        let (across, along) = (gusset_outline(across), gusset_outline(along));
+        let (across, along) = (Tagged::new(gusset_outline(across)), Tagged::new(gusset_outline(along)));
         Ok(gusset_frame { grid, across, along, options: options.across, closed, ring: options.ring })
     })
 }
@@ -212,7 +215,7 @@ pub unsafe extern "C" fn gusset_frame_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
-    input::destroy(frame);
+    handle::destroy(frame);
 }
 
 /// Lends the nodes, valid until the frame is destroyed.
@@ -270,9 +273,9 @@ pub unsafe extern "C" fn gusset_frame_get_curves(
         let across = input::optional_output(across, ptr::null(), "across");
         let along = input::optional_output(along, ptr::null(), "along");
         let (across, along) = (across?, along?);
-        let frame = input::reference(frame, "frame")?;
-        input::set(across, &raw const frame.across);
-        input::set(along, &raw const frame.along);
+        let frame = handle::get(frame, "frame")?;
+        input::set(across, frame.across.lent());
+        input::set(along, frame.along.lent());
         Ok(())
     })
 }
@@ -300,7 +303,7 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
     section: *mut *mut gusset_outline,
 ) -> gusset_status {
     create(context, section, "section", |job| {
-        let frame = input::reference(frame, "frame")?;
+        let frame = handle::get(frame, "frame")?;
         let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
         let cut = slice(&frame.along.0, point, normal, frame.closed, &frame.options, job)?;
         Ok(gusset_outline(cut.curve))
@@ -324,7 +327,7 @@ pub unsafe extern "C" fn gusset_outline_measure(
     measure: *mut gusset_section_report,
 ) -> gusset_status {
     answer(ptr::null(), (measure, "measure"), gusset_section_report::default(), |_| {
-        let Measure { girth, area, centre } = Measure::of(input::reference(outline, "outline")?.curve(index)?)?;
+        let Measure { girth, area, centre } = Measure::of(handle::get(outline, "outline")?.curve(index)?)?;
         Ok(gusset_section_report { girth, area, centre: centre.to_array() })
     })
 }

@@ -17,6 +17,8 @@ pub struct gusset_places {
     undecided: bool,
 }
 
+handle! { gusset_places }
+
 /// What was found. Pointers are valid until the handle is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -257,7 +259,7 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
-    input::destroy(places);
+    handle::destroy(places);
 }
 
 /// Lends what was found.

@@ -17,6 +17,8 @@ use crate::outline::{Curve, CurveView, Place, Points};
 /// from many threads.
 pub struct gusset_curve(pub(crate) Curve);
 
+handle! { gusset_curve }
+
 /// A place on a curve.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -83,7 +85,7 @@ pub(crate) fn points(data: *const f64, count: usize, dimension: usize) -> Result
 
 /// The view of a curve of the caller's.
 pub(crate) fn view<'a>(curve: *const gusset_curve, name: &'static str) -> Result<CurveView<'a>, Failure> {
-    Ok(input::reference(curve, name)?.0.view())
+    Ok(handle::get(curve, name)?.0.view())
 }
 
 /// Writes points as x, y, z.
@@ -138,7 +140,7 @@ pub unsafe extern "C" fn gusset_curve_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
-    input::destroy(curve);
+    handle::destroy(curve);
 }
 
 /// Lends the control points, valid until the curve is destroyed.

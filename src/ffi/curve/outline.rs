@@ -63,6 +63,8 @@ pub struct gusset_outlines {
 /// The curves of outlines. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_outline(pub(crate) Fit);
 
+handle! { gusset_outline }
+
 impl gusset_outline {
     /// Its curve of that number.
     pub(crate) fn curve(&self, index: usize) -> Result<CurveView<'_>, Failure> {
@@ -158,6 +160,8 @@ pub struct gusset_outline_history_view {
 
 /// The sections of outlines. Opaque and immutable.
 pub struct gusset_sections(Sections);
+
+handle! { gusset_sections }
 
 /// One section for each point: the quadratic from the point before over the control point to the
 /// point after. Pointers are valid until the sections are destroyed.
@@ -279,7 +283,7 @@ pub unsafe extern "C" fn gusset_outline_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
-    input::destroy(outline);
+    handle::destroy(outline);
 }
 
 /// Lends the curves, valid until the outline is destroyed.
@@ -392,9 +396,7 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     index: usize,
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, curve, "curve", |_| {
-        Ok(gusset_curve(input::reference(outline, "outline")?.curve(index)?.to_owned()?))
-    })
+    create(context, curve, "curve", |_| Ok(gusset_curve(handle::get(outline, "outline")?.curve(index)?.to_owned()?)))
 }
 
 /// Finds the section of each point with its two neighbours: the quadratic through the three whose
@@ -435,7 +437,7 @@ pub unsafe extern "C" fn gusset_sections_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sections_destroy(sections: *mut gusset_sections) {
-    input::destroy(sections);
+    handle::destroy(sections);
 }
 
 /// Lends the sections, valid until they are destroyed.

@@ -254,6 +254,8 @@ pub struct gusset_assembly {
     turned: Vec<u32>,
 }
 
+handle! { gusset_assembly }
+
 versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 160 }
 fixed! { gusset_joint: 104, gusset_left_loop: 40, gusset_loop_pair: 16 }
 
@@ -420,7 +422,7 @@ pub unsafe extern "C" fn gusset_assembly_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_assembly_destroy(assembly: *mut gusset_assembly) {
-    input::destroy(assembly);
+    handle::destroy(assembly);
 }
 
 /// Lends the whole result, valid until the assembly is destroyed.

@@ -73,6 +73,8 @@ pub struct gusset_boundary {
     defects: Vec<gusset_defect>,
 }
 
+handle! { gusset_boundary }
+
 /// How loops are found; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -193,7 +195,7 @@ pub unsafe extern "C" fn gusset_boundary_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary) {
-    input::destroy(boundary);
+    handle::destroy(boundary);
 }
 
 /// The number of loops and open chains: 0 if the mesh is closed, or for NULL.
@@ -204,7 +206,7 @@ pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary)
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_loop_count(boundary: *const gusset_boundary) -> usize {
-    input::reference(boundary, "boundary").map_or(0, |b| b.boundary.len())
+    handle::get(boundary, "boundary").map_or(0, |b| b.boundary.len())
 }
 
 /// The number of walks that the loops were cut from: loops that touch at vertices, counted as one
@@ -218,7 +220,7 @@ pub unsafe extern "C" fn gusset_boundary_loop_count(boundary: *const gusset_boun
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_walk_count(boundary: *const gusset_boundary) -> usize {
-    input::reference(boundary, "boundary").map_or(0, |b| b.boundary.walk_count() as usize)
+    handle::get(boundary, "boundary").map_or(0, |b| b.boundary.walk_count() as usize)
 }
 
 /// Lends loop number `index`, below gusset_boundary_loop_count.
@@ -273,7 +275,7 @@ pub unsafe extern "C" fn gusset_boundary_get_defects(
     guard(ptr::null(), |_| {
         let (count, defects) = (input::output(count, 0, "count"), input::output(defects, ptr::null(), "defects"));
         let (count, defects) = (count?, defects?);
-        let found = &input::reference(boundary, "boundary")?.defects;
+        let found = &handle::get(boundary, "boundary")?.defects;
         (*defects, *count) = (lent(found), found.len());
         Ok(())
     })

@@ -16,6 +16,8 @@ pub const GUSSET_MESH_ORIENTABLE: u32 = 8;
 /// What a check found. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_check(Check);
 
+handle! { gusset_check }
+
 /// Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are
 /// valid until the check is destroyed.
 #[repr(C)]
@@ -94,7 +96,7 @@ pub unsafe extern "C" fn gusset_check_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
-    input::destroy(check);
+    handle::destroy(check);
 }
 
 /// Lends what the check found.

@@ -15,6 +15,8 @@ pub struct gusset_facing {
     runs: [Vec<[u32; 2]>; 2],
 }
 
+handle! { gusset_facing }
+
 /// How facing vertices are found; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -120,7 +122,7 @@ pub unsafe extern "C" fn gusset_facing_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
-    input::destroy(facing);
+    handle::destroy(facing);
 }
 
 /// Lends what was found.

@@ -92,6 +92,8 @@ pub struct gusset_fill {
     holes: Vec<gusset_hole>,
 }
 
+handle! { gusset_fill }
+
 /// How holes are filled; all zero is the default: triangles without new vertices, in every hole.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -407,7 +409,7 @@ pub unsafe extern "C" fn gusset_fill_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
-    input::destroy(fill);
+    handle::destroy(fill);
 }
 
 /// Lends the result, valid until the fill is destroyed.

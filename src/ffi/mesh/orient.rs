@@ -20,6 +20,8 @@ pub struct gusset_orient {
     one_sided: [Vec<u32>; 2],
 }
 
+handle! { gusset_orient }
+
 /// How to orient; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -105,7 +107,7 @@ pub unsafe extern "C" fn gusset_orient_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_orient_destroy(orient: *mut gusset_orient) {
-    input::destroy(orient);
+    handle::destroy(orient);
 }
 
 /// Lends the oriented mesh, valid until the handle is destroyed.

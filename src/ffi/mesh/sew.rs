@@ -8,6 +8,8 @@ use crate::repair::sew::{Sew, sew};
 /// A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
 pub struct gusset_sew(Sew);
 
+handle! { gusset_sew }
+
 /// What became of the old mesh. Lists are ascending; pointers are valid until the sewn mesh is
 /// destroyed.
 #[repr(C)]
@@ -92,7 +94,7 @@ pub unsafe extern "C" fn gusset_sew_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sew_destroy(sew: *mut gusset_sew) {
-    input::destroy(sew);
+    handle::destroy(sew);
 }
 
 /// Lends the sewn mesh, valid until its handle is destroyed.

@@ -8,6 +8,8 @@ use crate::stitch::{Quality, Request, Stitch, stitch};
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
 pub struct gusset_stitch(Stitch);
 
+handle! { gusset_stitch }
+
 /// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1
 /// the second.
 #[repr(C)]
@@ -181,7 +183,7 @@ pub unsafe extern "C" fn gusset_stitch_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stitch_destroy(stitch: *mut gusset_stitch) {
-    input::destroy(stitch);
+    handle::destroy(stitch);
 }
 
 /// Lends the whole result, valid until the stitch is destroyed.

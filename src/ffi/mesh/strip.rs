@@ -10,6 +10,8 @@ use crate::stitch::{Ruled, RuledOptions, Start, ruled};
 /// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_strip(Ruled);
 
+handle! { gusset_strip }
+
 /// How a strip is made; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -120,7 +122,7 @@ pub unsafe extern "C" fn gusset_strip_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
-    input::destroy(strip);
+    handle::destroy(strip);
 }
 
 /// Lends the mesh, valid until the strip is destroyed: the points of A, 0 to N - 1, those of B, then

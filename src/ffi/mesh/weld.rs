@@ -24,6 +24,8 @@ pub const GUSSET_UNUSED_REMOVE: u32 = 1;
 /// A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
 pub struct gusset_weld(Weld);
 
+handle! { gusset_weld }
+
 /// How to weld; all zero is the default.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -144,7 +146,7 @@ pub unsafe extern "C" fn gusset_weld_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
-    input::destroy(weld);
+    handle::destroy(weld);
 }
 
 /// Lends the welded mesh, valid until the weld is destroyed.

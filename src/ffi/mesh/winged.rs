@@ -30,8 +30,12 @@ pub struct gusset_winged {
     loops: FreeLoops,
 }
 
+handle! { gusset_winged }
+
 /// The faces of a winged-edge table. Opaque and immutable; it keeps nothing of the table.
 pub struct gusset_winged_faces(WingedFaces);
+
+handle! { gusset_winged_faces }
 
 /// How tables are made, and read; all zero is the default.
 #[repr(C)]
@@ -154,7 +158,7 @@ pub unsafe extern "C" fn gusset_winged_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
-    input::destroy(winged);
+    handle::destroy(winged);
 }
 
 /// Lends the tables.
@@ -232,7 +236,7 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_winged_faces_destroy(faces: *mut gusset_winged_faces) {
-    input::destroy(faces);
+    handle::destroy(faces);
 }
 
 /// Lends the faces.

@@ -13,6 +13,8 @@ pub struct gusset_net_analysis {
     stars: Vec<u32>,
 }
 
+handle! { gusset_net_analysis }
+
 impl gusset_net_analysis {
     fn new(analysis: Analysis) -> Result<Self> {
         let contracted = alloc::collect(analysis.contracted.iter().map(|found| found.link))?;
@@ -165,7 +167,7 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
-    input::destroy(analysis);
+    handle::destroy(analysis);
 }
 
 /// Contracts links of a net: the gluings that a hard deformation has brought about made part of it.

@@ -25,6 +25,8 @@ pub const GUSSET_NET_ORIENTABLE: u32 = 8;
 /// net.
 pub struct gusset_net_complex(Complex);
 
+handle! { gusset_net_complex }
+
 /// Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are
 /// given by their smallest nodes, edges as pairs of them, one pair after the other, in order.
 /// Pointers are valid until the complex is destroyed.
@@ -160,5 +162,5 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_complex_destroy(quotient: *mut gusset_net_complex) {
-    input::destroy(quotient);
+    handle::destroy(quotient);
 }

@@ -238,6 +238,8 @@ pub unsafe extern "C" fn gusset_net_classes(
 /// The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
 pub struct gusset_net_groups(Groups);
 
+handle! { gusset_net_groups }
+
 /// Finds the points that are several nodes.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -279,7 +281,7 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
         let offsets = input::output(offsets, gusset_indices::lend(&[]), "offsets");
         let members = input::output(members, gusset_indices::lend(&[]), "members");
         let (offsets, members) = (offsets?, members?);
-        let groups = &input::reference(groups, "groups")?.0;
+        let groups = &handle::get(groups, "groups")?.0;
         (*offsets, *members) = (gusset_indices::lend(groups.offsets()), gusset_indices::lend(groups.members()));
         Ok(())
     })
@@ -291,7 +293,7 @@ pub unsafe extern "C" fn gusset_net_groups_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_groups) {
-    input::destroy(groups);
+    handle::destroy(groups);
 }
 
 /// The local gluing at a node: which of its links have become a point.

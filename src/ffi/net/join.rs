@@ -208,7 +208,7 @@ pub unsafe extern "C" fn gusset_net_split_create(
             return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
         }
         let parts = read(net)?.split(bridge, job)?;
-        [*first, *second] = parts.map(|part| Box::into_raw(Box::new(gusset_net::new(part))));
+        [*first, *second] = parts.map(|part| handle::give(gusset_net::new(part)));
         Ok(())
     })
 }

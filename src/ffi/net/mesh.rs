@@ -107,12 +107,16 @@ pub struct gusset_net_grid_view {
 /// The mesh of a net. Opaque and immutable; it keeps nothing of the net.
 pub struct gusset_net_mesh(NetMesh);
 
+handle! { gusset_net_mesh }
+
 /// A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
 pub struct gusset_net_grid {
     net: Arc<Net<'static>>,
     vertex_of_node: Vec<u32>,
     face_of_cell: Vec<u32>,
 }
+
+handle! { gusset_net_grid }
 
 versioned! {
     gusset_net_mesh_options: 32 reserved,
@@ -172,7 +176,7 @@ pub unsafe extern "C" fn gusset_net_mesh_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_mesh_destroy(mesh: *mut gusset_net_mesh) {
-    input::destroy(mesh);
+    handle::destroy(mesh);
 }
 
 /// Lends the mesh, valid until it is destroyed.
@@ -348,7 +352,7 @@ pub unsafe extern "C" fn gusset_net_triangle_grid_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
-    input::destroy(grid);
+    handle::destroy(grid);
 }
 
 /// The net that was found.
@@ -366,7 +370,7 @@ pub unsafe extern "C" fn gusset_net_grid_net_create(
     grid: *const gusset_net_grid,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::of_shared(input::reference(grid, "grid")?.net.clone())))
+    create(context, net, "net", |_| Ok(gusset_net::of_shared(handle::get(grid, "grid")?.net.clone())))
 }
 
 /// Lends where the net was found.

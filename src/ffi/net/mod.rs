@@ -253,7 +253,7 @@ pub unsafe extern "C" fn gusset_net_clone_create(
     net: *const gusset_net,
     copy: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, copy, "copy", |_| Ok(gusset_net::of_shared(input::reference(net, "net")?.share()?)))
+    create(context, copy, "copy", |_| Ok(gusset_net::of_shared(handle::get(net, "net")?.share()?)))
 }
 
 /// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type.
@@ -286,7 +286,7 @@ pub unsafe extern "C" fn gusset_net_convert_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
-    input::destroy(net);
+    handle::destroy(net);
 }
 
 fn lend(net: &Net<'_>) -> gusset_net_view {

@@ -9,6 +9,8 @@ use std::sync::Arc;
 /// themselves.
 pub struct gusset_net(Arc<Net<'static>>);
 
+handle! { gusset_net }
+
 impl gusset_net {
     /// A handle of a net that owns its memory, or of the host's.
     pub(crate) fn new(net: Net<'static>) -> Self {
@@ -41,12 +43,12 @@ impl gusset_net {
 
 /// The net of a handle.
 pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
-    Ok(input::reference(net, "net")?.net())
+    Ok(handle::get(net, "net")?.net())
 }
 
 /// The net of a handle, to be changed.
 pub(crate) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Failure> {
-    input::exclusive(net, "net")?.edit()
+    handle::get_mut(net, "net")?.edit()
 }
 
 /// Glues a net anew.

@@ -131,7 +131,7 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
         if capacity < made.len() {
             return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));
         }
-        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = Box::into_raw(Box::new(gusset_net::new(level))));
+        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::give(gusset_net::new(level)));
         Ok(())
     })
 }

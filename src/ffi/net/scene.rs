@@ -20,6 +20,8 @@ pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
 /// in many threads; those that change it need it for themselves.
 pub struct gusset_scene(Scene);
 
+handle! { gusset_scene }
+
 /// An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -101,11 +103,11 @@ impl From<gusset_transform> for DAffine3 {
 }
 
 fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
-    Ok(&input::reference(scene, "scene")?.0)
+    Ok(&handle::get(scene, "scene")?.0)
 }
 
 fn changed<'a>(scene: *mut gusset_scene) -> Result<&'a mut Scene, Failure> {
-    Ok(&mut input::exclusive(scene, "scene")?.0)
+    Ok(&mut handle::get_mut(scene, "scene")?.0)
 }
 
 /// Makes an empty scene.
@@ -130,7 +132,7 @@ pub unsafe extern "C" fn gusset_scene_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
-    input::destroy(scene);
+    handle::destroy(scene);
 }
 
 /// Adds a net, in no group yet, as it is now: what is done to the handle later does not change the
@@ -151,12 +153,7 @@ pub unsafe extern "C" fn gusset_scene_add_net(
     net: *const gusset_net,
     entry: *mut u32,
 ) -> gusset_status {
-    answer(
-        context,
-        (entry, "entry"),
-        u32::MAX,
-        |_| Ok(changed(scene)?.add_net(input::reference(net, "net")?.share()?)?),
-    )
+    answer(context, (entry, "entry"), u32::MAX, |_| Ok(changed(scene)?.add_net(handle::get(net, "net")?.share()?)?))
 }
 
 /// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
@@ -179,7 +176,7 @@ pub unsafe extern "C" fn gusset_scene_set_net(
     net: *const gusset_net,
 ) -> gusset_status {
     guard(context, |_| {
-        let net = input::reference(net, "net")?.share()?;
+        let net = handle::get(net, "net")?.share()?;
         Ok(changed(scene)?.set_net(entry, net)?)
     })
 }

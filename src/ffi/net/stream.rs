@@ -67,8 +67,12 @@ pub struct gusset_stream_report {
 /// The bytes of a stream. Opaque and immutable; may be used from many threads.
 pub struct gusset_stream(Vec<u8>);
 
+handle! { gusset_stream }
+
 /// A stream that is decoded while it arrives. Opaque; used by one thread at a time.
 pub struct gusset_stream_decoder(StreamDecoder);
+
+handle! { gusset_stream_decoder }
 
 versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104 }
 
@@ -139,7 +143,7 @@ pub unsafe extern "C" fn gusset_stream_get_view(
     let (data, size) = (input::output(data, ptr::null(), "data"), input::output(size, 0, "size"));
     guard(ptr::null(), |_| {
         let (data, size) = (data?, size?);
-        let bytes = &input::reference(stream, "stream")?.0;
+        let bytes = &handle::get(stream, "stream")?.0;
         (*data, *size) = (lent(bytes).cast(), bytes.len());
         Ok(())
     })
@@ -151,7 +155,7 @@ pub unsafe extern "C" fn gusset_stream_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
-    input::destroy(stream);
+    handle::destroy(stream);
 }
 
 /// Reads the header of a stream.
@@ -265,7 +269,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     rows_done: *mut usize,
 ) -> gusset_status {
     answer_optional(context, (rows_done, "rows_done"), 0, |_| {
-        let decoder = input::exclusive(decoder, "decoder")?;
+        let decoder = handle::get_mut(decoder, "decoder")?;
         Ok(decoder.0.push(input::bytes(data, size, 1, "data")?)?)
     })
 }
@@ -287,7 +291,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::new(input::reference(decoder, "decoder")?.0.preview()?)))
+    create(context, net, "net", |_| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview()?)))
 }
 
 /// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing
@@ -307,7 +311,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     decoder: *mut gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::new(input::exclusive(decoder, "decoder")?.0.finish()?)))
+    create(context, net, "net", |_| Ok(gusset_net::new(handle::get_mut(decoder, "decoder")?.0.finish()?)))
 }
 
 /// Destroys a decoder; NULL is allowed.
@@ -316,5 +320,5 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_stream_decoder_destroy(decoder: *mut gusset_stream_decoder) {
-    input::destroy(decoder);
+    handle::destroy(decoder);
 }

@@ -36,6 +36,8 @@ pub struct gusset_net_finding {
 /// What a validation found. Opaque and immutable; it keeps nothing of the net.
 pub struct gusset_net_validation(Vec<gusset_net_finding>);
 
+handle! { gusset_net_validation }
+
 /// All findings: violations first, then warnings, each kind in the order of its elements.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -125,7 +127,7 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
-    input::destroy(validation);
+    handle::destroy(validation);
 }
 
 /// Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more

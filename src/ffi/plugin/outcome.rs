@@ -1,5 +1,6 @@
 //! What becomes of a run: outputs, or why there are none.
 
+use crate::ffi::handle::handle;
 use crate::ffi::status::{Failure, gusset_status};
 use crate::filters::data::{Curves, Output};
 use crate::mesh::Mesh;
@@ -12,6 +13,8 @@ pub struct gusset_outputs {
     pub(super) message: CString,
     pub(super) fault: Option<Fault>,
 }
+
+handle! { gusset_outputs }
 
 /// An output as hosts read it.
 pub(super) enum Held {

@@ -6,7 +6,8 @@ use super::descriptor::{
 };
 use super::outcome::{Held, gusset_outputs};
 use crate::ffi::context::lend;
-use crate::ffi::input::{self, lent};
+use crate::ffi::handle;
+use crate::ffi::input::lent;
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use libc::c_char;
@@ -22,11 +23,11 @@ impl gusset_outputs {
 
 /// Output `index`, if there is one.
 fn held<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a Held, Failure> {
-    input::reference(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.get(index))
+    handle::get(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.get(index))
 }
 
 pub(super) unsafe extern "C" fn count(outputs: *const gusset_outputs) -> u32 {
-    input::reference(outputs, "outputs").map_or(0, |outputs: &gusset_outputs| outputs.outputs.len() as u32)
+    handle::get(outputs, "outputs").map_or(0, |outputs: &gusset_outputs| outputs.outputs.len() as u32)
 }
 
 pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32) -> u32 {
@@ -122,5 +123,5 @@ pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure:
 }
 
 pub(super) unsafe extern "C" fn free(outputs: *mut gusset_outputs) {
-    input::destroy(outputs);
+    handle::destroy(outputs);
 }

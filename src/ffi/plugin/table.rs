@@ -8,6 +8,7 @@ use super::outputs;
 use crate::error::{Error, Side};
 use crate::ffi::glue::c_enum;
 use crate::ffi::guard::caught;
+use crate::ffi::handle;
 use crate::ffi::host::{Host, Watch};
 use crate::ffi::input::{self, Choice};
 use crate::ffi::status::{Failure, gusset_status};
@@ -213,8 +214,8 @@ unsafe extern "C" fn run(
     });
     let status = outcome.as_ref().map_or_else(|fault| fault.failure.status as i32, |_| GUSSET_PLUGIN_DONE);
     // Only texts are copied here: nothing that could fail but memory itself.
-    if let Ok(done) = caught(|| Ok::<_, Failure>(Box::new(gusset_outputs::new(outcome)))) {
-        *slot = Box::into_raw(done);
+    if let Ok(done) = caught(|| Ok::<_, Failure>(handle::give(gusset_outputs::new(outcome)))) {
+        *slot = done;
     }
     status
 }

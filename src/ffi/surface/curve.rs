@@ -68,7 +68,7 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |_| {
-        let sheet = &input::reference(sheet, "sheet")?.0;
+        let sheet = &handle::get(sheet, "sheet")?.0;
         Ok(gusset_curve(match along {
             GUSSET_ALONG_ROWS => sheet.row_curve(parameter)?,
             GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter)?,

@@ -184,7 +184,7 @@ pub unsafe extern "C" fn gusset_surface_surface_distance(
     distance: *mut gusset_surface_distance,
 ) -> gusset_status {
     answer_struct(context, (distance, "distance"), |job| {
-        let (surface, other) = (read(surface)?, &input::reference(other, "other")?.0);
+        let (surface, other) = (read(surface)?, &handle::get(other, "other")?.0);
         let found = surface.distance_to_surface(other, self::tolerance(tolerance), job)?;
         Ok(gusset_surface_distance { other_place: found.other.into(), ..gusset_surface_distance::new(&found) })
     })

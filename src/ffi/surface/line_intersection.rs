@@ -69,6 +69,8 @@ pub struct gusset_surface_hits {
     on_curve: Vec<[gusset_place; 3]>,
 }
 
+handle! { gusset_surface_hits }
+
 /// The hits. Pointers are valid until the handle is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -256,5 +258,5 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_hits_destroy(hits: *mut gusset_surface_hits) {
-    input::destroy(hits);
+    handle::destroy(hits);
 }

@@ -26,6 +26,8 @@ use crate::surface::{Contact, ContactKind, Paths, Place, Sheet, Surface};
 /// it is destroyed when none uses it any more. It keeps what it needs of its sheets.
 pub struct gusset_surface(pub(crate) Surface<'static>);
 
+handle! { gusset_surface }
+
 /// A place on a surface.
 #[repr(C)]
 #[derive(Clone, Copy, Default, bytemuck::Pod, bytemuck::Zeroable)]
@@ -99,6 +101,8 @@ pub struct gusset_surface_paths {
     contacts: Vec<gusset_surface_contact>,
 }
 
+handle! { gusset_surface_paths }
+
 /// The curves. Pointers are valid until the handle is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -157,7 +161,7 @@ impl From<Contact> for gusset_surface_contact {
 
 /// The surface of a handle.
 pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
-    Ok(&input::reference(surface, "surface")?.0)
+    Ok(&handle::get(surface, "surface")?.0)
 }
 
 impl TryFrom<Paths> for gusset_surface_paths {
@@ -233,7 +237,7 @@ pub unsafe extern "C" fn gusset_surface_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
-    input::destroy(surface);
+    handle::destroy(surface);
 }
 
 /// The curves, lent until they are destroyed.
@@ -273,5 +277,5 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_paths_destroy(paths: *mut gusset_surface_paths) {
-    input::destroy(paths);
+    handle::destroy(paths);
 }

@@ -63,6 +63,8 @@ pub struct gusset_surface_points {
     complete: bool,
 }
 
+handle! { gusset_surface_points }
+
 /// What was found. Pointers are valid until the handle is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -88,6 +90,8 @@ pub struct gusset_surface_region {
     mask: Vec<u64>,
     first: Vec<u64>,
 }
+
+handle! { gusset_surface_region }
 
 /// A cell of a region.
 #[repr(C)]
@@ -273,7 +277,7 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surface_points) {
-    input::destroy(points);
+    handle::destroy(points);
 }
 
 /// The cells that have a point within a radius of a query: the paper's region, with its logical
@@ -342,5 +346,5 @@ pub unsafe extern "C" fn gusset_surface_region_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_region_destroy(region: *mut gusset_surface_region) {
-    input::destroy(region);
+    handle::destroy(region);
 }

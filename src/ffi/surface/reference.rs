@@ -116,7 +116,7 @@ impl gusset_reference_task {
             GUSSET_REFERENCE_SEGMENT => Figure::Object(Object::Line(Line::segment(point, point + direction))),
             GUSSET_REFERENCE_RAY => Figure::Object(Object::Line(Line::ray(point, direction))),
             GUSSET_REFERENCE_CURVE => Figure::Curve(view(self.curve, "curve")?),
-            GUSSET_REFERENCE_SURFACE => Figure::Surface(&input::reference(self.surface, "surface")?.0),
+            GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get(self.surface, "surface")?.0),
             GUSSET_REFERENCE_ANGLE => return Ok(None),
             other => return Err(Failure::unknown("object", other.into())),
         }))

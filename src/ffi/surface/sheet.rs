@@ -11,6 +11,8 @@ use crate::surface::{Grid, MAX_NODES, Nodes, Scheme, Sheet};
 /// it is destroyed when none uses it any more.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
+handle! { gusset_sheet }
+
 /// How the surface is drawn through nodes.
 pub type gusset_scheme = u32;
 /// Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the
@@ -74,7 +76,7 @@ impl Layout {
 
 /// The sheet of a handle.
 pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
-    Ok(&input::reference(sheet, "sheet")?.0)
+    Ok(&handle::get(sheet, "sheet")?.0)
 }
 
 /// A copy of the caller's numbers, packed.
@@ -178,5 +180,5 @@ pub unsafe extern "C" fn gusset_sheet_borrow_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
-    input::destroy(sheet);
+    handle::destroy(sheet);
 }

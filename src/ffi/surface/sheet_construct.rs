@@ -332,7 +332,7 @@ pub unsafe extern "C" fn gusset_sheet_from_frame_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let frame = input::reference(frame, "frame")?;
+        let frame = handle::get(frame, "frame")?;
         let kind = choice(kind)?;
         let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
         let closed = [frame.ring, frame.closed];

@@ -15,6 +15,8 @@ pub struct gusset_sheet_mesh {
     deviation: f64,
 }
 
+handle! { gusset_sheet_mesh }
+
 /// How a sheet becomes a mesh. All zeros: quads, one a cell.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -87,7 +89,7 @@ pub unsafe extern "C" fn gusset_sheet_mesh_create(
 ) -> gusset_status {
     create(context, mesh, "mesh", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let made = input::reference(sheet, "sheet")?.0.to_mesh(&options, job)?;
+        let made = handle::get(sheet, "sheet")?.0.to_mesh(&options, job)?;
         let places = alloc::collect(made.places.into_iter().map(gusset_surface_place::from))?;
         Ok(gusset_sheet_mesh { mesh: made.mesh, places, normals: made.normals, deviation: made.deviation })
     })
@@ -99,7 +101,7 @@ pub unsafe extern "C" fn gusset_sheet_mesh_create(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_mesh_destroy(mesh: *mut gusset_sheet_mesh) {
-    input::destroy(mesh);
+    handle::destroy(mesh);
 }
 
 /// Lends the mesh, valid until it is destroyed.

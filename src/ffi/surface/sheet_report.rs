@@ -130,7 +130,7 @@ pub unsafe extern "C" fn gusset_sheet_estimates(
     capacity: usize,
 ) -> gusset_status {
     guard(context, |job| {
-        let sheet = &input::reference(sheet, "sheet")?.0;
+        let sheet = &handle::get(sheet, "sheet")?.0;
         let needed = sheet.cells().iter().product();
         let wanted = [(errors, "errors"), (bilinear, "bilinear"), (triangles, "triangles")];
         let [errors, bilinear, triangles] = wanted.map(|(to, name)| buffer(to, needed, capacity, name));
@@ -162,5 +162,5 @@ pub unsafe extern "C" fn gusset_sheet_crease(
     sheet: *const gusset_sheet,
     crease: *mut f64,
 ) -> gusset_status {
-    answer(context, (crease, "crease"), 0.0, |job| Ok(input::reference(sheet, "sheet")?.0.crease(job)?))
+    answer(context, (crease, "crease"), 0.0, |job| Ok(handle::get(sheet, "sheet")?.0.crease(job)?))
 }

@@ -42,6 +42,8 @@ pub struct gusset_cell_pair {
 /// Pairs of cells. Opaque and immutable; it keeps nothing of the surfaces.
 pub struct gusset_cell_pairs(Vec<gusset_cell_pair>);
 
+handle! { gusset_cell_pairs }
+
 /// The pairs. The pointer is valid until the handle is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -207,5 +209,5 @@ pub unsafe extern "C" fn gusset_cell_pairs_get_view(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_cell_pairs_destroy(pairs: *mut gusset_cell_pairs) {
-    input::destroy(pairs);
+    handle::destroy(pairs);
 }
