@@ -31,7 +31,9 @@ enum torture_kind {
     TORTURE_OFFSET,      /* where a part of an array begins that has no length of its own: within it, or what nothing can have */
     TORTURE_READ_AS,     /* how an array is read: values without meaning */
     TORTURE_POINTS, TORTURE_FLOAT_POINTS, /* an array of points as a whole */
-    TORTURE_STRUCT_SIZE, TORTURE_POINTER, TORTURE_BYTES /* a pointer of any alignment */
+    TORTURE_STRUCT_SIZE, TORTURE_POINTER,
+    TORTURE_BYTES,       /* a pointer of any alignment */
+    TORTURE_HANDLE       /* a pointer to what the library made, of which it knows the kind */
 };
 
 /* No handle that the library makes. */
@@ -200,6 +202,15 @@ static inline int torture_enter(const char *function) {
     }
 }
 
+/* Handles of two kinds, of which one at least is not the kind that is asked for. */
+static inline void *torture_alien(int which) {
+    static gusset_context *context;
+    static gusset_scene *scene;
+    if (!context && (gusset_context_create)(&context) != GUSSET_OK) abort();
+    if (!scene && (gusset_scene_create)(NULL, &scene) != GUSSET_OK) abort();
+    return which ? (void *)scene : (void *)context;
+}
+
 /* The n-th hostile value of a kind; 0 if there are no more. `was` is what it replaces. */
 static inline int torture_hostile(enum torture_kind kind, size_t n, const void *was, void *value) {
     static const double reals[] = {NAN, INFINITY, -INFINITY, 0, -0.0, -1, 1, 1e300, -1e300, DBL_MAX, 1e150, 1e-150, 1e-300, 5e-324};
@@ -248,6 +259,11 @@ static inline int torture_hostile(enum torture_kind kind, size_t n, const void *
     }
     case TORTURE_POINTER: {
         const uint64_t pointers[] = {0, whole + 1, whole + 4};
+        if (n > 0 && !whole) return 0;
+        TORTURE_FROM(pointers);
+    }
+    case TORTURE_HANDLE: {
+        const uint64_t pointers[] = {0, whole + 1, whole + 4, (uintptr_t)torture_alien(0), (uintptr_t)torture_alien(1)};
         if (n > 0 && !whole) return 0;
         TORTURE_FROM(pointers);
     }

@@ -57,6 +57,8 @@ class Header:
             result = " ".join(result.replace("GUSSET_MUST_USE", "").split())
             self.functions.append((result, name, given, re.sub(r"\s+", " ", text[text.index(name + "("):].split(";")[0])))
 
+        self.destroyed = {name for _, name, _, _ in self.functions if name.endswith("_destroy")}
+
     def versioned(self, kind):
         return kind in self.structs and self.structs[kind][0].name == "struct_size"
 
@@ -108,7 +110,9 @@ def visit(header, items, at, within, path, wide=False):
         return [f"for (size_t i = 0; i < {item.sizes[0]}; ++i) torture_slot(TORTURE_POINTER, &{lvalue}[i], {label});"]
     # An array of handles may begin anywhere; what it holds then is no handle.
     loose = item.type in ("void", "char", "uint8_t") and item.stars == 1 or item.stars == 2 and item.constant
-    lines.append(f"torture_slot({'TORTURE_BYTES' if loose else 'TORTURE_POINTER'}, &{lvalue}, {label});")
+    handle = item.stars == 1 and item.type + "_destroy" in header.destroyed
+    kind = "HANDLE" if handle else "BYTES" if loose else "POINTER"
+    lines.append(f"torture_slot(TORTURE_{kind}, &{lvalue}, {label});")
     if item.stars > 1 or not item.constant or item.type == "char":
         if item.stars == 1 and header.versioned(item.type):
             lines.append(f"if ({lvalue}) torture_slot(TORTURE_STRUCT_SIZE, &{lvalue}->struct_size, {label});")
