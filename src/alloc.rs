@@ -88,11 +88,27 @@ pub(crate) fn grow<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<(
 
 /// Makes room for `additional` more elements.
 pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
-    // The reserve is for those who cannot fail.
-    if vec.try_reserve(additional).is_ok() && !reserve::holds(vec.as_ptr()) {
-        return Ok(());
-    }
-    Err(out_of_memory::<T>(additional))
+    if additional <= vec.capacity() - vec.len() { Ok(()) } else { grow_capacity(vec, additional) }
+}
+
+/// [`reserve`] where there is no room. The reserve behind the allocator is for those who cannot
+/// fail: a vector that might move there is made anew, and stays where it is if that is there.
+#[cold]
+#[inline(never)]
+fn grow_capacity<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
+    let capacity = vec.len().saturating_add(additional).max(2 * vec.capacity());
+    let made = if capacity.saturating_mul(size_of::<T>()) <= reserve::MAX_BLOCK {
+        let mut grown = Vec::new();
+        let made = grown.try_reserve(capacity).is_ok() && !reserve::holds(grown.as_ptr());
+        if made {
+            grown.append(vec);
+            *vec = grown;
+        }
+        made
+    } else {
+        vec.try_reserve(additional).is_ok()
+    };
+    if made { Ok(()) } else { Err(out_of_memory::<T>(additional)) }
 }
 
 #[cold]

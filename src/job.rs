@@ -70,6 +70,12 @@ impl<'a> Job<'a> {
     /// [`Error::OutOfMemory`] if memory was refused that could not be asked for.
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
         self.memory()?;
+        self.report(fraction, stage)
+    }
+
+    /// [`Job::step`] of work that changes what the caller has as it goes on: memory was asked for
+    /// before it.
+    pub(crate) fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Of nothing to do, the part that is done may be no number.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
         let whole = self.from + (self.to - self.from) * fraction;

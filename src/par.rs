@@ -64,7 +64,8 @@ pub(crate) fn map_jobs<T: Send, R: Send>(
     let count = items.len();
     let helpers = at_most(count, job.threads()).saturating_sub(1);
     let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
-    let results = Mutex::new(alloc::collect((0..count).map(|_| None::<Result<R>>))?);
+    // Room for all of them before the first item: after the last, what was done can no longer fail.
+    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
     let busy = Busy::default();
     let finish = |i: usize, item: T, job: &Job<'_>| {
         let result = work(item, job);
@@ -97,7 +98,15 @@ pub(crate) fn map_jobs<T: Send, R: Send>(
     };
     run_beside(helpers, &help, &mut lead);
     reported?;
-    alloc::try_collect(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten())
+    for result in results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten() {
+        all.push(result?);
+    }
+    Ok(all)
+}
+
+/// Places for as many results.
+fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
+    Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
 }
 
 /// The engine of [`map`]: results in the order of the items. `before` is called on this thread with
@@ -111,7 +120,7 @@ fn run_ordered<T: Send, R: Send>(
     let count = items.len();
     let wanted = at_most(count, threads);
     let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
-    let results = Mutex::new(alloc::collect((0..count).map(|_| None::<R>))?);
+    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
     let next = || lock(&queue).next();
     let finish = |(i, item)| {
         let result = work(item);
@@ -134,7 +143,8 @@ fn run_ordered<T: Send, R: Send>(
     };
     run_beside(wanted.saturating_sub(1), &help, &mut lead);
     reported?;
-    alloc::gather(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten())
+    all.extend(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten());
+    Ok(all)
 }
 
 /// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
@@ -269,13 +279,14 @@ mod tests {
 
     #[test]
     fn the_same_for_any_thread_count() {
-        let sums = |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>());
+        let sums =
+            |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>()).unwrap();
         let one = sums(1);
         assert_eq!(one.len(), 101);
         for threads in [0, 2, 3, 64] {
             assert_eq!(one, sums(threads));
         }
-        assert!(map(4, ranges(0, 10), |range| range.len()).is_empty());
+        assert_eq!(map(4, ranges(0, 10), |range| range.len()), Ok(Vec::new()));
     }
 
     #[test]
@@ -399,7 +410,8 @@ mod tests {
             let parts = map(threads, squares.chunks_mut(7).enumerate(), |(i, part)| {
                 part.iter_mut().zip(7 * i..).for_each(|(square, k)| *square = k * k);
                 part.len()
-            });
+            })
+            .unwrap();
             assert_eq!(parts.iter().sum::<usize>(), 1000);
             assert!(squares.iter().enumerate().all(|(k, &square)| square == k * k));
         }

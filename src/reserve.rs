@@ -33,6 +33,12 @@ pub(crate) fn holds<T>(block: *const T) -> bool {
     }
 }
 
+/// Bytes of the largest block that the reserve may hold.
+#[cfg(feature = "reserve")]
+pub(crate) const MAX_BLOCK: usize = arenas::ARENA;
+#[cfg(not(feature = "reserve"))]
+pub(crate) const MAX_BLOCK: usize = 0;
+
 #[cfg(feature = "reserve")]
 mod arenas {
     use std::alloc::{GlobalAlloc, Layout, System};
@@ -42,7 +48,7 @@ mod arenas {
 
     const ARENAS: usize = 32;
     /// Bytes of one arena, and thus of the largest block.
-    const ARENA: usize = 1 << 16;
+    pub(super) const ARENA: usize = 1 << 16;
     const MAX_ALIGN: usize = 64;
 
     /// Static zeros, of which the program's file and its memory hold nothing before they are used.

@@ -58,7 +58,8 @@ mod started {
 
     /// Starts a thread; its number, unless the system has no room for it.
     fn start(shared: &Shared<'_>) -> Option<pthread_t> {
-        let (mut attributes, mut thread) = (MaybeUninit::<pthread_attr_t>::uninit(), MaybeUninit::<pthread_t>::uninit());
+        let (mut attributes, mut thread) =
+            (MaybeUninit::<pthread_attr_t>::uninit(), MaybeUninit::<pthread_t>::uninit());
         // SAFETY: attributes are initialised, used and destroyed; `shared` lives until the thread
         // has been waited for, which the caller sees to, and is Sync but for the lifetime.
         unsafe {

@@ -52,13 +52,15 @@ struct torture_slot {
 
 /* What is tried, one after another: hostile arguments; a cancel at each step; allocations that fail, each alone and with all after it,
  * or as many of them as TORTURE_ALLOCATIONS says. With TORTURE_FROM=2 only the latter. After each failure the call is made again with the
- * same context, and must give what it gave before. What changes a handle is tried once in each process. */
+ * same context, and must give what it gave before. What changes a handle, or keeps something in one, is tried once in
+ * each process. */
 enum torture_phase { TORTURE_ARGUMENTS, TORTURE_CANCELS, TORTURE_ONE_ALLOCATION, TORTURE_ALL_ALLOCATIONS, TORTURE_PHASES };
 
 struct torture_shared {
     enum torture_phase phase;
     size_t value, calls[TORTURE_PHASES], failures;
     long long allocations;    /* of the call as it is */
+    long long kept;           /* the blocks that it leaves in handles */
     int plain;                /* and its status */
     uint64_t result;          /* and its results, with the handle that it changes */
     size_t refused, resolved; /* calls that returned OUT_OF_MEMORY, and that succeeded without an allocation */
@@ -196,7 +198,8 @@ static inline int torture_enter(const char *function) {
         atexit(torture_summary);
     }
     ++torture_functions;
-    torture_function = function, torture_told->phase = (enum torture_phase)torture_limit("TORTURE_FROM", 0), torture_told->value = 0, torture_told->allocations = 0;
+    torture_function = function, torture_told->phase = (enum torture_phase)torture_limit("TORTURE_FROM", 0), torture_told->value = 0;
+    torture_told->allocations = torture_told->kept = 0;
     for (;;) {
         fflush(NULL);
         const pid_t child = fork();
@@ -396,8 +399,9 @@ static inline void torture_finish(void) {
         if (torture_repeats) return;
         (gusset_context_destroy)(torture_context);
         torture_context = NULL;
-        if (torture_pure && (atomic_load(&memory_live) != torture_live || atomic_load(&memory_bytes) != torture_bytes))
-            torture_fails("memory is left");
+        const long long blocks = atomic_load(&memory_live) - torture_live, bytes = atomic_load(&memory_bytes) - torture_bytes;
+        if (told->phase == TORTURE_ONE_ALLOCATION && told->value == 0) told->kept = blocks;
+        if (blocks != told->kept || (told->kept == 0 && torture_pure && bytes != 0)) torture_fails("memory is left");
     }
     if (told->phase == TORTURE_CANCELS && !torture_fired) ++told->phase, told->value = 0;
     else ++told->value;
@@ -418,7 +422,7 @@ static inline int torture_next(void) {
     torture_own_context();
     for (; told->phase < TORTURE_PHASES; ++told->phase, told->value = 0) {
         if (told->phase > TORTURE_CANCELS) (gusset_context_set_progress)(torture_context, NULL, NULL);
-        if (told->phase > TORTURE_CANCELS && torture_begun && !torture_pure && !torture_repeats) {
+        if (told->phase > TORTURE_CANCELS && torture_begun && (!torture_pure || told->kept) && !torture_repeats) {
             fflush(NULL);
             _exit(TORTURE_AGAIN);
         }

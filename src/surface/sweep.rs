@@ -99,11 +99,7 @@ impl<const K: usize> Sweep<'_, K> {
     /// Boxes of the sums along the rows that the blocks of some rows of blocks depend on: each row
     /// once, and then for all blocks that depend on it. `add` receives the number of the block, the
     /// box over its columns, and whether the row is a side of its cells.
-    pub(super) fn along_blocks(
-        &self,
-        block_rows: Range<usize>,
-        mut add: impl FnMut(usize, Aabb, bool),
-    ) -> Result<()> {
+    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
         let rows = |r: usize| block_range(r, self.u.cells());
         let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
         // Rows that are closed go on at both ends.
