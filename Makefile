@@ -80,8 +80,11 @@ cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
 remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
 released   := --config 'build.rustflags=[$(remapped)]'
 
+# What the library for C has and the crate has not.
+features   := --features reserve
+
 build:
-	$(CARGO) build -p gusset --profile $(PROFILE) --locked $(released)
+	$(CARGO) build -p gusset $(features) --profile $(PROFILE) --locked $(released)
 
 # All that a change must pass, the hosts' side apart.
 check: lint test-rust

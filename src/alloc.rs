@@ -3,6 +3,9 @@
 
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::reserve;
+use std::collections::HashSet;
+use std::hash::Hash;
 
 /// An empty vector with room for `capacity` elements.
 pub(crate) fn with_capacity<T>(capacity: usize) -> Result<Vec<T>> {
@@ -21,8 +24,8 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
 /// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses
 /// it.
 pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
-    let bytes = (len as u64).saturating_mul(size_of::<T>() as u64);
-    bytemuck::allocation::try_zeroed_vec(len).map_err(|()| Error::OutOfMemory { bytes })
+    let made = bytemuck::allocation::try_zeroed_vec(len).ok();
+    made.filter(|vec: &Vec<T>| !reserve::holds(vec.as_ptr())).ok_or_else(|| out_of_memory::<T>(len))
 }
 
 /// Collects an iterator whose length is known.
@@ -85,8 +88,32 @@ pub(crate) fn grow<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<(
 
 /// Makes room for `additional` more elements.
 pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
-    vec.try_reserve(additional)
-        .map_err(|_| Error::OutOfMemory { bytes: (additional as u64).saturating_mul(size_of::<T>() as u64) })
+    if additional <= vec.capacity() - vec.len() { Ok(()) } else { grow_capacity(vec, additional) }
+}
+
+/// [`reserve`] where there is no room. The reserve behind the allocator is for those who cannot
+/// fail: a vector that might move there is made anew, and stays where it is if that is there.
+#[cold]
+#[inline(never)]
+fn grow_capacity<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
+    let capacity = vec.len().saturating_add(additional).max(2 * vec.capacity());
+    let made = if capacity.saturating_mul(size_of::<T>()) <= reserve::MAX_BLOCK {
+        let mut grown = Vec::new();
+        let made = grown.try_reserve(capacity).is_ok() && !reserve::holds(grown.as_ptr());
+        if made {
+            grown.append(vec);
+            *vec = grown;
+        }
+        made
+    } else {
+        vec.try_reserve(additional).is_ok()
+    };
+    if made { Ok(()) } else { Err(out_of_memory::<T>(additional)) }
+}
+
+#[cold]
+fn out_of_memory<T>(count: usize) -> Error {
+    Error::OutOfMemory { bytes: (count as u64).saturating_mul(size_of::<T>() as u64) }
 }
 
 /// Appends a slice.
@@ -106,6 +133,15 @@ pub(crate) fn extend<T>(vec: &mut Vec<T>, items: impl IntoIterator<Item = T>) ->
 /// Appends parts, one after another, until one has failed.
 pub(crate) fn append_all<T: Copy>(vec: &mut Vec<T>, parts: impl IntoIterator<Item = Result<Vec<T>>>) -> Result<()> {
     parts.into_iter().try_for_each(|part| append(vec, &part?))
+}
+
+/// Inserts items into a set.
+pub(crate) fn insert_all<T: Eq + Hash>(set: &mut HashSet<T>, items: impl IntoIterator<Item = T>) -> Result<()> {
+    for item in items {
+        set.try_reserve(1).map_err(|_| out_of_memory::<T>(set.len() + 1))?;
+        set.insert(item);
+    }
+    Ok(())
 }
 
 /// Appends one element.

@@ -1,6 +1,7 @@
 //! Progress, cancellation, notes and the number of threads of a long computation.
 
 use crate::error::{Error, Result};
+use crate::reserve;
 use std::ops::{ControlFlow, Range};
 
 /// Elements of simple work that are done within a few milliseconds.
@@ -33,13 +34,15 @@ pub struct Job<'a> {
     progress: &'a dyn Progress,
     from: f64,
     to: f64,
+    /// What had been taken from the reserve when the job began.
+    drawn: u64,
 }
 
 impl<'a> Job<'a> {
     /// `threads`: 0 for as many as the machine has, 1 for the calling thread only. The result does
     /// not depend on it.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
-        Job { threads, progress, from: 0.0, to: 1.0 }
+        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn() }
     }
 
     /// The number of threads asked for; 0 is automatic.
@@ -63,14 +66,32 @@ impl<'a> Job<'a> {
         self.part(k as f64 / count as f64, (k + 1) as f64 / count as f64)
     }
 
-    /// Reports progress; [`Error::Cancelled`] if the host wants to stop.
+    /// Reports progress; [`Error::Cancelled`] if the host wants to stop, and in the libraries for C
+    /// [`Error::OutOfMemory`] if memory was refused that could not be asked for.
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
+        self.memory()?;
+        self.report(fraction, stage)
+    }
+
+    /// [`Job::step`] of work that changes what the caller has as it goes on: memory was asked for
+    /// before it.
+    pub(crate) fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Of nothing to do, the part that is done may be no number.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
         let whole = self.from + (self.to - self.from) * fraction;
         match self.progress.step(whole, stage) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(Error::Cancelled),
+        }
+    }
+
+    /// [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job began.
+    /// Asked for before anything is changed that the caller has.
+    #[inline]
+    pub(crate) fn memory(&self) -> Result<()> {
+        match reserve::drawn() - self.drawn {
+            0 => Ok(()),
+            bytes => Err(Error::OutOfMemory { bytes }),
         }
     }
 

@@ -63,12 +63,14 @@ pub mod outline;
 mod par;
 mod remesh;
 pub mod repair;
+mod reserve;
 mod simd;
 mod sort;
 pub mod stitch;
 pub mod surface;
 #[cfg(test)]
 mod testing;
+mod threads;
 pub mod winged;
 
 pub use error::{Element, Error, PairFault, Result, Side};

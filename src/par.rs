@@ -4,13 +4,13 @@
 //! back in the order of the items: whatever is reduced over them is reduced in the same order on
 //! one thread and on a hundred. No thread outlives the call.
 
+use crate::alloc;
 use crate::error::Result;
 use crate::job::{Job, Progress};
-use std::convert::Infallible;
-use std::iter;
+use crate::threads::run_beside;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -20,15 +20,15 @@ const BETWEEN_REPORTS: Duration = Duration::from_millis(10);
 /// Applies `work` to every item and returns the results in order.
 ///
 /// `threads`: 0 for as many as the machine has; the calling thread is one of them.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), for the results.
 pub(crate) fn map<T: Send, R: Send>(
     threads: usize,
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
-) -> Vec<R> {
-    match run_ordered(threads, items, work, |_| Ok::<(), Infallible>(())) {
-        Ok(results) => results,
-        Err(never) => match never {},
-    }
+) -> Result<Vec<R>> {
+    run_ordered(threads, items, work, |_| Ok(()))
 }
 
 /// [`map`] that the host can cancel: the calling thread reports progress before each item that it
@@ -36,7 +36,8 @@ pub(crate) fn map<T: Send, R: Send>(
 /// worth a report and small enough not to delay one.
 ///
 /// # Errors
-/// [`Error::Cancelled`](crate::Error::Cancelled).
+/// [`Error::Cancelled`](crate::Error::Cancelled),
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub(crate) fn map_cancellable<T: Send, R: Send>(
     job: &Job<'_>,
     stage: &'static str,
@@ -53,7 +54,7 @@ pub(crate) fn map_cancellable<T: Send, R: Send>(
 /// thread waits for them the host is asked. What the others report and note is not passed on.
 ///
 /// # Errors
-/// The first of the items' in their order; [`Error::Cancelled`](crate::Error::Cancelled).
+/// The first of the items' in their order; those of [`map_cancellable`].
 pub(crate) fn map_jobs<T: Send, R: Send>(
     job: &Job<'_>,
     stage: &'static str,
@@ -63,8 +64,9 @@ pub(crate) fn map_jobs<T: Send, R: Send>(
     let count = items.len();
     let helpers = at_most(count, job.threads()).saturating_sub(1);
     let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
-    let results = Mutex::new(iter::repeat_with(|| None).take(count).collect::<Vec<Option<Result<R>>>>());
-    let (busy, waiting) = (Mutex::new(0usize), thread::current());
+    // Room for all of them before the first item: after the last, what was done can no longer fail.
+    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
+    let busy = Busy::default();
     let finish = |i: usize, item: T, job: &Job<'_>| {
         let result = work(item, job);
         let failed = result.is_err();
@@ -73,16 +75,14 @@ pub(crate) fn map_jobs<T: Send, R: Send>(
     };
     let next = || lock(&queue).next().filter(|_| !stopped.load(Ordering::Relaxed));
     let help = || {
-        *lock(&busy) += 1;
+        let _one = busy.begin();
         let own = Unless(&stopped);
         while let Some((i, item)) = next() {
             finish(i, item, &Job::new(1, &own));
         }
-        *lock(&busy) -= 1;
-        waiting.unpark();
     };
     let mut reported = Ok(());
-    let mut lead = || {
+    let mut lead = |_| {
         let stop = StopOnDrop(&stopped);
         let ask = |done: usize| job.step(done as f64 / count.max(1) as f64, stage);
         reported = (|| {
@@ -90,11 +90,7 @@ pub(crate) fn map_jobs<T: Send, R: Send>(
                 ask(i)?;
                 finish(i, item, &job.share(i, count).with_threads(1));
             }
-            while *lock(&busy) > 0 {
-                ask(count)?;
-                thread::park_timeout(BETWEEN_REPORTS);
-            }
-            Ok(())
+            busy.wait(|| ask(count))
         })();
         if reported.is_ok() {
             std::mem::forget(stop);
@@ -102,21 +98,29 @@ pub(crate) fn map_jobs<T: Send, R: Send>(
     };
     run_beside(helpers, &help, &mut lead);
     reported?;
-    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
+    for result in results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten() {
+        all.push(result?);
+    }
+    Ok(all)
+}
+
+/// Places for as many results.
+fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
+    Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
 }
 
 /// The engine of [`map`]: results in the order of the items. `before` is called on this thread with
 /// the number of each item that it takes.
-fn run_ordered<T: Send, R: Send, E>(
+fn run_ordered<T: Send, R: Send>(
     threads: usize,
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
-    before: impl Fn(usize) -> std::result::Result<(), E>,
-) -> std::result::Result<Vec<R>, E> {
+    before: impl Fn(usize) -> Result<()>,
+) -> Result<Vec<R>> {
     let count = items.len();
     let wanted = at_most(count, threads);
     let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
-    let results = Mutex::new(iter::repeat_with(|| None).take(count).collect::<Vec<Option<R>>>());
+    let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
     let next = || lock(&queue).next();
     let finish = |(i, item)| {
         let result = work(item);
@@ -128,7 +132,7 @@ fn run_ordered<T: Send, R: Send, E>(
         }
     };
     let mut reported = Ok(());
-    let mut lead = || {
+    let mut lead = |_| {
         while let Some((i, item)) = next() {
             reported = before(i);
             if reported.is_err() {
@@ -138,24 +142,9 @@ fn run_ordered<T: Send, R: Send, E>(
         }
     };
     run_beside(wanted.saturating_sub(1), &help, &mut lead);
-    reported.map(|()| results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect())
-}
-
-/// Runs `lead` on this thread and `help` on `helpers` others, and returns when all have returned.
-/// Not generic: what starting a thread compiles to is there once, not for each use of [`map`].
-fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dyn FnMut()) {
-    if helpers == 0 {
-        return lead();
-    }
-    thread::scope(|scope| {
-        // A thread that cannot be started is no failure: the others take its share.
-        let handles: Vec<_> =
-            (0..helpers).map_while(|_| thread::Builder::new().spawn_scoped(scope, help).ok()).collect();
-        lead();
-        for handle in handles {
-            handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        }
-    });
+    reported?;
+    all.extend(results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten());
+    Ok(all)
 }
 
 /// Does two pieces of work, the second on a thread of its own if the job may have one. The host is
@@ -176,36 +165,69 @@ pub(crate) fn both<R, S: Send>(
     }
     let stopped = AtomicBool::new(false);
     let (second, done) = (Mutex::new(Some(second)), Mutex::new(None));
-    let waiting = thread::current();
+    let busy = Busy::default();
     let help = || {
+        let _one = busy.begin();
         let second = lock(&second).take();
-        let result = second.map(|second| second(&Job::new(1, &Unless(&stopped))));
-        *lock(&done) = result;
-        waiting.unpark();
+        *lock(&done) = second.map(|second| second(&Job::new(1, &Unless(&stopped))));
     };
-    let lead = |helper: &dyn Fn() -> bool| {
-        let found = first(&job.part(0.0, 0.5))?;
-        while lock(&done).is_none() && helper() {
-            job.step(0.5, stage)?;
-            thread::park_timeout(BETWEEN_REPORTS);
-        }
-        Ok(found)
-    };
-    let found = thread::scope(|scope| {
-        let helper = thread::Builder::new().spawn_scoped(scope, help).ok();
+    let (mut first, mut found) = (Some(first), None);
+    let mut lead = |_| {
         let stop = StopOnDrop(&stopped);
-        let found = lead(&|| helper.as_ref().is_some_and(|helper| !helper.is_finished()))?;
-        std::mem::forget(stop);
-        if let Some(Err(panic)) = helper.map(thread::ScopedJoinHandle::join) {
-            std::panic::resume_unwind(panic);
+        found = first.take().map(|first| {
+            let found = first(&job.part(0.0, 0.5))?;
+            // What the other thread has not begun is done by this one.
+            let late = lock(&second).take();
+            let late = late.map(|second| second(&job.part(0.5, 1.0))).transpose()?;
+            busy.wait(|| job.step(0.5, stage))?;
+            Ok((found, late))
+        });
+        if matches!(found, Some(Ok(_))) {
+            std::mem::forget(stop);
         }
-        Ok(found)
-    })?;
-    // A thread that cannot be started is no failure.
-    let late = lock(&second).take().map(|second| second(&job.part(0.5, 1.0)));
-    match late.or(done.into_inner().unwrap_or_else(PoisonError::into_inner)) {
-        Some(result) => Ok((found, result?)),
+    };
+    run_beside(1, &help, &mut lead);
+    let (found, late) = found.unwrap_or(Err(crate::Error::Cancelled))?;
+    match late.map(Ok).or(done.into_inner().unwrap_or_else(PoisonError::into_inner)) {
+        Some(second) => Ok((found, second?)),
         None => Err(crate::Error::Cancelled),
+    }
+}
+
+/// How many other threads are at work.
+#[derive(Default)]
+struct Busy {
+    count: Mutex<usize>,
+    fewer: Condvar,
+}
+
+impl Busy {
+    /// One more, until what is returned is dropped.
+    fn begin(&self) -> impl Drop + use<'_> {
+        *lock(&self.count) += 1;
+        AtWork(self)
+    }
+
+    /// Waits until there are none; `ask` is called first and now and then.
+    fn wait(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
+        while *lock(&self.count) > 0 {
+            ask()?;
+            let count = lock(&self.count);
+            if *count > 0 {
+                drop(self.fewer.wait_timeout(count, BETWEEN_REPORTS));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One of [`Busy`].
+struct AtWork<'a>(&'a Busy);
+
+impl Drop for AtWork<'_> {
+    fn drop(&mut self) {
+        *lock(&self.0.count) -= 1;
+        self.0.fewer.notify_one();
     }
 }
 
@@ -257,13 +279,14 @@ mod tests {
 
     #[test]
     fn the_same_for_any_thread_count() {
-        let sums = |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>());
+        let sums =
+            |threads| map(threads, ranges(1001, 10), |range| range.map(|i| 1.0 / (i + 1) as f64).sum::<f64>()).unwrap();
         let one = sums(1);
         assert_eq!(one.len(), 101);
         for threads in [0, 2, 3, 64] {
             assert_eq!(one, sums(threads));
         }
-        assert!(map(4, ranges(0, 10), |range| range.len()).is_empty());
+        assert_eq!(map(4, ranges(0, 10), |range| range.len()), Ok(Vec::new()));
     }
 
     #[test]
@@ -387,7 +410,8 @@ mod tests {
             let parts = map(threads, squares.chunks_mut(7).enumerate(), |(i, part)| {
                 part.iter_mut().zip(7 * i..).for_each(|(square, k)| *square = k * k);
                 part.len()
-            });
+            })
+            .unwrap();
             assert_eq!(parts.iter().sum::<usize>(), 1000);
             assert!(squares.iter().enumerate().all(|(k, &square)| square == k * k));
         }

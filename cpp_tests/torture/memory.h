@@ -3,6 +3,7 @@
 #define TORTURE_MEMORY_H
 
 #include <errno.h>
+#include <malloc.h>
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -13,8 +14,8 @@ void *__libc_realloc(void *block, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 void __libc_free(void *block);
 
-/* Blocks that are in use; requests since they are counted; the first of these that fails (0: none), and the last. */
-static atomic_llong memory_live, memory_requests, memory_first, memory_last;
+/* Blocks and bytes that are in use; requests since they are counted; the first of these that fails (0: none), and the last. */
+static atomic_llong memory_live, memory_bytes, memory_requests, memory_first, memory_last;
 /* The size of the last request that failed. */
 static atomic_size_t memory_refused;
 
@@ -28,7 +29,10 @@ static inline int memory_fails(size_t size) {
 }
 
 static inline void *memory_counted(void *block) {
-    if (block) atomic_fetch_add(&memory_live, 1);
+    if (block) {
+        atomic_fetch_add(&memory_live, 1);
+        atomic_fetch_add(&memory_bytes, (long long)malloc_usable_size(block));
+    }
     return block;
 }
 
@@ -42,7 +46,11 @@ void *calloc(size_t count, size_t size) {
 
 void *realloc(void *block, size_t size) {
     if (memory_fails(size)) return NULL;
-    return block ? __libc_realloc(block, size) : memory_counted(__libc_realloc(block, size));
+    const long long before = block ? (long long)malloc_usable_size(block) : 0;
+    void *const made = __libc_realloc(block, size);
+    if (!block) return memory_counted(made);
+    if (made) atomic_fetch_add(&memory_bytes, (long long)malloc_usable_size(made) - before);
+    return made;
 }
 
 void *aligned_alloc(size_t alignment, size_t size) {
@@ -57,7 +65,10 @@ int posix_memalign(void **block, size_t alignment, size_t size) {
 }
 
 void free(void *block) {
-    if (block) atomic_fetch_sub(&memory_live, 1);
+    if (block) {
+        atomic_fetch_sub(&memory_live, 1);
+        atomic_fetch_sub(&memory_bytes, (long long)malloc_usable_size(block));
+    }
     __libc_free(block);
 }
 

@@ -42,6 +42,8 @@ enum torture_kind {
  * when it should have heard that. */
 #define TORTURE_PATIENCE 4
 #define TORTURE_SECONDS 6
+/* The status of a process after which another one goes on. */
+#define TORTURE_AGAIN 3
 
 struct torture_slot {
     enum torture_kind kind;
@@ -50,15 +52,20 @@ struct torture_slot {
     char path[72];
 };
 
-/* What is tried, one after another: hostile arguments; a cancel at each step; and if TORTURE_ALLOCATIONS says how many, allocations
- * that fail, each alone and with all after it. */
+/* What is tried, one after another: hostile arguments; a cancel at each step; allocations that fail, each alone and with all after it,
+ * or as many of them as TORTURE_ALLOCATIONS says. With TORTURE_FROM=2 only the latter. After each failure the call is made again with the
+ * same context, and must give what it gave before. What changes a handle, or keeps something in one, is tried once in
+ * each process. */
 enum torture_phase { TORTURE_ARGUMENTS, TORTURE_CANCELS, TORTURE_ONE_ALLOCATION, TORTURE_ALL_ALLOCATIONS, TORTURE_PHASES };
 
 struct torture_shared {
     enum torture_phase phase;
     size_t value, calls[TORTURE_PHASES], failures;
-    long long allocations; /* of the call as it is */
-    int plain;             /* and its status */
+    long long allocations;    /* of the call as it is */
+    long long kept;           /* the blocks that it leaves in handles */
+    int plain;                /* and its status */
+    uint64_t result;          /* and its results, with the handle that it changes */
+    size_t refused, resolved; /* calls that returned OUT_OF_MEMORY, and that succeeded without an allocation */
     double slowest;
     char now[360], slow[360];
 };
@@ -152,9 +159,10 @@ static inline void torture_elements(enum torture_kind kind, const void *array, s
 
 static inline void torture_summary(void) {
     const size_t *const calls = torture_told->calls;
-    printf("in place of %zu calls %zu with other arguments, %zu cancelled, %zu without memory; %zu failures; slowest %.2f s: %s\n",
-           torture_functions, calls[0], calls[1], calls[2] + calls[3], torture_failures + torture_told->failures, torture_told->slowest,
-           torture_told->slow);
+    printf("in place of %zu calls %zu with other arguments, %zu cancelled, %zu without memory (%zu said so, %zu did without); "
+           "%zu failures; slowest %.2f s: %s\n",
+           torture_functions, calls[0], calls[1], calls[2] + calls[3], torture_told->refused, torture_told->resolved,
+           torture_failures + torture_told->failures, torture_told->slowest, torture_told->slow);
     fflush(stdout);
     if (torture_failures + torture_told->failures) _exit(1);
 }
@@ -180,6 +188,11 @@ static inline double torture_clock(void) {
     return (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
+static inline size_t torture_limit(const char *name, size_t usual) {
+    const char *const given = getenv(name);
+    return given ? strtoul(given, NULL, 10) : usual;
+}
+
 /* Tries a call in other processes, as many as die. True in those: they list their slots, try them, and leave. */
 static inline int torture_enter(const char *function) {
     if (!torture_told) {
@@ -187,7 +200,8 @@ static inline int torture_enter(const char *function) {
         atexit(torture_summary);
     }
     ++torture_functions;
-    torture_function = function, torture_told->phase = TORTURE_ARGUMENTS, torture_told->value = 0;
+    torture_function = function, torture_told->phase = (enum torture_phase)torture_limit("TORTURE_FROM", 0), torture_told->value = 0;
+    torture_told->allocations = torture_told->kept = 0;
     for (;;) {
         fflush(NULL);
         const pid_t child = fork();
@@ -195,6 +209,7 @@ static inline int torture_enter(const char *function) {
         int state = 0;
         waitpid(child, &state, 0);
         if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return 0;
+        if (WIFEXITED(state) && WEXITSTATUS(state) == TORTURE_AGAIN) continue;
         printf("%s: %s\n", torture_told->now,
                WIFEXITED(state) ? "ended the process" : WTERMSIG(state) == SIGXCPU ? "went on although it was cancelled" : strsignal(WTERMSIG(state)));
         ++torture_failures;
@@ -342,16 +357,14 @@ static inline int torture_choose(size_t value) {
 /* Of the call that is tried: the steps that were reported, whether one of them was cancelled, and the blocks in use before it. */
 static size_t torture_steps;
 static int torture_fired;
-static long long torture_live;
+static long long torture_live, torture_bytes, torture_nth;
+/* Whether the call is made again after a failure, and as it was left before the failure, what it changes. */
+static int torture_repeats, torture_failed;
+static uint64_t torture_before;
 
 static inline int torture_step(void *user, double fraction, const char *stage) {
     (void)fraction, (void)stage;
     return torture_fired |= torture_steps++ == *(const size_t *)user;
-}
-
-static inline size_t torture_limit(const char *name, size_t usual) {
-    const char *const given = getenv(name);
-    return given ? strtoul(given, NULL, 10) : usual;
 }
 
 /* The value-th step is cancelled; the last call of the phase is one that ended before. */
@@ -365,19 +378,26 @@ static inline int torture_cancel_step(size_t value) {
 
 /* No allocation fails at first, which counts them; then each, or if there are many, some. */
 static inline int torture_refuse(enum torture_phase phase, size_t value) {
-    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 0);
+    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 6);
     const long long step = most > 1 ? most - 1 : 1;
     const long long nth = value == 0 ? 0 : all <= most ? (long long)value : 1 + (all - 1) * ((long long)value - 1) / step;
     if (!torture_context || (value > 0 && (nth > all || (long long)value > most))) return 0;
-    (gusset_context_destroy)(torture_context);
-    torture_context = NULL, torture_live = atomic_load(&memory_live);
-    torture_own_context();
-    snprintf(torture_told->now, sizeof torture_told->now, "%s: allocation %lld of %lld fails%s", torture_function, nth, all,
-             phase == TORTURE_ALL_ALLOCATIONS ? ", and all after it" : "");
-    atomic_store(&memory_last, phase == TORTURE_ALL_ALLOCATIONS ? LLONG_MAX : nth);
-    atomic_store(&memory_requests, 0);
-    atomic_store(&memory_first, nth);
+    if (!torture_repeats) {
+        (gusset_context_destroy)(torture_context);
+        torture_context = NULL, torture_live = atomic_load(&memory_live), torture_bytes = atomic_load(&memory_bytes);
+        torture_own_context();
+    }
+    snprintf(torture_told->now, sizeof torture_told->now, "%s: allocation %lld of %lld fails%s%s", torture_function, nth, all,
+             phase == TORTURE_ALL_ALLOCATIONS ? ", and all after it" : "", torture_repeats ? "; then again" : "");
+    torture_nth = torture_repeats ? 0 : nth;
     return 1;
+}
+
+/* Right before the call: from now on requests are counted and fail. */
+static inline void torture_arm(void) {
+    atomic_store(&memory_last, torture_told->phase == TORTURE_ALL_ALLOCATIONS ? LLONG_MAX : torture_nth);
+    atomic_store(&memory_requests, 0);
+    atomic_store(&memory_first, torture_nth);
 }
 
 /* After a call: all as before, and what its time and its memory were. */
@@ -391,9 +411,13 @@ static inline void torture_finish(void) {
     }
     torture_take_back();
     if (told->phase >= TORTURE_ONE_ALLOCATION) {
+        torture_repeats = !torture_repeats && torture_failed;
+        if (torture_repeats) return;
         (gusset_context_destroy)(torture_context);
         torture_context = NULL;
-        if (torture_pure && told->value > 0 && atomic_load(&memory_live) != torture_live) torture_fails("memory is left");
+        const long long blocks = atomic_load(&memory_live) - torture_live, bytes = atomic_load(&memory_bytes) - torture_bytes;
+        if (told->phase == TORTURE_ONE_ALLOCATION && told->value == 0) told->kept = blocks;
+        if (blocks != told->kept || (told->kept == 0 && torture_pure && bytes != 0)) torture_fails("memory is left");
     }
     if (told->phase == TORTURE_CANCELS && !torture_fired) ++told->phase, told->value = 0;
     else ++told->value;
@@ -410,11 +434,14 @@ static inline int torture_next(void) {
         setrlimit(RLIMIT_AS, &memory);
         setrlimit(RLIMIT_CORE, &core);
         signal(SIGPROF, torture_cancel);
-        torture_begun = 1;
     }
     torture_own_context();
     for (; told->phase < TORTURE_PHASES; ++told->phase, told->value = 0) {
         if (told->phase > TORTURE_CANCELS) (gusset_context_set_progress)(torture_context, NULL, NULL);
+        if (told->phase > TORTURE_CANCELS && torture_begun && (!torture_pure || told->kept) && !torture_repeats) {
+            fflush(NULL);
+            _exit(TORTURE_AGAIN);
+        }
         (gusset_context_reset)(torture_context);
         torture_began = torture_clock();
         const struct rlimit seconds = {(rlim_t)torture_began + TORTURE_SECONDS + 1, RLIM_INFINITY};
@@ -423,7 +450,7 @@ static inline int torture_next(void) {
         if (told->phase == TORTURE_ARGUMENTS ? torture_choose(told->value)
             : told->phase == TORTURE_CANCELS ? torture_cancel_step(told->value)
                                              : torture_refuse(told->phase, told->value))
-            return 1;
+            return torture_begun = 1;
     }
     return 0;
 }
@@ -433,19 +460,71 @@ static inline void torture_check(gusset_status status, const gusset_context *con
     gusset_error_report report = {.struct_size = sizeof report};
     struct torture_shared *const told = torture_told;
     const long long requests = atomic_load(&memory_requests);
-    atomic_store(&memory_first, 0);
+    const long long asked = atomic_exchange(&memory_first, 0);
+    torture_failed = told->phase >= TORTURE_ONE_ALLOCATION && asked > 0 && status != told->plain;
     if (told->phase >= TORTURE_ONE_ALLOCATION && told->value == 0) {
-        if (told->phase == TORTURE_ALL_ALLOCATIONS && torture_pure && status != told->plain) torture_fails("not what it was before");
+        if (told->phase == TORTURE_ALL_ALLOCATIONS && status != told->plain) torture_fails("not what it was before");
         told->allocations = requests, told->plain = status;
+    }
+    if (told->phase >= TORTURE_ONE_ALLOCATION && told->value > 0) {
+        if (torture_repeats && status != told->plain) torture_fails("not what it was before");
+        if (!torture_repeats) ++*(status == told->plain ? &told->resolved : &told->refused);
     }
     if (status == GUSSET_ERROR_PANIC) torture_fails("a panic");
     if (strcmp((gusset_status_text)(status), "unknown status") == 0) torture_fails("a status that the header does not have");
     if (told->phase == TORTURE_CANCELS && torture_fired && torture_pure && status != GUSSET_ERROR_CANCELLED) torture_fails("the cancel was not heard");
-    if (told->phase >= TORTURE_ONE_ALLOCATION && torture_pure && status != told->plain && status != GUSSET_ERROR_OUT_OF_MEMORY)
+    if (told->phase >= TORTURE_ONE_ALLOCATION && status != told->plain && status != GUSSET_ERROR_OUT_OF_MEMORY)
         torture_fails("another status than that of memory");
     if (status == GUSSET_OK || !context || (gusset_context_get_report)(context, &report) != GUSSET_OK) return;
     if (report.status != status) torture_fails("the report is of another status");
     if (strlen((gusset_context_get_message)(context)) == 0) torture_fails("no message");
+}
+
+static inline uint64_t torture_hash(uint64_t hash, const void *data, size_t size) {
+    for (size_t i = 0; data && i < size; ++i) hash = (hash ^ ((const unsigned char *)data)[i]) * 0x100000001B3u;
+    return hash;
+}
+
+/* What a net is: all that a stream of it has. */
+static inline uint64_t torture_hash_net(uint64_t hash, const gusset_net *net) {
+    gusset_stream *stream = NULL;
+    const void *data = NULL;
+    size_t size = 0;
+    if ((gusset_net_encode_create)(NULL, net, NULL, &stream) != GUSSET_OK) return hash;
+    if ((gusset_stream_get_view)(stream, &data, &size) == GUSSET_OK) hash = torture_hash(hash, data, size);
+    (gusset_stream_destroy)(stream);
+    return hash;
+}
+
+/* What a scene is: where all that is in it is, and what it counts. */
+static inline uint64_t torture_hash_scene(uint64_t hash, const gusset_scene *scene) {
+    static gusset_scene_instance instances[4096];
+    gusset_scene_report report = {.struct_size = sizeof report};
+    size_t written = 0;
+    if ((gusset_scene_get_report)(scene, &report) == GUSSET_OK) hash = torture_hash(hash, &report, sizeof report);
+    if ((gusset_scene_world_transforms)(NULL, scene, instances, 4096, &written) == GUSSET_OK)
+        hash = torture_hash(hash, instances, written * sizeof *instances);
+    return hash;
+}
+
+/* What a decoder is: the rows that it has. */
+static inline uint64_t torture_hash_decoder(uint64_t hash, const gusset_stream_decoder *decoder) {
+    gusset_net *net = NULL;
+    if ((gusset_stream_decoder_preview_create)(NULL, decoder, &net) != GUSSET_OK) return hash;
+    hash = torture_hash_net(hash, net);
+    (gusset_net_destroy)(net);
+    return hash;
+}
+
+/* After a call, with what it gave and what it changed: the same as of the call as it is, or as before. */
+static inline void torture_results(gusset_status status, uint64_t changed, uint64_t result) {
+    struct torture_shared *const told = torture_told;
+    if (told->phase < TORTURE_ONE_ALLOCATION) return;
+    if (told->value == 0 && told->phase == TORTURE_ONE_ALLOCATION) {
+        told->result = changed * 31 + result;
+    } else if (status == told->plain ? changed * 31 + result != told->result : changed != torture_before) {
+        torture_fails(status == told->plain ? "another result than before" : "half a change");
+    }
 }
 
 /* A result: there if the call succeeded, NULL if not. */
@@ -454,13 +533,14 @@ static inline void torture_made(gusset_status status, const void *made) {
     if (status != GUSSET_OK && made != NULL) torture_fails((uintptr_t)made == TORTURE_UNTOUCHED ? "the output is not cleared" : "half a result");
 }
 
-/* Coordinates that a result lends. */
-static inline void torture_finite(const void *list, size_t count, int real, const char *name) {
+/* Coordinates that a result lends, hashed. */
+static inline uint64_t torture_finite(uint64_t hash, const void *list, size_t count, int real, const char *name) {
     for (size_t i = 0; list && i < 2 * count; ++i)
         if (!isfinite(real ? ((const double *)list)[i] : (double)((const float *)list)[i])) {
             torture_fails(name);
-            return;
+            break;
         }
+    return torture_hash(hash, list, 2 * count * (real ? sizeof(double) : sizeof(float)));
 }
 
 /* Ends the process of a call: nothing of the program's is to run. */

@@ -21,6 +21,8 @@ UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "val
            "z": "SCALARS", "face_offsets": "OFFSET", "face_corners": "U32"}
 # Arrays of points: three coordinates each, or as many as a field `dimension` says.
 POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points"}
+# Handles that functions change, and what torture.h calls what it knows of them.
+HASHED = {"gusset_net": "net", "gusset_scene": "scene", "gusset_stream_decoder": "decoder"}
 # Numbers that say how an array is to be read: only values that no array has.
 READ_AS = {"scalar", "index", "dimension", "face_size", "counts"}
 
@@ -141,7 +143,7 @@ def visit(header, items, at, within, path, wide=False):
 
 def finite(header, kind):
     """The statements that look at the coordinates which a result of that kind lends, two at least of each point."""
-    lines = []
+    lines = ["    if (torture_told->phase >= TORTURE_ONE_ALLOCATION) hash = torture_hash_net(hash, made);"] if kind == "gusset_net" else []
     for _, name, given, _ in header.functions:
         if not re.fullmatch(kind + "_get_(mesh|view|strip)", name) or len(given) != 2 or not header.versioned(given[1].type):
             continue
@@ -156,7 +158,7 @@ def finite(header, kind):
                 continue
             real = "seen.scalar == GUSSET_F64" if any(one.name == "scalar" for one in fields) else "1"
             lines.append(f"    {{ struct {view} seen = {{.struct_size = sizeof seen}}; if (({name})(made, &seen) == GUSSET_OK) "
-                         f'torture_finite(seen.{field}, seen.{count}, {real}, "{field}"); }}')
+                         f'hash = torture_finite(hash, seen.{field}, seen.{count}, {real}, "{field}"); }}')
     return lines
 
 
@@ -166,7 +168,10 @@ def wrapper(header, result, name, given, declaration):
     outputs = [one for one in given if one.stars == 2 and not one.constant and one.type not in ("void", "char")]
     # An array of handles is filled or left.
     outputs = [] if any(one.name == "capacity" for one in given) else outputs
-    made = next((one for one in outputs if any(f == one.type + "_destroy" for _, f, _, _ in header.functions)), None)
+    outputs = [one for one in outputs if any(f == one.type + "_destroy" for _, f, _, _ in header.functions)]
+    made, others = (outputs[0], outputs[1:]) if outputs else (None, [])
+    # An array of handles.
+    many = next((one for one in given if one.stars == 2 and not one.constant and any(c.name == "capacity" for c in given)), None)
     context = None if name.startswith("gusset_context_") else "context" if "const struct gusset_context *context" in declaration else None
     fallible = result == "gusset_status"
     lines = [f"static {result} torture_{declaration} {{"]
@@ -176,6 +181,11 @@ def wrapper(header, result, name, given, declaration):
             lines.append("        context = torture_own_context();")
         if made:
             lines.append(f"        struct {made.type} *made = NULL;\n        {made.name} = &made;")
+        for one in others:
+            lines.append(f"        struct {one.type} *made_{one.name} = NULL;\n        if ({one.name}) {one.name} = &made_{one.name};")
+        if many:
+            lines.append(f"        struct {many.type} *made[64] = {{0}}, **const own = {many.name} && capacity <= 64 ? made : NULL;\n"
+                         f"        if (own) {many.name} = made;")
         for one in given:
             # Structs of their own, with garbage behind them: a size that is too large is a size beyond what is known.
             if one.stars == 1 and header.versioned(one.type) and count_after(given, given.index(one), "") in "13":
@@ -191,19 +201,48 @@ def wrapper(header, result, name, given, declaration):
         changed = any(one.stars == 1 and not one.constant and one.type not in header.names and one.type not in header.structs
                       for one in given)
         lines.append(f"        torture_pure = {int(fallible and not changed)};")
+        edited = next((one for one in given if one.stars == 1 and not one.constant and one.type in HASHED), None)
+        hashed = f"torture_hash_{HASHED[edited.type]}(1, {edited.name})" if edited else "0"
         lines.append("        while (torture_next()) {")
         if context:
             lines.append("            if (torture_told->phase != TORTURE_ARGUMENTS) context = torture_context;")
         if made:
             lines.append(f"            made = (struct {made.type} *)TORTURE_UNTOUCHED;")
+        for one in others:
+            lines.append(f"            made_{one.name} = (struct {one.type} *)TORTURE_UNTOUCHED;")
+        if many:
+            lines.append("            memset(made, 0, sizeof made);")
         if fallible:
+            if edited:
+                lines.append(f"            if (torture_told->phase >= TORTURE_ONE_ALLOCATION) torture_before = {hashed};")
+            lines.append("            torture_arm();")
             lines.append(f"            const gusset_status status = ({name})({arguments});")
             lines.append(f"            torture_check(status, {f'{context} == torture_context ? context : NULL' if context else 'NULL'});")
         else:
             lines.append(f"            {'' if result == 'void' else '(void)'}({name})({arguments});")
         if made:
             lines.append(f"            if ({made.name} == own) torture_made(status, made);")
-            lines.append(f"            if (status == GUSSET_OK) finite_{made.type}(made), ({made.type}_destroy)(made);")
+            lines.append(f"            uint64_t result = status == GUSSET_OK ? finite_{made.type}(made) : 0;")
+            for one in others:
+                lines.append(f"            if ({one.name} == &made_{one.name} && status != GUSSET_OK && made_{one.name}) "
+                             f'torture_fails("{one.name} is not cleared");')
+                lines.append(f"            if ({one.name} == &made_{one.name} && status == GUSSET_OK && made_{one.name}) "
+                             f"result = result * 31 + finite_{one.type}(made_{one.name}), ({one.type}_destroy)(made_{one.name});")
+            lines.append(f"            if (status == GUSSET_OK) ({made.type}_destroy)(made);")
+        elif fallible:
+            lines.append("            uint64_t result = 0;")
+        if many:
+            lines.append(f"            for (size_t i = 0; {many.name} == own && i < 64; ++i) {{\n"
+                         f'                if (status != GUSSET_OK && made[i]) torture_fails("{many.name} is not cleared");\n'
+                         f"                if (status == GUSSET_OK && made[i]) result = result * 31 + finite_{many.type}(made[i]), "
+                         f"({many.type}_destroy)(made[i]);\n            }}")
+        if fallible:
+            for one in given:
+                # What is lent lies elsewhere each time, and the context is not of the call.
+                if one.stars == 1 and not one.constant and header.versioned(one.type) and not header.has_pointers(one.type):
+                    lines.append(f"            if ({one.name} && torture_told->phase >= TORTURE_ONE_ALLOCATION) "
+                                 f"result = torture_hash(result, {one.name}, sizeof *{one.name});")
+            lines.append(f"            torture_results(status, torture_told->phase >= TORTURE_ONE_ALLOCATION ? {hashed} : 0, result);")
         lines.append("        }\n        torture_leave();\n    }")
     lines.append(f"    {'' if result == 'void' else 'return '}({name})({arguments});\n}}")
     return "\n".join(line for line in lines if line)
@@ -223,7 +262,7 @@ def main():
     handles = [name.removesuffix("_destroy") for _, name, _, _ in header.functions if name.endswith("_destroy")]
     for handle in handles:
         body = "\n".join(finite(header, handle)) or "    (void)made;"
-        print(f"\nstatic void finite_{handle}(const struct {handle} *made) {{\n{body}\n}}")
+        print(f"\nstatic uint64_t finite_{handle}(const struct {handle} *made) {{\n    uint64_t hash = 1;\n{body}\n    return hash;\n}}")
     for function in header.functions:
         print("\n" + wrapper(header, *function))
     print()

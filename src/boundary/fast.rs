@@ -70,7 +70,7 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
         let mut gather = Gather { sums: &sums, found: Vec::new() };
         mesh.faces().visit(range, &mut gather)?;
         Ok(gather.found)
-    });
+    })?;
     let mut candidates = Vec::new();
     alloc::append_all(&mut candidates, parts)?;
     let job = job.part(0.9, 1.0);
@@ -141,9 +141,8 @@ impl Sums {
                 None => Sums { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
             };
             mesh.faces().visit(range, &mut partial)?;
-            pool().push(partial);
-            Ok(())
-        });
+            alloc::push(&mut pool(), partial)
+        })?;
         added.into_iter().collect::<Result<()>>()?;
         let mut partials = idle.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter();
         let mut sums = partials.next().unwrap_or(Sums { of_vertex: Vec::new(), area: 0 });

@@ -5,11 +5,13 @@ use super::guard::caught;
 use super::handle::{self, Handle, handle};
 use super::host::{Callbacks, Host, Watch};
 use super::input::{self, Versioned};
-use super::status::{Failure, gusset_element, gusset_status};
+use super::status::{Failure, gusset_element, gusset_status, text};
 use crate::error::Error;
 use crate::job::Job;
+use crate::reserve;
 use libc::{c_char, c_int, c_void};
-use std::ffi::CString;
+use std::borrow::Cow;
+use std::ffi::{CStr, CString};
 use std::ptr;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
@@ -48,7 +50,7 @@ pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message:
 struct State {
     threads: u32,
     callbacks: Callbacks,
-    message: CString,
+    message: Cow<'static, CStr>,
     report: gusset_error_report,
 }
 
@@ -88,18 +90,37 @@ impl gusset_context {
 
 impl State {
     fn record(&mut self, outcome: Result<(), Failure>) -> gusset_status {
-        (self.message, self.report) = Default::default();
+        (self.message, self.report) = (Cow::Borrowed(c""), gusset_error_report::default());
         let Err(failure) = outcome else { return gusset_status::GUSSET_OK };
         let Failure { status, message, element, index, value, input } = failure;
-        self.message = CString::new(message.into_owned()).unwrap_or_default();
+        let message = CString::new(message.into_owned()).unwrap_or_default();
+        // What a context keeps is not to be in the reserve.
+        let kept = !reserve::holds(message.as_ptr());
+        self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(text(status as i32)) };
         self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
         status
     }
 }
 
 /// Runs `body` with the context's job, or with the defaults if the context is NULL; records the
-/// outcome in the context.
+/// outcome in the context. Without memory there is no success.
 pub(crate) fn guard(
+    context: *const gusset_context,
+    body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
+) -> gusset_status {
+    guard_change(context, |job| with_memory(body, job))
+}
+
+/// What `body` gives, unless memory was taken from the reserve for it.
+fn with_memory<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
+    let made = body(job)?;
+    job.memory()?;
+    Ok(made)
+}
+
+/// [`guard`] for a `body` that changes what the caller has, or makes handles: what is done is done,
+/// and it asks for the job's memory itself, before that.
+pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
@@ -131,10 +152,10 @@ pub(crate) fn answer<T>(
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
     let slot = input::output(out, cleared, name);
-    guard(context, |job| {
+    guard_change(context, |job| {
         // First of all: there must be a place for the result.
         let slot = slot?;
-        *slot = body(job)?;
+        *slot = with_memory(body, job)?;
         Ok(())
     })
 }
@@ -147,9 +168,9 @@ pub(crate) fn answer_optional<T>(
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
     let slot = input::optional_output(out, cleared, name);
-    guard(context, |job| {
+    guard_change(context, |job| {
         let slot = slot?;
-        input::set(slot, body(job)?);
+        input::set(slot, with_memory(body, job)?);
         Ok(())
     })
 }
@@ -161,9 +182,9 @@ pub(crate) fn answer_struct<T: Versioned>(
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
     let out = input::output_struct(out, name);
-    guard(context, |job| {
+    guard_change(context, |job| {
         let out = out?;
-        out.write(body(job)?);
+        out.write(with_memory(body, job)?);
         Ok(())
     })
 }
@@ -175,7 +196,13 @@ pub(crate) fn create<T: Handle>(
     name: &'static str,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
-    answer(context, (out, name), ptr::null_mut(), |job| Ok(handle::give(body(job)?)))
+    let slot = input::output(out, ptr::null_mut(), name);
+    guard_change(context, |job| {
+        let slot = slot?;
+        let made = with_memory(|job| Ok(handle::boxed(body(job)?)), job)?;
+        *slot = handle::give(made);
+        Ok(())
+    })
 }
 
 /// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
@@ -202,7 +229,7 @@ pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context
     create(ptr::null(), context, "context", |_| {
         let none = ptr::null_mut();
         let callbacks = Callbacks { progress: None, progress_user: none, log: None, log_user: none };
-        let (message, report) = Default::default();
+        let (message, report) = (Cow::Borrowed(c""), gusset_error_report::default());
         let state = Mutex::new(State { threads: 0, callbacks, message, report });
         Ok(gusset_context { watch: Watch::default(), state })
     })

@@ -2,7 +2,7 @@
 //! pointer to another kind is a status and not a crash. What is no handle at all cannot be told.
 
 use super::guard::caught;
-use super::input::aligned;
+use super::input::{self, aligned};
 use super::status::Failure;
 use super::status::gusset_status::GUSSET_ERROR_WRONG_HANDLE;
 use std::ptr;
@@ -41,9 +41,14 @@ impl<T> std::ops::Deref for Tagged<T> {
     }
 }
 
-/// The object as C holds it, until [`destroy`] takes it back.
-pub(crate) fn give<T: Handle>(object: T) -> *mut T {
-    Box::into_raw(Box::new(Tagged::new(object))).cast()
+/// The object with its kind, in memory of its own.
+pub(crate) fn boxed<T: Handle>(object: T) -> Box<Tagged<T>> {
+    Box::new(Tagged::new(object))
+}
+
+/// Gives the object to C, until [`destroy`] takes it back.
+pub(crate) fn give<T>(object: Box<Tagged<T>>) -> *mut T {
+    Box::into_raw(object).cast()
 }
 
 /// Whether what begins here says that it is a T.
@@ -64,6 +69,20 @@ pub(crate) fn get<'a, T: Handle>(pointer: *const T, name: &'static str) -> Resul
     let held = checked(pointer, name)?;
     // SAFETY: as there; a T begins with this kind, and lives while the call runs.
     Ok(unsafe { &(*held).object })
+}
+
+/// `count` handles of the caller's that stay as they are, in an array at any alignment; each
+/// failure with its number.
+pub(crate) fn list<'a, T: Handle + 'a>(
+    handles: *const *const T,
+    count: usize,
+    name: &'static str,
+) -> Result<impl ExactSizeIterator<Item = Result<&'a T, Failure>>, Failure> {
+    input::bytes(handles.cast(), count, size_of::<*const T>(), name)?;
+    Ok((0..count).map(move |k| {
+        // SAFETY: within the bytes that were checked; any alignment will do.
+        get(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.of_item(k))
+    }))
 }
 
 /// The object of a handle that the call changes.

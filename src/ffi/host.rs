@@ -55,10 +55,13 @@ impl Progress for Host<'_> {
         if let Some(callback) = self.callbacks.progress
             && !self.stopped.get()
         {
-            let stage = CString::new(stage).unwrap_or_default();
-            // SAFETY: the host gave this function for this purpose, and the text lives through the
-            // call.
-            let answer = unsafe { callback(self.callbacks.progress_user, fraction, stage.as_ptr()) };
+            // Without an allocation: a host may be asked often, and while it has no memory.
+            let mut text = [0_u8; 80];
+            let length = stage.len().min(text.len() - 1);
+            text[..length].copy_from_slice(&stage.as_bytes()[..length]);
+            // SAFETY: the host gave this function for this purpose, and the text, which ends with a
+            // 0, lives through the call.
+            let answer = unsafe { callback(self.callbacks.progress_user, fraction, text.as_ptr().cast()) };
             self.stopped.set(answer != 0);
         }
         if self.stopped.get() || self.watch.cancelled.load(Ordering::Relaxed) {

@@ -149,20 +149,6 @@ pub(crate) fn list<T: bytemuck::AnyBitPattern>(
     Ok(crate::alloc::collect(items(pointer, count, name)?)?)
 }
 
-/// `count` handles of the caller's that stay as they are, in an array at any alignment; each
-/// failure with its number.
-pub(crate) fn references<'a, T: 'a>(
-    handles: *const *const T,
-    count: usize,
-    name: &'static str,
-) -> Result<impl ExactSizeIterator<Item = Result<&'a T, Failure>>, Failure> {
-    bytes(handles.cast(), count, size_of::<*const T>(), name)?;
-    Ok((0..count).map(move |k| {
-        // SAFETY: within the bytes that were checked; any alignment will do.
-        reference(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.of_item(k))
-    }))
-}
-
 /// A flag of the caller's.
 pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     match value {

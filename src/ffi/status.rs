@@ -346,6 +346,11 @@ impl From<Error> for Failure {
 
 include!(concat!(env!("OUT_DIR"), "/status_text.rs"));
 
+/// What [`gusset_status_text`] gives.
+pub(super) fn text(status: i32) -> &'static std::ffi::CStr {
+    status_text(status)
+}
+
 /// What a status means, in a few English words.
 ///
 /// Never NULL; static.

@@ -8,7 +8,7 @@ use crate::geom::{Aabb, scale::distance, triangle::double_area};
 use crate::mesh::{MeshView, vertex_components};
 use crate::stitch::{FreeEdges, check_loop};
 use glam::DVec3;
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 /// A loop, and whether it is to be filled.
 pub(super) struct Candidate {
@@ -130,7 +130,7 @@ fn given_loops<'a>(
     limits: &Limits,
 ) -> Result<Vec<Candidate>> {
     let edges = FreeEdges::of(boundary)?;
-    let mut used = BTreeSet::new();
+    let mut used = HashSet::new();
     let mut candidates = alloc::with_capacity(loops.len())?;
     for (number, given) in (0..).zip(loops) {
         check_loop(mesh, number, given)?;
@@ -148,7 +148,7 @@ fn given_loops<'a>(
                 size_status(&vertices, &measures, limits)
             };
             if status == HoleStatus::Filled {
-                used.extend(steps());
+                alloc::insert_all(&mut used, steps())?;
             }
         }
         candidates.push(Candidate { vertices, status, measures });

@@ -15,7 +15,7 @@ use crate::geom::Aabb;
 use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::stitch::Intersections;
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 /// Where a patch cuts, other blends are tried until all had so many new vertices: two of full size.
 const MAX_TRIED: usize = 2 * 50_000;
@@ -34,7 +34,7 @@ pub(super) struct Filling<'a> {
     near: Vec<u32>,
     surroundings: Surroundings<'a>,
     /// New edges between old vertices that more than one loop passes: no other patch may repeat them.
-    bridges: BTreeSet<(u32, u32)>,
+    bridges: HashSet<(u32, u32)>,
     pub(super) made: Made<'a>,
 }
 
@@ -69,7 +69,7 @@ impl<'a> Filling<'a> {
             passes,
             near,
             surroundings,
-            bridges: BTreeSet::new(),
+            bridges: HashSet::new(),
             made,
         })
     }
@@ -121,7 +121,7 @@ impl<'a> Filling<'a> {
             }
         }
         drop(planner);
-        self.bridges.extend(found.iter().flat_map(|placed| bridges(self.passes, placed)));
+        alloc::insert_all(&mut self.bridges, found.iter().flat_map(|placed| bridges(self.passes, placed)))?;
         Ok(found)
     }
 
@@ -182,7 +182,7 @@ impl<'a> Filling<'a> {
             }
         }
         drop(planner);
-        self.bridges.extend(better.iter().flat_map(|placed| bridges(self.passes, placed)));
+        alloc::insert_all(&mut self.bridges, better.iter().flat_map(|placed| bridges(self.passes, placed)))?;
         if let Some(placed) = better {
             self.made.patches[k] = placed;
         }
@@ -191,7 +191,7 @@ impl<'a> Filling<'a> {
 }
 
 /// True of two vertices of rims that must not get an edge.
-fn is_taken(surroundings: &Surroundings<'_>, bridges: &BTreeSet<(u32, u32)>, [u, v]: [u32; 2]) -> bool {
+fn is_taken(surroundings: &Surroundings<'_>, bridges: &HashSet<(u32, u32)>, [u, v]: [u32; 2]) -> bool {
     surroundings.share_face(u, v) || bridges.contains(&(u.min(v), u.max(v)))
 }
 

@@ -95,7 +95,7 @@ pub(crate) fn intersecting_pairs(
         job.step(start as f64 / total as f64, "looking for intersections")?;
         let count = REPORT_INTERVAL.min(total - start);
         let found =
-            par::map(job.threads(), par::ranges(count, CHUNK), |part| pairs_of(start + part.start..start + part.end));
+            par::map(job.threads(), par::ranges(count, CHUNK), |part| pairs_of(start + part.start..start + part.end))?;
         alloc::append_all(&mut pairs, found)?;
     }
     pairs.sort_unstable();

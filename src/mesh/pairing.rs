@@ -90,7 +90,7 @@ impl Topology {
                 (rest, first) = (others, end);
             }
             let found =
-                par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries));
+                par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries))?;
             alloc::append_all(&mut defects, found)?;
         }
         defects.sort_unstable();
@@ -141,7 +141,7 @@ fn each_part(
             let at = |i: usize| part.faces.end.min(part.faces.start + i);
             let range = at(block.start)..at(block.end);
             work(part, range)
-        });
+        })?;
         done.into_iter().collect::<Result<()>>()?;
     }
     Ok(())

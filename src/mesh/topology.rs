@@ -44,7 +44,7 @@ impl Topology {
         let found = par::map(job.threads(), par::ranges(self.mate.len(), CHUNK), |range| {
             let half_edges = (range.start as u32..).zip(&self.mate[range]);
             alloc::gather(half_edges.filter(|&(_, &mate)| mate >= SINGULAR).map(|(h, _)| h))
-        });
+        })?;
         let mut border = Vec::new();
         alloc::append_all(&mut border, found)?;
         Ok(border)

@@ -169,7 +169,7 @@ impl<'a> Indices<'a> {
                 Some(_) => Ok(()),
             })
         };
-        par::map(job.threads(), par::ranges(self.len() - 1, CHUNK), check).into_iter().collect()
+        par::map(job.threads(), par::ranges(self.len() - 1, CHUNK), check)?.into_iter().collect()
     }
 }
 
@@ -405,12 +405,12 @@ impl<'a> MeshView<'a> {
         };
         let checked = par::map(job.threads(), 0..count, |i| {
             (mesh.check_corners(part(corners, i)), positions.are_finite(part(vertices, i)))
-        });
+        })?;
         checked.iter().try_for_each(|&(corners, _)| corners)?;
         if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: find out whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
-            let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad));
+            let firsts = par::map(job.threads(), par::ranges(corners, CHUNK), |mut range| range.find(bad))?;
             if let Some(&h) = firsts.iter().flatten().next() {
                 let vertex = faces.corner(h as u32);
                 Error::check_finite(Element::Vertex, vertex.into(), positions.get(vertex))?;

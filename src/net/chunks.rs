@@ -72,7 +72,7 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(layout.lines * layout.stride)));
     let results = par::map(threads, blocks.enumerate(), |(block, matrices)| {
         layout.for_each_chunk(matrices, block * layout.lines, max, &work)
-    });
+    })?;
     results.into_iter().collect()
 }
 

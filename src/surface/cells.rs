@@ -88,10 +88,10 @@ pub(crate) trait Cells<const N: usize>: Sync {
 
     /// For each block in rows of blocks, row after row, a box that contains S - B over all its
     /// cells: S the surface, B the bilinear patch through the cell's corners, at equal parameters.
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]);
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()>;
 
     /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]);
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()>;
 }
 
 impl<const N: usize> Patch<N> {

@@ -16,6 +16,8 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::nodes::Nodes;
 use super::sweep::{Sums, Sweep};
+use crate::alloc;
+use crate::error::Result;
 use crate::geom::aabb::Aabb;
 use glam::DVec3;
 use std::ops::Range;
@@ -33,14 +35,19 @@ fn bend(weights: &Weights) -> Sums<2> {
 }
 
 /// The boxes of the blocks of some rows of blocks, row after row.
-pub(super) fn displacements(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: Range<usize>, boxes: &mut [Aabb]) {
+pub(super) fn displacements(
+    nodes: &Nodes<'_>,
+    [u, v]: [&Axis; 2],
+    block_rows: Range<usize>,
+    boxes: &mut [Aabb],
+) -> Result<()> {
     let sweep = Sweep { nodes, u, v, sums: bend };
-    let mut along = vec![Aabb::EMPTY; boxes.len()];
-    sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found));
+    let mut along = alloc::filled(Aabb::EMPTY, boxes.len())?;
+    sweep.along_blocks(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
     sweep.across_blocks(block_rows, |k, columns, ranges| {
         let across = ranges.over(columns.start..columns.end + 1);
         boxes[k] = widened(along[k].shrunk(), u.lebesgue()).sum(across.shrunk());
-    });
+    })
 }
 
 /// A box that contains every weighted sum of points of `bounds`, for weights that sum to 1 and whose

@@ -135,7 +135,7 @@ impl Surface<'_> {
             let work = |range: std::ops::Range<usize>| {
                 alloc::collect(round[range].iter().map(|&place| self.local_geometry(place)))
             };
-            for part in par::map(job.threads(), par::ranges(round.len(), PLACES_PER_TASK), work) {
+            for part in par::map(job.threads(), par::ranges(round.len(), PLACES_PER_TASK), work)? {
                 all.append(&mut part?);
             }
         }

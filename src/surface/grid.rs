@@ -159,11 +159,11 @@ impl Cells<4> for Grid<'_> {
         self.u.is_smooth_around(i) && self.v.is_smooth_around(j)
     }
 
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
-        displacements(&self.nodes, self.axes(), block_rows, boxes);
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
+        displacements(&self.nodes, self.axes(), block_rows, boxes)
     }
 
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
-        tangents(&self.nodes, self.axes(), block_rows, boxes);
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
+        tangents(&self.nodes, self.axes(), block_rows, boxes)
     }
 }

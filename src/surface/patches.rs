@@ -121,7 +121,7 @@ impl<const N: usize> Cells<N> for Patches<N> {
         *self.get(i, j)
     }
 
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) -> Result<()> {
         let across = self.columns.div_ceil(BLOCK);
         for (k, bounds) in boxes.iter_mut().enumerate() {
             for [i, j] in cells_of_block([block_rows.start + k / across, k % across], self.counts()) {
@@ -134,9 +134,10 @@ impl<const N: usize> Cells<N> for Patches<N> {
                 *bounds = bounds.union(patch.displacements().sum(gap));
             }
         }
+        Ok(())
     }
 
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) -> Result<()> {
         let across = self.columns.div_ceil(BLOCK);
         for (k, boxes) in boxes.iter_mut().enumerate() {
             let cells = cells_of_block([block_rows.start + k / across, k % across], self.counts());
@@ -144,5 +145,6 @@ impl<const N: usize> Cells<N> for Patches<N> {
                 .map(|[i, j]| self.get(i, j).tangents())
                 .fold([Aabb::EMPTY; 2], |[all_u, all_v], [u, v]| [all_u.union(u), all_v.union(v)]);
         }
+        Ok(())
     }
 }

@@ -6,6 +6,8 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, block_range};
 use super::nodes::Nodes;
+use crate::alloc;
+use crate::error::Result;
 use crate::geom::aabb::Aabb;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
@@ -65,8 +67,9 @@ pub(super) struct Ranges {
 }
 
 impl Ranges {
-    fn new(count: usize) -> Ranges {
-        Ranges { low: vec![f64::INFINITY; 3 * count], high: vec![f64::NEG_INFINITY; 3 * count] }
+    fn new(count: usize) -> Result<Ranges> {
+        let all = |value| alloc::filled(value, 3 * count);
+        Ok(Ranges { low: all(f64::INFINITY)?, high: all(f64::NEG_INFINITY)? })
     }
 
     fn clear(&mut self) {
@@ -96,32 +99,39 @@ impl<const K: usize> Sweep<'_, K> {
     /// Boxes of the sums along the rows that the blocks of some rows of blocks depend on: each row
     /// once, and then for all blocks that depend on it. `add` receives the number of the block, the
     /// box over its columns, and whether the row is a side of its cells.
-    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) {
+    pub(super) fn along_blocks(&self, block_rows: Range<usize>, mut add: impl FnMut(usize, Aabb, bool)) -> Result<()> {
         let rows = |r: usize| block_range(r, self.u.cells());
         let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
-        let (mut ranges, mut line) = (Ranges::new(cells), Vec::new());
+        // Rows that are closed go on at both ends.
+        let (mut ranges, mut line) = (Ranges::new(cells)?, alloc::with_capacity(3 * (cells + TAPS))?);
         for row in self.u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
             ranges.clear();
             self.along(row, &mut line, &mut ranges);
             let needed = block_rows.clone().filter(|&r| self.u.lines_of(rows(r)).any(|line| line == row));
-            let needed: Vec<_> = needed.map(|r| (r - block_rows.start, is_own(self.u, &rows(r), row))).collect();
+            let needed = alloc::gather(needed.map(|r| (r - block_rows.start, is_own(self.u, &rows(r), row))))?;
             for c in 0..across {
                 let found = ranges.over(block_range(c, cells));
                 needed.iter().for_each(|&(r, own)| add(r * across + c, found, own));
             }
         }
+        Ok(())
     }
 
     /// Ranges, by column, of the sums across the rows of cells of each row of blocks: `each`
     /// receives the number of a block, its columns of cells, and the ranges.
-    pub(super) fn across_blocks(&self, block_rows: Range<usize>, mut each: impl FnMut(usize, Range<usize>, &Ranges)) {
+    pub(super) fn across_blocks(
+        &self,
+        block_rows: Range<usize>,
+        mut each: impl FnMut(usize, Range<usize>, &Ranges),
+    ) -> Result<()> {
         let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
-        let mut ranges = Ranges::new(cells + 1);
+        let mut ranges = Ranges::new(cells + 1)?;
         for (k, r) in block_rows.enumerate() {
             ranges.clear();
             block_range(r, self.u.cells()).for_each(|i| self.across(i, &mut ranges));
             (0..across).for_each(|c| each(k * across + c, block_range(c, cells), &ranges));
         }
+        Ok(())
     }
 
     /// Widens the ranges of cells by the sums along a row.

@@ -11,6 +11,8 @@ use super::axis::{Axis, TAPS, Weights};
 use super::displacements::widened;
 use super::nodes::Nodes;
 use super::sweep::{Sums, Sweep};
+use crate::alloc;
+use crate::error::Result;
 use crate::geom::aabb::Aabb;
 use std::ops::Range;
 
@@ -45,17 +47,22 @@ impl Spread {
 }
 
 /// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
-pub(super) fn tangents(nodes: &Nodes<'_>, [u, v]: [&Axis; 2], block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
+pub(super) fn tangents(
+    nodes: &Nodes<'_>,
+    [u, v]: [&Axis; 2],
+    block_rows: Range<usize>,
+    boxes: &mut [[Aabb; 2]],
+) -> Result<()> {
     let sweep = Sweep { nodes, u, v, sums: steps };
     // S_v.
-    let mut along = vec![Spread::EMPTY; boxes.len()];
-    sweep.along_blocks(block_rows.clone(), |k, found, own| along[k].add(found, own));
+    let mut along = alloc::filled(Spread::EMPTY, boxes.len())?;
+    sweep.along_blocks(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
     sweep.across_blocks(block_rows, |k, columns, ranges| {
         let mut across = Spread::EMPTY;
         across.add(ranges.over(columns.start..columns.end + 1), true);
         v.lines_of(columns).for_each(|j| across.add(ranges.over(j..j + 1), false));
         boxes[k] = [across.sums(v), along[k].sums(u)];
-    });
+    })
 }
 
 #[cfg(test)]
@@ -88,7 +95,7 @@ mod tests {
             let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
             let [rows, columns] = cells.map(|count| count.div_ceil(BLOCK));
             let mut boxes = vec![[Aabb::EMPTY; 2]; rows * columns];
-            grid.tangents(0..rows, &mut boxes);
+            grid.tangents(0..rows, &mut boxes).unwrap();
             for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
                 let patch: Patch<4> = Grid::patch(&grid, i, j);
                 let bounds = &boxes[i / BLOCK * columns + j / BLOCK];

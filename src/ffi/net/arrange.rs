@@ -240,8 +240,8 @@ pub unsafe extern "C" fn gusset_net_clear_no_data(
     net: *mut gusset_net,
     value: f64,
 ) -> gusset_status {
-    guard(context, |_| {
-        edit(net)?.clear_no_data(value);
+    guard_change(context, |job| {
+        edit(net, job)?.clear_no_data(value);
         Ok(())
     })
 }

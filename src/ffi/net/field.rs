@@ -235,10 +235,10 @@ pub unsafe extern "C" fn gusset_net_deform(
     count: usize,
     time: f64,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_change(context, |job| {
         let given = self::fields(fields, count, time)?;
         let steps = alloc::collect(given.iter().map(Given::step))?;
-        Ok(deform(edit(net)?, &steps, job)?)
+        Ok(deform(edit(net, job)?, &steps, job)?)
     })
 }
 
@@ -263,7 +263,7 @@ pub unsafe extern "C" fn gusset_net_deform_rows(
     map: gusset_rows_fn,
     user: *mut c_void,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_change(context, |job| {
         let map = map.ok_or(Failure::null("map"))?;
         let call = |first: usize, rows: RowsMut<'_>| {
             let (count, [x, y, z]) = match rows {
@@ -273,7 +273,7 @@ pub unsafe extern "C" fn gusset_net_deform_rows(
             // SAFETY: what the function may do is in its documentation, and the caller's promise.
             if unsafe { map(user, first, count, x, y, z) } == 0 { Ok(()) } else { Err(Error::Cancelled) }
         };
-        Ok(deform_rows(edit(net)?, call, job)?)
+        Ok(deform_rows(edit(net, job)?, call, job)?)
     })
 }
 
@@ -294,7 +294,7 @@ pub unsafe extern "C" fn gusset_net_displace(
     net: *mut gusset_net,
     distance: f64,
 ) -> gusset_status {
-    guard(context, |job| Ok(displace(edit(net)?, distance, job)?))
+    guard_change(context, |job| Ok(displace(edit(net, job)?, distance, job)?))
 }
 
 /// Gives all nodes that are glued to each other the position of the first of them, bit for bit.
@@ -312,5 +312,10 @@ pub unsafe extern "C" fn gusset_net_snap(
     net: *mut gusset_net,
     moved: *mut u64,
 ) -> gusset_status {
-    answer_optional(context, (moved, "moved"), 0, |_| Ok(snap(edit(net)?)?))
+    let moved = input::optional_output(moved, 0, "moved");
+    guard_change(context, |job| {
+        let moved = moved?;
+        input::set(moved, snap(edit(net, job)?)?);
+        Ok(())
+    })
 }

@@ -185,8 +185,11 @@ pub unsafe extern "C" fn gusset_net_unglue(
     separation: f64,
     moved: *mut usize,
 ) -> gusset_status {
-    answer_optional(context, (moved, "moved"), 0, |_| {
-        Ok(edit(net)?.unglue(&self::gluings(gluings, count)?, separation)?)
+    let moved = input::optional_output(moved, 0, "moved");
+    guard_change(context, |job| {
+        let (moved, gluings) = (moved?, self::gluings(gluings, count)?);
+        input::set(moved, edit(net, job)?.unglue(&gluings, separation)?);
+        Ok(())
     })
 }
 

@@ -133,7 +133,7 @@ impl gusset_join_options {
 /// The nets of an array of handles.
 fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
     Error::check_count("nets", count as u64, MAX_NODES)?;
-    let handles = input::references(handles, count, "net")?;
+    let handles = handle::list(handles, count, "net")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }
 
@@ -201,14 +201,15 @@ pub unsafe extern "C" fn gusset_net_split_create(
     second: *mut *mut gusset_net,
 ) -> gusset_status {
     let slots = [input::output(first, ptr::null_mut(), "first"), input::output(second, ptr::null_mut(), "second")];
-    guard(context, |job| {
+    guard_change(context, |job| {
         let [first, second] = slots;
         let (first, second) = (first?, second?);
         if ptr::eq(first, second) {
             return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
         }
-        let parts = read(net)?.split(bridge, job)?;
-        [*first, *second] = parts.map(|part| handle::give(gusset_net::new(part)));
+        let parts = read(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
+        job.memory()?;
+        [*first, *second] = parts.map(handle::give);
         Ok(())
     })
 }
@@ -286,10 +287,10 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
     tolerance: f64,
     properties: *const gusset_bridge_properties,
 ) -> gusset_status {
-    guard(context, |_| {
+    guard_change(context, |job| {
         let mode = choice(mode)?;
         let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
-        let net = edit(net)?;
+        let net = edit(net, job)?;
         net.set_bridge_mode(index, mode, tolerance)?;
         if let Some(&given) = given {
             net.bridges_mut()[index].properties = given.into();

@@ -342,9 +342,9 @@ pub unsafe extern "C" fn gusset_net_edit(
     arrays: *mut gusset_net_view,
 ) -> gusset_status {
     let out = input::output_struct(arrays, "arrays");
-    guard(context, |_| {
+    guard_change(context, |job| {
         let out = out?;
-        let net = edit(net)?;
+        let net = edit(net, job)?;
         let mut lent = lend(net);
         // The pointers must come from where they may be written through.
         let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {

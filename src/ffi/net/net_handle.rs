@@ -23,9 +23,11 @@ impl gusset_net {
     }
 
     /// The net, to be changed: what shares it, a scene or a copy, keeps it as it is.
-    pub(crate) fn edit(&mut self) -> Result<&mut Net<'static>, Failure> {
-        if Arc::get_mut(&mut self.0).is_none() {
-            self.0 = Arc::new(self.0.copied()?);
+    pub(crate) fn edit(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
+        let own = if Arc::get_mut(&mut self.0).is_none() { Some(Arc::new(self.0.copied()?)) } else { None };
+        job.memory()?;
+        if let Some(own) = own {
+            self.0 = own;
         }
         Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
     }
@@ -47,8 +49,8 @@ pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failu
 }
 
 /// The net of a handle, to be changed.
-pub(crate) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Failure> {
-    handle::get_mut(net, "net")?.edit()
+pub(crate) fn edit<'a>(net: *mut gusset_net, job: &Job<'_>) -> Result<&'a mut Net<'static>, Failure> {
+    handle::get_mut(net, "net")?.edit(job)
 }
 
 /// Glues a net anew.
@@ -57,9 +59,9 @@ pub(crate) fn reglue(
     net: *mut gusset_net,
     topology: impl FnOnce(&Net<'_>, &Job<'_>) -> Result<Topology, Failure>,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_change(context, |job| {
         let topology = topology(read(net)?, job)?;
-        edit(net)?.set_topology(topology);
+        edit(net, job)?.set_topology(topology);
         Ok(())
     })
 }

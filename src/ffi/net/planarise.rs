@@ -83,7 +83,7 @@ pub unsafe extern "C" fn gusset_net_planarise(
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
         let given = input::read(options, true, "options")?;
-        let net = edit(net)?;
+        let net = edit(net, job)?;
         let (needed, count) = (net.shape().node_count(), given.fixed_count);
         if !given.fixed.is_null() && count < needed {
             return Err(Error::ArrayTooShort { what: "fixed", needed: needed as u64, given: count as u64 }.into());

@@ -124,14 +124,16 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     count: *mut usize,
 ) -> gusset_status {
     let (count, slots) = (input::output(count, 0, "count"), input::handles(levels, capacity, "levels"));
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (count, slots) = (count?, slots?);
         let made = pyramid(read(net)?, choice(interpolation)?, job)?;
+        let made = alloc::collect(made.into_iter().map(|level| handle::boxed(gusset_net::new(level))))?;
+        job.memory()?;
         *count = made.len();
         if capacity < made.len() {
             return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));
         }
-        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::give(gusset_net::new(level)));
+        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::give(level));
         Ok(())
     })
 }

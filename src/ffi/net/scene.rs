@@ -106,7 +106,8 @@ fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
     Ok(&handle::get(scene, "scene")?.0)
 }
 
-fn changed<'a>(scene: *mut gusset_scene) -> Result<&'a mut Scene, Failure> {
+fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
+    job.memory()?;
     Ok(&mut handle::get_mut(scene, "scene")?.0)
 }
 
@@ -153,7 +154,13 @@ pub unsafe extern "C" fn gusset_scene_add_net(
     net: *const gusset_net,
     entry: *mut u32,
 ) -> gusset_status {
-    answer(context, (entry, "entry"), u32::MAX, |_| Ok(changed(scene)?.add_net(handle::get(net, "net")?.share()?)?))
+    let entry = input::output(entry, u32::MAX, "entry");
+    guard_change(context, |job| {
+        let entry = entry?;
+        let net = handle::get(net, "net")?.share()?;
+        *entry = changed(scene, job)?.add_net(net)?;
+        Ok(())
+    })
 }
 
 /// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and
@@ -175,9 +182,9 @@ pub unsafe extern "C" fn gusset_scene_set_net(
     entry: u32,
     net: *const gusset_net,
 ) -> gusset_status {
-    guard(context, |_| {
+    guard_change(context, |job| {
         let net = handle::get(net, "net")?.share()?;
-        Ok(changed(scene)?.set_net(entry, net)?)
+        Ok(changed(scene, job)?.set_net(entry, net)?)
     })
 }
 
@@ -196,7 +203,12 @@ pub unsafe extern "C" fn gusset_scene_add_group(
     scene: *mut gusset_scene,
     entry: *mut u32,
 ) -> gusset_status {
-    answer(context, (entry, "entry"), u32::MAX, |_| Ok(changed(scene)?.add_group()?))
+    let entry = input::output(entry, u32::MAX, "entry");
+    guard_change(context, |job| {
+        let entry = entry?;
+        *entry = changed(scene, job)?.add_group()?;
+        Ok(())
+    })
 }
 
 /// Puts an entry into a group, behind what is in it; again, if it is in it already.
@@ -218,7 +230,7 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard(context, |_| Ok(changed(scene)?.add_child(group, child)?))
+    guard_change(context, |job| Ok(changed(scene, job)?.add_child(group, child)?))
 }
 
 /// Takes an entry out of a group: the first one, if it is in it several times.
@@ -239,7 +251,7 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard(context, |_| Ok(changed(scene)?.remove_child(group, child)?))
+    guard_change(context, |job| Ok(changed(scene, job)?.remove_child(group, child)?))
 }
 
 /// Removes an entry from the scene and from all groups; what was in a group stays.
@@ -257,7 +269,7 @@ pub unsafe extern "C" fn gusset_scene_remove(
     scene: *mut gusset_scene,
     entry: u32,
 ) -> gusset_status {
-    guard(context, |_| Ok(changed(scene)?.remove(entry)?))
+    guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
 }
 
 /// Places an entry in the space of the groups that it is in.
@@ -278,9 +290,9 @@ pub unsafe extern "C" fn gusset_scene_set_transform(
     entry: u32,
     transform: *const gusset_transform,
 ) -> gusset_status {
-    guard(context, |_| {
+    guard_change(context, |job| {
         let transform = *input::reference(transform, "transform")?;
-        Ok(changed(scene)?.set_transform(entry, transform.into())?)
+        Ok(changed(scene, job)?.set_transform(entry, transform.into())?)
     })
 }
 
@@ -302,7 +314,7 @@ pub unsafe extern "C" fn gusset_scene_set_visible(
     entry: u32,
     visible: u32,
 ) -> gusset_status {
-    guard(context, |_| Ok(changed(scene)?.set_visible(entry, flag(visible, "visible")?)?))
+    guard_change(context, |job| Ok(changed(scene, job)?.set_visible(entry, flag(visible, "visible")?)?))
 }
 
 /// What an entry is.

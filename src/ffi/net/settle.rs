@@ -115,7 +115,7 @@ pub unsafe extern "C" fn gusset_net_settle(
             reference: reference.as_ref(),
             free: &free,
         };
-        let done = settle(edit(net)?, &options, job)?;
+        let done = settle(edit(net, job)?, &options, job)?;
         Ok(gusset_settle_report {
             struct_size: 0,
             energy_before: done.energy_before,

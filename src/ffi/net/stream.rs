@@ -247,7 +247,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
 
 /// Gives a decoder the next bytes of its stream, any number of them.
 ///
-/// After a failure every call fails alike.
+/// After a failure every call fails alike, but OUT_OF_MEMORY leaves the decoder as it was.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[in,out] decoder the decoder.
@@ -268,9 +268,12 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     size: usize,
     rows_done: *mut usize,
 ) -> gusset_status {
-    answer_optional(context, (rows_done, "rows_done"), 0, |_| {
+    let rows_done = input::optional_output(rows_done, 0, "rows_done");
+    guard_change(context, |_| {
+        let rows_done = rows_done?;
         let decoder = handle::get_mut(decoder, "decoder")?;
-        Ok(decoder.0.push(input::bytes(data, size, 1, "data")?)?)
+        input::set(rows_done, decoder.0.push(input::bytes(data, size, 1, "data")?)?);
+        Ok(())
     })
 }
 
@@ -311,7 +314,13 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     decoder: *mut gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::new(handle::get_mut(decoder, "decoder")?.0.finish()?)))
+    let slot = input::output(net, ptr::null_mut(), "net");
+    guard_change(context, |job| {
+        let (slot, decoder) = (slot?, handle::get_mut(decoder, "decoder")?);
+        job.memory()?;
+        *slot = handle::give(handle::boxed(gusset_net::new(decoder.0.finish()?)));
+        Ok(())
+    })
 }
 
 /// Destroys a decoder; NULL is allowed.

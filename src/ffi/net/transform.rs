@@ -115,8 +115,8 @@ pub unsafe extern "C" fn gusset_net_transform(
     operations: *const gusset_operation,
     count: usize,
 ) -> gusset_status {
-    guard(context, |job| {
+    guard_change(context, |job| {
         let affine = chain(operations, count)?;
-        Ok(transform(edit(net)?, &affine, job)?)
+        Ok(transform(edit(net, job)?, &affine, job)?)
     })
 }

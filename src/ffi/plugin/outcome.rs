@@ -1,5 +1,7 @@
 //! What becomes of a run: outputs, or why there are none.
 
+use crate::alloc;
+use crate::error::Result;
 use crate::ffi::handle::handle;
 use crate::ffi::status::{Failure, gusset_status};
 use crate::filters::data::{Curves, Output};
@@ -24,38 +26,41 @@ pub(super) enum Held {
 }
 
 impl gusset_outputs {
-    pub(super) fn new(outcome: Result<Vec<Output>, Fault>) -> Self {
-        match outcome {
-            Ok(outputs) => {
-                let outputs = outputs.into_iter().map(Held::from).collect();
-                gusset_outputs { outputs, message: CString::default(), fault: None }
-            }
-            Err(fault) => {
-                let message = CString::new(fault.failure.message.as_bytes()).unwrap_or_default();
-                gusset_outputs { outputs: Vec::new(), message, fault: Some(fault) }
-            }
-        }
+    pub(super) fn of(outputs: Vec<Output>) -> Result<Self> {
+        let outputs = alloc::try_collect(outputs.into_iter().map(Held::of))?;
+        Ok(gusset_outputs { outputs, message: CString::default(), fault: None })
+    }
+
+    pub(super) fn failed(fault: Fault) -> Self {
+        let message = CString::new(fault.failure.message.as_bytes()).unwrap_or_default();
+        gusset_outputs { outputs: Vec::new(), message, fault: Some(fault) }
     }
 }
 
-impl From<Output> for Held {
-    fn from(output: Output) -> Self {
-        match output {
+impl Held {
+    fn of(output: Output) -> Result<Self> {
+        Ok(match output {
             Output::Mesh(mesh) => Held::Mesh(mesh),
             Output::Curves(mut curves) => {
                 // A host may read the first offset even where there are no curves.
                 if curves.offsets.is_empty() {
-                    curves.offsets = vec![0];
+                    curves.offsets = alloc::filled(0, 1)?;
                 }
                 Held::Curves(curves)
             }
             Output::Text(report) => {
-                let named = |&(name, value): &(&str, f64)| (CString::new(name).unwrap_or_default(), value);
-                let values = report.values().iter().map(named).collect();
-                Held::Text(CString::new(report.as_bytes()).unwrap_or_default(), values)
+                let named = |&(name, value): &(&str, f64)| Ok((text(name)?, value));
+                Held::Text(text(&report)?, alloc::try_collect(report.values().iter().map(named))?)
             }
-        }
+        })
     }
+}
+
+/// A copy of a text, which may be long, with a NUL at its end.
+fn text(of: &str) -> Result<CString> {
+    let mut bytes = alloc::with_capacity(of.len() + 1)?;
+    bytes.extend_from_slice(of.as_bytes());
+    Ok(CString::new(bytes).unwrap_or_default())
 }
 
 /// A failure, and the numbers of the parameter and of the input that it is about, if it is about

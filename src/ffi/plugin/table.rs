@@ -210,14 +210,24 @@ unsafe extern "C" fn run(
         // No more of them are read than the filter has.
         filter.check_value_count(value_count as usize)?;
         let values = input::list(values, value_count as usize, "values")?;
-        answer(filter, &given, &values, &job.part(0.05, 1.0))
+        let outputs = answer(filter, &given, &values, &job.part(0.05, 1.0))?;
+        let outputs = handle::boxed(gusset_outputs::of(outputs)?);
+        job.memory()?;
+        Ok(outputs)
     });
-    let status = outcome.as_ref().map_or_else(|fault| fault.failure.status as i32, |_| GUSSET_PLUGIN_DONE);
-    // Only texts are copied here: nothing that could fail but memory itself.
-    if let Ok(done) = caught(|| Ok::<_, Failure>(handle::give(gusset_outputs::new(outcome)))) {
-        *slot = done;
+    match outcome {
+        Ok(outputs) => {
+            *slot = handle::give(outputs);
+            GUSSET_PLUGIN_DONE
+        }
+        Err(fault) => {
+            let status = fault.failure.status as i32;
+            if let Ok(failed) = caught(|| Ok::<_, Failure>(handle::boxed(gusset_outputs::failed(fault)))) {
+                *slot = handle::give(failed);
+            }
+            status
+        }
     }
-    status
 }
 
 /// As the descriptor says of `suggest`.

@@ -185,7 +185,7 @@ impl TryFrom<Paths> for gusset_surface_paths {
 
 /// The sheets of an array of handles; copies share their nodes.
 fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
-    let handles = input::references(handles, count, "sheets")?;
+    let handles = handle::list(handles, count, "sheets")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
 }
 

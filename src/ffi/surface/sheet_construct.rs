@@ -129,7 +129,7 @@ fn curves<'a>(
     count: usize,
     name: &'static str,
 ) -> Result<Vec<CurveView<'a>>, Failure> {
-    let handles = input::references(handles, count, name)?;
+    let handles = handle::list(handles, count, name)?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 

@@ -114,7 +114,7 @@ impl Task<'_> {
                 open.append(&mut repeats.next(&without, &repeated)?);
                 continue;
             }
-            let cost = next.cost.and(bridge_bends(&scale, &tree, &next.triangles));
+            let cost = next.cost.and(bridge_bends(&scale, &tree, &next.triangles)?);
             if least.is_none_or(|least| scale.is_less(&cost, least)) {
                 found = Some((next.triangles, cost));
             }
@@ -156,11 +156,11 @@ impl Task<'_> {
 }
 
 /// What the bends across bridges cost, which the search of the polygon does not see.
-fn bridge_bends(scale: &Scale<'_>, tree: &[([u32; 2], [usize; 2])], triangles: &[[u32; 3]]) -> Cost {
+fn bridge_bends(scale: &Scale<'_>, tree: &[([u32; 2], [usize; 2])], triangles: &[[u32; 3]]) -> Result<Cost> {
     let points = &scale.polygon().points;
     let n = points.len() as u32;
     let passes = || tree.iter().flat_map(|(_, places)| places.iter().copied());
-    let mut normals = vec![DVec3::ZERO; 2 * tree.len()];
+    let mut normals = alloc::filled(DVec3::ZERO, 2 * tree.len())?;
     for &[i, m, k] in triangles {
         // The side that an edge of the polygon is, if it is one, and the place that it starts from.
         for (u, _) in [(i, m), (m, k), (k, i)].into_iter().filter(|&(u, v)| (u + 1) % n == v) {
@@ -173,5 +173,5 @@ fn bridge_bends(scale: &Scale<'_>, tree: &[([u32; 2], [usize; 2])], triangles: &
     let bend = |(&(_, [p, _]), pair): (&([u32; 2], [usize; 2]), &[DVec3])| {
         scale.bend([p, (p + 1) % points.len()], pair[0], pair[1])
     };
-    pairs.map(bend).fold(Cost::ZERO, Cost::and)
+    Ok(pairs.map(bend).fold(Cost::ZERO, Cost::and))
 }

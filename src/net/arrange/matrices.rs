@@ -37,7 +37,7 @@ pub(crate) fn build_planes<T: Real>(
     job.step(0.0, "nodes")?;
     par::map(job.threads(), blocks.into_iter(), |(axis, first, block)| {
         write(axis, first..first + block.len() / columns, block);
-    });
+    })?;
     job.step(1.0, "nodes")?;
     Ok(planes)
 }

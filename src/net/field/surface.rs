@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::net::chunks;
 use crate::net::normals::normals;
+use crate::net::topology::Groups;
 use crate::net::{Classes, Coordinates, Net, Planes, Real, each};
 
 /// Gives all nodes of a class the position of its representative, bit for bit. Returns the number
@@ -16,11 +17,16 @@ use crate::net::{Classes, Coordinates, Net, Planes, Real, each};
 /// [`Error::OutOfMemory`].
 pub fn snap(net: &mut Net<'_>) -> Result<u64> {
     let groups = Classes::of(net.topology())?.groups()?;
+    Ok(snap_to(&groups, net))
+}
+
+/// [`snap`] of the classes that are known: it cannot fail after the nodes were moved.
+fn snap_to(groups: &Groups, net: &mut Net<'_>) -> u64 {
     let mut moved = 0;
     for class in groups.iter() {
         each!(net.coordinates_mut(), planes => moved += snap_class(planes, class));
     }
-    Ok(moved)
+    moved
 }
 
 fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
@@ -52,13 +58,16 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
 pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
     Error::require(distance.is_finite(), "distance", distance)?;
     let (normals, _) = normals(net, job)?;
+    let groups = Classes::of(net.topology())?.groups()?;
+    job.memory()?;
     match (net.coordinates_mut(), &normals) {
         (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,
         (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
         _ => {}
     }
     // Normals of a class are equal; its positions may not have been.
-    snap(net).map(|_| ())
+    snap_to(&groups, net);
+    Ok(())
 }
 
 fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) -> Result<()> {
@@ -108,8 +117,10 @@ pub fn deform_rows(
             return Ok(());
         }
         next_step = first + (1 << 20);
-        job.step(first as f64 / count, "deform")
+        job.report(first as f64 / count, "deform")
     };
+    let groups = Classes::of(net.topology())?.groups()?;
+    job.memory()?;
     match net.coordinates_mut() {
         Coordinates::F32(planes) => chunks::for_each_chunk_in_order(planes, |first, rows| {
             step(first).and_then(|()| map(first, RowsMut::F32(rows)))
@@ -118,5 +129,6 @@ pub fn deform_rows(
             step(first).and_then(|()| map(first, RowsMut::F64(rows)))
         })?,
     }
-    snap(net).map(|_| ())
+    snap_to(&groups, net);
+    Ok(())
 }

@@ -8,7 +8,7 @@ use crate::fair::Symmetric;
 use crate::job::Job;
 use crate::net::hidden_cells::HiddenCells;
 use crate::net::{Net, Sides};
-use crate::sort::Buckets;
+use crate::sort::{self, Buckets};
 use glam::DVec3;
 
 /// Cells between two progress reports.
@@ -158,7 +158,7 @@ impl Constraints {
                     alloc::push(&mut column, (other, value))?;
                 }
             }
-            column.sort_by_key(|&(other, _)| other);
+            sort::stable(&mut column, &|a: &(u32, f64), b| a.0.cmp(&b.0));
             for same in column.chunk_by(|a, b| a.0 == b.0) {
                 alloc::push(&mut entries, (same[0].0, same.iter().map(|&(_, value)| value).sum()))?;
             }

@@ -36,7 +36,7 @@ pub(super) fn circle(distance: f64, radius: f64, rows: usize) -> Result<Vec<Poin
 /// each corner.
 pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     let lengths = corners.windows(2).map(|ends| libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]));
-    let mut segments: Vec<(f64, usize)> = lengths.map(|length| (length, 1)).collect();
+    let mut segments: Vec<(f64, usize)> = alloc::collect(lengths.map(|length| (length, 1)))?;
     // Each further row divides the segment with the widest spacing.
     for _ in segments.len()..rows - 1 {
         let spacing = |&(length, count): &(f64, usize)| length / count as f64;

@@ -39,7 +39,7 @@ impl Scene {
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
             let starts = starts(nets.iter().map(|net| net.shape()), options.direction, options.rows)?;
             let world = |k: usize| instances[k].world;
-            each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job));
+            each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job))?;
             lay_inner_rows(&mut net, &job.part(0.9, 1.0))?;
         }
         job.step(1.0, "nodes")?;
@@ -69,7 +69,7 @@ fn transform<T: Real>(
     starts: &[usize],
     world: impl Fn(usize) -> DAffine3 + Sync,
     job: &Job<'_>,
-) {
+) -> Result<()> {
     let columns = planes.shape().columns();
     let height = lines_per_block(columns);
     let blocks = zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(height * columns)));
@@ -87,7 +87,8 @@ fn transform<T: Real>(
                 }
             }
         }
-    });
+    })?;
+    Ok(())
 }
 
 fn move_nodes<T: Real>(x: &mut [T], y: &mut [T], z: &mut [T], map: DAffine3) {

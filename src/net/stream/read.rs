@@ -142,7 +142,7 @@ fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'
         let done = par::map(job.threads(), parts, |(k, part)| {
             let Entry { offset, size, .. } = prelude.entries[start + k];
             prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], part)
-        });
+        })?;
         start += done.len();
         done.into_iter().collect::<Result<()>>()?;
     }
@@ -169,7 +169,8 @@ impl StreamDecoder {
     }
 
     /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the
-    /// number of complete rows. An error is final and returned again.
+    /// number of complete rows. An error is final and returned again, but for that of memory, which
+    /// leaves all as it was.
     ///
     /// # Errors
     /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -177,18 +178,23 @@ impl StreamDecoder {
         if let Some(error) = self.failed {
             return Err(error);
         }
+        let (pending, next, begun) = (self.pending.len(), self.next, self.state.is_some());
         let done = self.take(bytes);
-        self.failed = done.err();
+        if let Err(Error::OutOfMemory { .. }) = done {
+            // Rows that were decoded are decoded again.
+            self.pending.truncate(pending);
+            self.next = next;
+            self.state.take_if(|_| !begun);
+        } else {
+            self.failed = done.err();
+        }
         done.map(|()| self.rows_done())
     }
 
     fn take(&mut self, bytes: &[u8]) -> Result<()> {
         alloc::append(&mut self.pending, bytes)?;
-        if self.state.is_none() {
-            self.start()?;
-        }
+        let mut used = if self.state.is_none() { self.start()? } else { 0 };
         let Some((prelude, coordinates)) = &mut self.state else { return Ok(()) };
-        let mut used = 0;
         while let Some(entry) = prelude.entries.get(self.next) {
             let rest = &self.pending[used..];
             let Some(bytes) = usize::try_from(entry.size).ok().and_then(|size| rest.get(..size)) else { break };
@@ -210,22 +216,20 @@ impl StreamDecoder {
         Ok(())
     }
 
-    /// Reads the prelude once it is complete.
-    fn start(&mut self) -> Result<()> {
+    /// Reads the prelude once it is complete; its bytes.
+    fn start(&mut self) -> Result<usize> {
         if self.pending.len() < HEADER_SIZE {
-            return Ok(());
+            return Ok(0);
         }
         let info = StreamInfo::read(&self.pending)?;
         let count = info.shape.node_count() as u64;
         Error::check_count("nodes", count, self.node_limit)?;
         let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
-            return Ok(());
+            return Ok(0);
         };
         let prelude = Prelude::read(info, &self.pending[..size], None)?;
         self.state = Some((prelude, Coordinates::zeroed(info.shape, info.scalar)?));
-        self.pending.drain(..size);
-        self.offset = info.prelude_size;
-        Ok(())
+        Ok(size)
     }
 
     /// The header, once the prelude is complete.

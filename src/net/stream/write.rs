@@ -117,7 +117,7 @@ fn in_parallel(
     job: &Job<'_>,
     encode: impl Fn(&StreamInfo, usize) -> Result<Vec<u8>> + Sync,
 ) -> Result<Vec<Vec<u8>>> {
-    par::map_cancellable(job, "coding", 0..info.block_count(), |block| encode(info, block))?.into_iter().collect()
+    alloc::try_collect(par::map_cancellable(job, "coding", 0..info.block_count(), |block| encode(info, block))?)
 }
 
 /// Header, structure, table, blocks.

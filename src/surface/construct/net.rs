@@ -151,7 +151,8 @@ impl<const N: usize> Gordon<N> {
         job: &Job<'_>,
     ) -> Result<Self> {
         let [height, width] = [rows.len(), columns.len()];
-        let points = [&rows, &columns].map(|net_curves| net_curves.iter().map(NetCurve::is_point).collect::<Vec<_>>());
+        let points = |curves: &[NetCurve<N>]| alloc::collect(curves.iter().map(NetCurve::is_point));
+        let points = [points(&rows)?, points(&columns)?];
         let nodes = alloc::collect(places.iter().enumerate().map(|(n, &[on_row, on_column])| {
             let (k, l) = (n / width, n % width);
             let (p, q) = (rows[k].point(on_row), columns[l].point(on_column));
@@ -377,14 +378,15 @@ impl Strips {
 fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
     let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
     let Some(first) = curves().next() else {
-        return Ok((vec![1.0], own.iter().map(|_| vec![1.0]).collect()));
+        return Ok((alloc::filled(1.0, 1)?, alloc::try_collect(own.iter().map(|_| alloc::filled(1.0, 1)))?));
     };
     if curves().all(|ends| ends.len() == first.len()) {
         // Matched in order.
         let number = curves().count() as f64;
         let mean = |k: usize| curves().map(|ends| ends[k]).sum::<f64>() / number;
         let breaks = alloc::collect((0..first.len()).map(|k| if k + 1 == first.len() { 1.0 } else { mean(k) }))?;
-        let ends = points.iter().map(|&point| if point { vec![1.0] } else { breaks.clone() }).collect();
+        let ends = points.iter().map(|&point| if point { alloc::filled(1.0, 1) } else { alloc::copied(&breaks) });
+        let ends = alloc::try_collect(ends)?;
         return Ok((breaks, ends));
     }
     let mut all = Vec::new();
@@ -392,7 +394,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
         alloc::extend(&mut all, ends[..ends.len() - 1].iter().map(|&end| (end, curve)))?;
     }
     sort::stable(&mut all, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut ends: Vec<Vec<f64>> = own.iter().map(|_| Vec::new()).collect();
+    let mut ends: Vec<Vec<f64>> = alloc::collect(own.iter().map(|_| Vec::new()))?;
     let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {
         let last = breaks.last().copied().unwrap_or(0.0);

@@ -90,8 +90,8 @@ pub(super) fn chain(
     if jumps {
         link_arcs(&mut found.arcs, lattice)?;
     }
-    let levels: Vec<&[Arc]> = found.arcs.chunk_by(|a, b| a.level == b.level).collect();
-    let parts = par::map(threads, levels.into_iter(), |arcs| paths(sheet, arcs, &found.inner));
+    let levels = alloc::gather(found.arcs.chunk_by(|a, b| a.level == b.level))?;
+    let parts = par::map(threads, levels.into_iter(), |arcs| paths(sheet, arcs, &found.inner))?;
     parts.into_iter().try_for_each(|part| made.append(part?))
 }
 
@@ -216,6 +216,8 @@ fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
     let mut waiting: VecDeque<End> = VecDeque::new();
     let mut left = Vec::new();
     for group in ends.chunk_by(|a, b| (a.level, a.group) == (b.level, b.group)) {
+        let bytes = size_of_val(group) as u64;
+        waiting.try_reserve(group.len()).map_err(|_| Error::OutOfMemory { bytes })?;
         for &end in group {
             match waiting.pop_front() {
                 Some(first) if end.exit != first.exit => {

@@ -213,7 +213,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
                     }
                 }
                 Ok((best, candidates))
-            });
+            })?;
             for part in parts {
                 let (found, some): (Best, Vec<Candidate>) = part?;
                 if found.deviation < best.deviation {

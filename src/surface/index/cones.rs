@@ -120,12 +120,15 @@ impl Cones {
         let parts = base.chunks_mut(rows_together * columns).enumerate();
         par::map_cancellable(job, "normal cones", parts, |(k, cones)| {
             let first = rows_together * k;
-            let mut boxes = vec![[Aabb::EMPTY; 2]; cones.len()];
-            cells.tangents(first..first + cones.len() / columns, &mut boxes);
+            let mut boxes = alloc::filled([Aabb::EMPTY; 2], cones.len())?;
+            cells.tangents(first..first + cones.len() / columns, &mut boxes)?;
             for (cone, boxes) in cones.iter_mut().zip(boxes) {
                 *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
             }
-        })?;
+            Ok(())
+        })?
+        .into_iter()
+        .collect::<Result<()>>()?;
         let mut levels = vec![Level { columns, cones: base }];
         while let Some(last) = levels.last().filter(|last| last.columns > 2 || last.cones.len() > 2 * last.columns) {
             levels.push(last.above()?);

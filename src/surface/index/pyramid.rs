@@ -99,14 +99,17 @@ impl Pyramid {
         let parts = parts.zip(displacements.chunks_mut(rows_together * columns)).enumerate();
         par::map_cancellable(&job.part(0.0, 0.8), "index", parts, |(k, ((groups, oriented), displacements))| {
             let first = rows_together * k;
-            let mut bounds = vec![Aabb::EMPTY; displacements.len()];
-            cells.displacements(first..first + displacements.len() / columns, &mut bounds);
+            let mut bounds = alloc::filled(Aabb::EMPTY, displacements.len())?;
+            cells.displacements(first..first + displacements.len() / columns, &mut bounds)?;
             let parts = oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
             for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
                 let groups = &mut groups[r / 2 * across..][..across];
                 build_row(cells, first + r, origin, bounds, groups, oriented, displacements);
             }
-        })?;
+            Ok(())
+        })?
+        .into_iter()
+        .collect::<Result<()>>()?;
         job.step(0.8, "index")?;
         let mut levels = vec![base];
         while let Some(last) = levels.last().filter(|last| last.child_boxes.len() > 1) {

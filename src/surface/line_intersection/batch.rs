@@ -94,12 +94,12 @@ fn batches<R: Send>(
     }
     // A workspace for each thread's share of a round: they are handed on from batch to batch.
     let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
-    let mut workspaces: Vec<Workspace> = (0..threads).map(|_| Workspace::default()).collect();
+    let mut workspaces = alloc::collect((0..threads).map(|_| Workspace::default()))?;
     let round = BATCH * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;
         let parts = some.chunks(BATCH).zip(&mut workspaces);
-        for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace)) {
+        for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace))? {
             add(part?)?;
         }
     }

@@ -71,7 +71,7 @@ impl Surface<'_> {
                     self.segment(from + k, curve.segment(from + k), &mut finder)?;
                 }
                 Ok(finder.finds)
-            }) {
+            })? {
                 alloc::append(&mut finds, &part?)?;
             }
             if selection != HitSelection::All && !finds.is_empty() {

@@ -53,7 +53,7 @@ impl Surface<'_> {
                     let mut search = NearestSearch::default();
                     let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut search));
                     taken.iter().map(each).collect::<Vec<_>>()
-                });
+                })?;
                 for (&(_, k), found) in round.iter().zip(found.into_iter().flatten()) {
                     out[k as usize] = found;
                 }

@@ -277,6 +277,6 @@ fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> R
             None => found,
         });
     }
-    *undecided = best.into_iter().flatten().collect();
+    *undecided = alloc::gather(best.into_iter().flatten())?;
     Ok(())
 }

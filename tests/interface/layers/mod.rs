@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// From the bottom up.
 const LAYERS: [&[&str]; 10] = [
-    &["error", "alloc", "choice", "job", "par", "simd", "testing"],
+    &["error", "alloc", "choice", "job", "par", "reserve", "simd", "testing", "threads"],
     &["sort", "geom"],
     &["mesh"],
     &["intersect", "fair", "remesh", "blend", "boundary", "winged", "check"],

@@ -1,0 +1,220 @@
+//! A reserve of memory for the moment at which the system has none: part of the libraries for C
+//! only (feature `reserve`), as the allocator of a Rust program is that program's choice.
+//!
+//! What grows with the input is asked for by `alloc`, where failure is an error. The standard
+//! library and crates make small allocations on their own, which cannot fail but by abort. When
+//! the system refuses one of these, it is taken from the reserve; the job of the call sees that at
+//! its next step ([`drawn`]) and ends the call with an error, which gives the memory back.
+//!
+//! The reserve is static, cut into arenas in which blocks lie one behind another. An arena begins
+//! anew when its last block is given back. Its state is one number, changed by compare-and-swap: no
+//! lock, which a thread could hold while it is stopped, and nothing that belongs to a thread.
+
+#![allow(unsafe_code, reason = "an allocator")]
+
+/// Bytes taken from the reserve since the program began. Of two equal readings, none was between.
+#[inline]
+pub(crate) fn drawn() -> u64 {
+    #[cfg(feature = "reserve")]
+    return arenas::DRAWN.load(std::sync::atomic::Ordering::Relaxed);
+    #[cfg(not(feature = "reserve"))]
+    0
+}
+
+/// Whether a block is in the reserve.
+#[inline]
+pub(crate) fn holds<T>(block: *const T) -> bool {
+    #[cfg(feature = "reserve")]
+    return arenas::offset_of(block.cast()).is_some();
+    #[cfg(not(feature = "reserve"))]
+    {
+        let _ = block;
+        false
+    }
+}
+
+/// Bytes of the largest block that the reserve may hold.
+#[cfg(feature = "reserve")]
+pub(crate) const MAX_BLOCK: usize = arenas::ARENA;
+#[cfg(not(feature = "reserve"))]
+pub(crate) const MAX_BLOCK: usize = 0;
+
+#[cfg(feature = "reserve")]
+mod arenas {
+    use std::alloc::{GlobalAlloc, Layout, System};
+    use std::cell::UnsafeCell;
+    use std::ptr;
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    const ARENAS: usize = 32;
+    /// Bytes of one arena, and thus of the largest block.
+    pub(super) const ARENA: usize = 1 << 16;
+    const MAX_ALIGN: usize = 64;
+
+    /// Static zeros, of which the program's file and its memory hold nothing before they are used.
+    #[repr(C, align(64))]
+    struct Bytes(UnsafeCell<[u8; ARENAS * ARENA]>);
+
+    // SAFETY: the bytes are touched through blocks only, which the states give to one owner each.
+    unsafe impl Sync for Bytes {}
+
+    static BYTES: Bytes = Bytes(UnsafeCell::new([0; ARENAS * ARENA]));
+    /// Of each arena: below, how far it is used; above, its blocks that are in use.
+    static STATES: [AtomicU64; ARENAS] = [const { AtomicU64::new(0) }; ARENAS];
+    pub(super) static DRAWN: AtomicU64 = AtomicU64::new(0);
+
+    /// One block in the state of an arena.
+    const ONE: u64 = 1 << 32;
+
+    fn used(state: u64) -> usize {
+        (state & (ONE - 1)) as usize
+    }
+
+    /// Where a block begins in the reserve, if it does.
+    #[inline]
+    pub(super) fn offset_of(block: *const u8) -> Option<usize> {
+        let offset = (block as usize).wrapping_sub(BYTES.0.get() as usize);
+        (offset < ARENAS * ARENA).then_some(offset)
+    }
+
+    /// A block of the reserve; null if it has none of that size.
+    #[cold]
+    #[inline(never)]
+    fn draw(layout: Layout) -> *mut u8 {
+        if layout.align() > MAX_ALIGN || layout.size() > ARENA {
+            return ptr::null_mut();
+        }
+        for (arena, state) in STATES.iter().enumerate() {
+            let mut start = 0;
+            let taken = state.fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
+                start = used(now).next_multiple_of(layout.align());
+                let end = start + layout.size();
+                (end <= ARENA).then(|| (now & !(ONE - 1)) + ONE + end as u64)
+            });
+            if taken.is_ok() {
+                DRAWN.fetch_add(layout.size().max(1) as u64, Ordering::Relaxed);
+                return BYTES.0.get().cast::<u8>().wrapping_add(arena * ARENA + start);
+            }
+        }
+        ptr::null_mut()
+    }
+
+    /// Takes a block back: an arena without blocks begins anew, and behind the last block there is
+    /// room.
+    #[cold]
+    #[inline(never)]
+    fn give_back(offset: usize, size: usize) {
+        let start = offset % ARENA;
+        let _ = STATES[offset / ARENA].fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
+            let end = if used(now) == start + size { start } else { used(now) };
+            Some(if now >> 32 == 1 { 0 } else { (now & !(ONE - 1)) - ONE + end as u64 })
+        });
+    }
+
+    /// A block of another size with the same content; `block` is as it was if there is none.
+    #[cold]
+    #[inline(never)]
+    unsafe fn moved(block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        let Ok(new) = Layout::from_size_align(size, layout.align()) else { return ptr::null_mut() };
+        // SAFETY: the caller's promises on `block` and the two sizes, neither of which is 0.
+        unsafe {
+            let made = Reserve.alloc(new);
+            if !made.is_null() {
+                ptr::copy_nonoverlapping(block, made, layout.size().min(size));
+                Reserve.dealloc(block, layout);
+            }
+            made
+        }
+    }
+
+    /// The system's allocator, with the reserve behind it.
+    struct Reserve;
+
+    #[global_allocator]
+    static ALLOCATOR: Reserve = Reserve;
+
+    // SAFETY: blocks of the system's allocator go back to it, and those of the reserve, which have
+    // the size and the alignment that were asked for and one owner each, to the reserve.
+    unsafe impl GlobalAlloc for Reserve {
+        unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+            // SAFETY: the caller's promises.
+            let block = unsafe { System.alloc(layout) };
+            if block.is_null() { draw(layout) } else { block }
+        }
+
+        unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+            // SAFETY: the caller's promises.
+            let mut block = unsafe { System.alloc_zeroed(layout) };
+            if block.is_null() {
+                block = draw(layout);
+                if !block.is_null() {
+                    // SAFETY: a block of that size. It may have been used before.
+                    unsafe { block.write_bytes(0, layout.size()) };
+                }
+            }
+            block
+        }
+
+        unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+            match offset_of(block) {
+                Some(offset) => give_back(offset, layout.size()),
+                // SAFETY: the caller's promises.
+                None => unsafe { System.dealloc(block, layout) },
+            }
+        }
+
+        unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+            if offset_of(block).is_none() {
+                // SAFETY: the caller's promises.
+                let made = unsafe { System.realloc(block, layout, size) };
+                if !made.is_null() {
+                    return made;
+                }
+            }
+            // SAFETY: the caller's promises.
+            unsafe { moved(block, layout, size) }
+        }
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn blocks_of_the_reserve_are_apart_and_come_back() {
+            let of = |size, align| Layout::from_size_align(size, align).unwrap();
+            let before = DRAWN.load(Ordering::Relaxed);
+            let mut held = Vec::new();
+            for k in 0.. {
+                let layout = of(1 + k * 7919 % 9000, 1 << (k % 7));
+                let block = draw(layout);
+                if block.is_null() {
+                    break;
+                }
+                assert!(block.addr().is_multiple_of(layout.align()) && offset_of(block).is_some());
+                // SAFETY: a block of that size.
+                unsafe { block.write_bytes(k as u8, layout.size()) };
+                held.push((block, layout));
+            }
+            let total: usize = held.iter().map(|(_, layout)| layout.size()).sum();
+            assert!(total > ARENAS * ARENA * 3 / 4, "{total}");
+            assert_eq!(DRAWN.load(Ordering::Relaxed) - before, total as u64);
+            for (k, &(block, layout)) in held.iter().enumerate() {
+                // SAFETY: as above.
+                let bytes = unsafe { std::slice::from_raw_parts(block, layout.size()) };
+                assert!(bytes.iter().all(|&byte| byte == k as u8));
+            }
+            assert!(draw(of(ARENA, 1)).is_null() && draw(of(ARENA + 1, 1)).is_null() && draw(of(1, 128)).is_null());
+            held.drain(..).for_each(|(block, layout)| give_back(offset_of(block).unwrap(), layout.size()));
+            assert!(STATES.iter().all(|state| state.load(Ordering::Relaxed) == 0));
+            // Small blocks one after another take no more room than one.
+            let kept = draw(of(8, 8));
+            for _ in 0..ARENA {
+                let block = draw(of(64, 8));
+                give_back(offset_of(block).unwrap(), 64);
+            }
+            assert!(STATES[1..].iter().all(|state| state.load(Ordering::Relaxed) == 0));
+            give_back(offset_of(kept).unwrap(), 8);
+        }
+    }
+}
