@@ -52,8 +52,8 @@ help:
 	@echo 'make lint                         formatting, lints and the Rust documentation'
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
-	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, and with cancels; minutes'
 	@echo 'make sanitize [KIND=thread] [TESTS=regex]  the C and C++ tests with the library under the address sanitizer, or that of threads; minutes'
+	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, with cancels, and without each allocation; minutes'
 	@echo 'make fuzz [TARGET=sew] [SECONDS=60]  the fuzzers, each for so many seconds; what they find is left in build/fuzz'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
@@ -99,7 +99,7 @@ lint:
 
 # Of the library in a plain build, with checks of overflow.
 test-units:
-	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --lib --features openmfx --target-dir '$(plain)'
+	CARGO_INCREMENTAL=0 $(CARGO) test --locked -p gusset --lib --features openmfx,reserve --target-dir '$(plain)'
 
 # From outside, of the library as it is released: no second one is compiled, as long as both have the same features of all packages.
 test-programs: build
@@ -111,9 +111,9 @@ exhaustive:
 	$(CARGO) test --locked -p gusset --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 
-# The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
+# The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx,reserve.
 openmfx:
-	CARGO_INCREMENTAL=0 $(CARGO) rustc --locked -p gusset --lib --crate-type cdylib --features openmfx --target-dir '$(plain)'
+	CARGO_INCREMENTAL=0 $(CARGO) rustc --locked -p gusset --lib --crate-type cdylib --features openmfx,reserve --target-dir '$(plain)'
 
 # Both sides at once: each has stretches where it keeps one core busy.
 test:
@@ -136,7 +136,7 @@ torture: stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture --parallel 2
-	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 ctest --test-dir build/cpp -R '^torture/' --verbose --parallel 2
+	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 TORTURE_ALLOCATIONS=1000000 ctest --test-dir build/cpp -R '^torture/' --verbose --parallel 2
 
 # Both kinds, one after the other, unless KIND says which.
 sanitize:

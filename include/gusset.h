@@ -11030,7 +11030,7 @@ gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
 /**
  * Gives a decoder the next bytes of its stream, any number of them.
  *
- * After a failure every call fails alike.
+ * After a failure every call fails alike, but OUT_OF_MEMORY leaves the decoder as it was.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[in,out] decoder the decoder.

@@ -41,7 +41,8 @@
 //! | [`error`] | causes of failure, each with the element it is about |
 //! | [`ffi`] | the C interface |
 //!
-//! Data flows one way: host arrays, view, core, result. The core has no global state, nothing is
+//! Data flows one way: host arrays, view, core, result. The core has no global state (but with the
+//! feature `reserve`, the libraries for C), nothing is
 //! printed, no file is touched, and the same input gives the same bytes for any number of threads.
 
 mod alloc;

@@ -16,7 +16,7 @@
 #[inline]
 pub(crate) fn drawn() -> u64 {
     #[cfg(feature = "reserve")]
-    return arenas::DRAWN.load(std::sync::atomic::Ordering::Relaxed);
+    return arenas::RESERVE.drawn.load(std::sync::atomic::Ordering::Relaxed);
     #[cfg(not(feature = "reserve"))]
     0
 }
@@ -25,7 +25,7 @@ pub(crate) fn drawn() -> u64 {
 #[inline]
 pub(crate) fn holds<T>(block: *const T) -> bool {
     #[cfg(feature = "reserve")]
-    return arenas::offset_of(block.cast()).is_some();
+    return arenas::RESERVE.offset_of(block.cast()).is_some();
     #[cfg(not(feature = "reserve"))]
     {
         let _ = block;
@@ -51,17 +51,24 @@ mod arenas {
     pub(super) const ARENA: usize = 1 << 16;
     const MAX_ALIGN: usize = 64;
 
-    /// Static zeros, of which the program's file and its memory hold nothing before they are used.
+    /// Memory, and what of it is in use. Of a static one that begins with zeros, the program's file
+    /// and its memory hold nothing before it is used.
     #[repr(C, align(64))]
-    struct Bytes(UnsafeCell<[u8; ARENAS * ARENA]>);
+    pub(super) struct Arenas {
+        bytes: UnsafeCell<[u8; ARENAS * ARENA]>,
+        /// Of each arena: below, how far it is used; above, its blocks that are in use.
+        states: [AtomicU64; ARENAS],
+        pub(super) drawn: AtomicU64,
+    }
 
     // SAFETY: the bytes are touched through blocks only, which the states give to one owner each.
-    unsafe impl Sync for Bytes {}
+    unsafe impl Sync for Arenas {}
 
-    static BYTES: Bytes = Bytes(UnsafeCell::new([0; ARENAS * ARENA]));
-    /// Of each arena: below, how far it is used; above, its blocks that are in use.
-    static STATES: [AtomicU64; ARENAS] = [const { AtomicU64::new(0) }; ARENAS];
-    pub(super) static DRAWN: AtomicU64 = AtomicU64::new(0);
+    pub(super) static RESERVE: Arenas = Arenas {
+        bytes: UnsafeCell::new([0; ARENAS * ARENA]),
+        states: [const { AtomicU64::new(0) }; ARENAS],
+        drawn: AtomicU64::new(0),
+    };
 
     /// One block in the state of an arena.
     const ONE: u64 = 1 << 32;
@@ -70,45 +77,47 @@ mod arenas {
         (state & (ONE - 1)) as usize
     }
 
-    /// Where a block begins in the reserve, if it does.
-    #[inline]
-    pub(super) fn offset_of(block: *const u8) -> Option<usize> {
-        let offset = (block as usize).wrapping_sub(BYTES.0.get() as usize);
-        (offset < ARENAS * ARENA).then_some(offset)
-    }
-
-    /// A block of the reserve; null if it has none of that size.
-    #[cold]
-    #[inline(never)]
-    fn draw(layout: Layout) -> *mut u8 {
-        if layout.align() > MAX_ALIGN || layout.size() > ARENA {
-            return ptr::null_mut();
+    impl Arenas {
+        /// Where a block begins in the reserve, if it does.
+        #[inline]
+        pub(super) fn offset_of(&self, block: *const u8) -> Option<usize> {
+            let offset = (block as usize).wrapping_sub(self.bytes.get() as usize);
+            (offset < ARENAS * ARENA).then_some(offset)
         }
-        for (arena, state) in STATES.iter().enumerate() {
-            let mut start = 0;
-            let taken = state.fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
-                start = used(now).next_multiple_of(layout.align());
-                let end = start + layout.size();
-                (end <= ARENA).then(|| (now & !(ONE - 1)) + ONE + end as u64)
-            });
-            if taken.is_ok() {
-                DRAWN.fetch_add(layout.size().max(1) as u64, Ordering::Relaxed);
-                return BYTES.0.get().cast::<u8>().wrapping_add(arena * ARENA + start);
+
+        /// A block of the reserve; null if it has none of that size.
+        #[cold]
+        #[inline(never)]
+        fn draw(&self, layout: Layout) -> *mut u8 {
+            if layout.align() > MAX_ALIGN || layout.size() > ARENA {
+                return ptr::null_mut();
             }
+            for (arena, state) in self.states.iter().enumerate() {
+                let mut start = 0;
+                let taken = state.fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
+                    start = used(now).next_multiple_of(layout.align());
+                    let end = start + layout.size();
+                    (end <= ARENA).then(|| (now & !(ONE - 1)) + ONE + end as u64)
+                });
+                if taken.is_ok() {
+                    self.drawn.fetch_add(layout.size() as u64, Ordering::Relaxed);
+                    return self.bytes.get().cast::<u8>().wrapping_add(arena * ARENA + start);
+                }
+            }
+            ptr::null_mut()
         }
-        ptr::null_mut()
-    }
 
-    /// Takes a block back: an arena without blocks begins anew, and behind the last block there is
-    /// room.
-    #[cold]
-    #[inline(never)]
-    fn give_back(offset: usize, size: usize) {
-        let start = offset % ARENA;
-        let _ = STATES[offset / ARENA].fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
-            let end = if used(now) == start + size { start } else { used(now) };
-            Some(if now >> 32 == 1 { 0 } else { (now & !(ONE - 1)) - ONE + end as u64 })
-        });
+        /// Takes a block back: an arena without blocks begins anew, and behind the last block there
+        /// is room.
+        #[cold]
+        #[inline(never)]
+        fn give_back(&self, offset: usize, size: usize) {
+            let start = offset % ARENA;
+            let _ = self.states[offset / ARENA].fetch_update(Ordering::AcqRel, Ordering::Acquire, |now| {
+                let end = if used(now) == start + size { start } else { used(now) };
+                Some(if now >> 32 == 1 { 0 } else { (now & !(ONE - 1)) - ONE + end as u64 })
+            });
+        }
     }
 
     /// A block of another size with the same content; `block` is as it was if there is none.
@@ -118,35 +127,35 @@ mod arenas {
         let Ok(new) = Layout::from_size_align(size, layout.align()) else { return ptr::null_mut() };
         // SAFETY: the caller's promises on `block` and the two sizes, neither of which is 0.
         unsafe {
-            let made = Reserve.alloc(new);
+            let made = Backed.alloc(new);
             if !made.is_null() {
                 ptr::copy_nonoverlapping(block, made, layout.size().min(size));
-                Reserve.dealloc(block, layout);
+                Backed.dealloc(block, layout);
             }
             made
         }
     }
 
     /// The system's allocator, with the reserve behind it.
-    struct Reserve;
+    struct Backed;
 
     #[global_allocator]
-    static ALLOCATOR: Reserve = Reserve;
+    static ALLOCATOR: Backed = Backed;
 
     // SAFETY: blocks of the system's allocator go back to it, and those of the reserve, which have
     // the size and the alignment that were asked for and one owner each, to the reserve.
-    unsafe impl GlobalAlloc for Reserve {
+    unsafe impl GlobalAlloc for Backed {
         unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
             // SAFETY: the caller's promises.
             let block = unsafe { System.alloc(layout) };
-            if block.is_null() { draw(layout) } else { block }
+            if block.is_null() { RESERVE.draw(layout) } else { block }
         }
 
         unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
             // SAFETY: the caller's promises.
             let mut block = unsafe { System.alloc_zeroed(layout) };
             if block.is_null() {
-                block = draw(layout);
+                block = RESERVE.draw(layout);
                 if !block.is_null() {
                     // SAFETY: a block of that size. It may have been used before.
                     unsafe { block.write_bytes(0, layout.size()) };
@@ -156,15 +165,15 @@ mod arenas {
         }
 
         unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-            match offset_of(block) {
-                Some(offset) => give_back(offset, layout.size()),
+            match RESERVE.offset_of(block) {
+                Some(offset) => RESERVE.give_back(offset, layout.size()),
                 // SAFETY: the caller's promises.
                 None => unsafe { System.dealloc(block, layout) },
             }
         }
 
         unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-            if offset_of(block).is_none() {
+            if RESERVE.offset_of(block).is_none() {
                 // SAFETY: the caller's promises.
                 let made = unsafe { System.realloc(block, layout, size) };
                 if !made.is_null() {
@@ -182,39 +191,83 @@ mod arenas {
 
         #[test]
         fn blocks_of_the_reserve_are_apart_and_come_back() {
+            // Not that of the program, whose jobs would find no memory.
+            static OWN: Arenas = Arenas {
+                bytes: UnsafeCell::new([0; ARENAS * ARENA]),
+                states: [const { AtomicU64::new(0) }; ARENAS],
+                drawn: AtomicU64::new(0),
+            };
             let of = |size, align| Layout::from_size_align(size, align).unwrap();
-            let before = DRAWN.load(Ordering::Relaxed);
+            let unused = || OWN.states.iter().all(|state| state.load(Ordering::Relaxed) == 0);
             let mut held = Vec::new();
             for k in 0.. {
                 let layout = of(1 + k * 7919 % 9000, 1 << (k % 7));
-                let block = draw(layout);
+                let block = OWN.draw(layout);
                 if block.is_null() {
                     break;
                 }
-                assert!(block.addr().is_multiple_of(layout.align()) && offset_of(block).is_some());
+                assert!(block.addr().is_multiple_of(layout.align()) && OWN.offset_of(block).is_some());
+                assert!(RESERVE.offset_of(block).is_none());
                 // SAFETY: a block of that size.
                 unsafe { block.write_bytes(k as u8, layout.size()) };
                 held.push((block, layout));
             }
             let total: usize = held.iter().map(|(_, layout)| layout.size()).sum();
             assert!(total > ARENAS * ARENA * 3 / 4, "{total}");
-            assert_eq!(DRAWN.load(Ordering::Relaxed) - before, total as u64);
+            assert_eq!(OWN.drawn.load(Ordering::Relaxed), total as u64);
             for (k, &(block, layout)) in held.iter().enumerate() {
                 // SAFETY: as above.
                 let bytes = unsafe { std::slice::from_raw_parts(block, layout.size()) };
                 assert!(bytes.iter().all(|&byte| byte == k as u8));
             }
-            assert!(draw(of(ARENA, 1)).is_null() && draw(of(ARENA + 1, 1)).is_null() && draw(of(1, 128)).is_null());
-            held.drain(..).for_each(|(block, layout)| give_back(offset_of(block).unwrap(), layout.size()));
-            assert!(STATES.iter().all(|state| state.load(Ordering::Relaxed) == 0));
-            // Small blocks one after another take no more room than one.
-            let kept = draw(of(8, 8));
-            for _ in 0..ARENA {
-                let block = draw(of(64, 8));
-                give_back(offset_of(block).unwrap(), 64);
+            for refused in [of(ARENA, 1), of(ARENA + 1, 1), of(1, 128)] {
+                assert!(OWN.draw(refused).is_null());
             }
-            assert!(STATES[1..].iter().all(|state| state.load(Ordering::Relaxed) == 0));
-            give_back(offset_of(kept).unwrap(), 8);
+            held.drain(..).for_each(|(block, layout)| {
+                OWN.give_back(OWN.offset_of(block).unwrap(), layout.size());
+            });
+            assert!(unused());
+            // Small blocks one after another take no more room than one.
+            let kept = OWN.draw(of(8, 8));
+            for _ in 0..ARENA {
+                let block = OWN.draw(of(64, 8));
+                OWN.give_back(OWN.offset_of(block).unwrap(), 64);
+            }
+            assert!(OWN.states[1..].iter().all(|state| state.load(Ordering::Relaxed) == 0));
+            OWN.give_back(OWN.offset_of(kept).unwrap(), 8);
+            assert!(unused());
+        }
+
+        #[test]
+        fn blocks_of_many_threads_are_apart() {
+            static OWN: Arenas = Arenas {
+                bytes: UnsafeCell::new([0; ARENAS * ARENA]),
+                states: [const { AtomicU64::new(0) }; ARENAS],
+                drawn: AtomicU64::new(0),
+            };
+            std::thread::scope(|scope| {
+                for name in 1..=4_u8 {
+                    scope.spawn(move || {
+                        for round in 0..2000 {
+                            let layout = Layout::from_size_align(1 + round * 31 % 3000, 8).unwrap();
+                            let blocks = [0; 5].map(|_| OWN.draw(layout));
+                            for block in blocks {
+                                assert!(!block.is_null());
+                                // SAFETY: a block of that size, of this thread.
+                                unsafe { block.write_bytes(name, layout.size()) };
+                            }
+                            std::thread::yield_now();
+                            for block in blocks {
+                                // SAFETY: as above.
+                                let bytes = unsafe { std::slice::from_raw_parts(block, layout.size()) };
+                                assert!(bytes.iter().all(|&byte| byte == name));
+                                OWN.give_back(OWN.offset_of(block).unwrap(), layout.size());
+                            }
+                        }
+                    });
+                }
+            });
+            assert!(OWN.states.iter().all(|state| state.load(Ordering::Relaxed) == 0));
         }
     }
 }

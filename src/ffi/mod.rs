@@ -20,7 +20,7 @@
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
 //! | `openmfx` | with the feature of this name: the entry points of OpenMfx hosts |
 //!
-//! Unsafe code is here and in the kernels of `simd`, nowhere else.
+//! Unsafe code is here, in the kernels of `simd`, in `threads` and in `reserve`, nowhere else.
 
 #![allow(unsafe_code, reason = "the border to C")]
 #![allow(non_camel_case_types, reason = "these are the names that C sees")]
