@@ -12,6 +12,7 @@
 #include <set>
 
 namespace campaign {
+namespace of_gluings {
 namespace {
 using gusset::LocalGluing;
 using gusset::NetComplex;
@@ -548,8 +549,10 @@ Net random_net(Case &test, std::optional<Classes> &kept, bool &reversed) {
     }
 }
 } // namespace
+} // namespace of_gluings
 
 void gluings(Case &test) {
+    using namespace of_gluings;
     std::optional<Classes> classes, others;
     bool reversed = false, other_reversed = false;
     Net net = random_net(test, classes, reversed);

@@ -7,6 +7,7 @@
 #include <set>
 
 namespace campaign {
+namespace of_intersections {
 namespace {
 using Pairs = std::set<std::pair<uint32_t, uint32_t>>;
 
@@ -121,6 +122,7 @@ void fills(Case &test) {
     compare(test, fill.mesh(), soup.face_count(), fill.mesh().face_count() - soup.face_count(), fill.intersections());
 }
 } // namespace
+} // namespace of_intersections
 
-void intersections(Case &test) { test.random.one_in(2) ? stitches(test) : fills(test); }
+void intersections(Case &test) { test.random.one_in(2) ? of_intersections::stitches(test) : of_intersections::fills(test); }
 } // namespace campaign

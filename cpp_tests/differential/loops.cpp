@@ -10,6 +10,7 @@
 #include <set>
 
 namespace campaign {
+namespace of_loops {
 namespace {
 using Edge = std::pair<uint32_t, uint32_t>;
 using Cycle = std::vector<uint32_t>;
@@ -243,8 +244,10 @@ void check_against_cgal(Case &test, const Soup &soup, const gusset::Boundary &bo
     test.check(check.is_closed() == verdict.closed, "what is closed for CGAL is not, or the other way round");
 }
 } // namespace
+} // namespace of_loops
 
 void loops(Case &test) {
+    using namespace of_loops;
     const Soup soup = shuffled(any_soup(test.random, test.random.below(5)), test.random);
     const gusset::Boundary boundary(soup.view());
     const Sides sides(soup);

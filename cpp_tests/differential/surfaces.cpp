@@ -8,6 +8,7 @@
 #include <cmath>
 
 namespace campaign {
+namespace of_surfaces {
 namespace {
 using gusset::Line;
 using gusset::Surface;
@@ -20,8 +21,8 @@ constexpr double mesh_tolerance = 1e-3;
 /// Of points that lie on the surface, or in a plane, but for rounding.
 constexpr double rounding = 1e-9;
 /// Chords are held at the middles and the quarters of arcs. A cubic that is 0 at both ends and at
-/// most 1 there is nowhere more than this; arcs as short as chords are close to cubics.
-constexpr double between_quarters = 256.0 / 243.0;
+/// most 1 there is nowhere more than 1.0941; arcs as short as chords are close to cubics.
+constexpr double between_quarters = 1.095;
 
 Point along(const Point &from, const Point &direction, double t) {
     return {from[0] + t * direction[0], from[1] + t * direction[1], from[2] + t * direction[2]};
@@ -288,8 +289,10 @@ void sections(Case &test, const Tested &tested) {
     }
 }
 } // namespace
+} // namespace of_surfaces
 
 void surfaces(Case &test) {
+    using namespace of_surfaces;
     const Tested tested = random_surface(test.random);
     nearest(test, tested);
     lines(test, tested);

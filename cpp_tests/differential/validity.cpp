@@ -11,6 +11,7 @@
 #include <set>
 
 namespace campaign {
+namespace of_validity {
 namespace {
 using Lengths = std::vector<std::size_t>;
 
@@ -505,8 +506,10 @@ void oriented(Case &test) {
     test.check(gusset::Check(soup.view()).is_orientable() == one_sided.empty(), "what can be oriented cannot, or the other way round");
 }
 } // namespace
+} // namespace of_validity
 
 void validity(Case &test) {
+    using namespace of_validity;
     switch (test.random.below(6)) {
     case 0: return stitched(test);
     case 1: return filled(test);
