@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 kind=$1
 case $kind in
-address) default='^(c|cpp|real|plugin|reference|threads|examples|torture)/' runtime=asan extra=-fsanitize=undefined,address ;;
+address) default='^(c|cpp|real|plugin|reference|threads|examples|torture|differential)/' runtime=asan extra=-fsanitize=undefined,address ;;
 thread) default='^(threads|plugin|reference)/' runtime=tsan extra=-fsanitize=thread ;;
 *) echo "no sanitizer of this name: $kind" >&2 && exit 2 ;;
 esac

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -52,4 +53,24 @@ Verdict judge(const gusset::MeshView &view, bool intersections) {
         verdict.bounds_a_volume = verdict.closed && pairs.empty() && PMP::does_bound_a_volume(mesh);
     }
     return verdict;
+}
+
+std::set<std::pair<uint32_t, uint32_t>> intersecting_pairs(const gusset::MeshView &view, std::size_t first_new, std::size_t new_count) {
+    auto [points, faces] = CgalSoup<Kernel::Point_3>(view);
+    if (!PMP::is_polygon_soup_a_polygon_mesh(faces)) {
+        throw std::invalid_argument("no mesh for CGAL");
+    }
+    Mesh mesh;
+    PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
+    std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
+    PMP::self_intersections(mesh, std::back_inserter(found));
+    const auto is_new = [&](uint32_t f) { return f >= first_new && f < first_new + new_count; };
+    std::set<std::pair<uint32_t, uint32_t>> pairs;
+    for (const auto &[p, q] : found) {
+        const auto f = static_cast<uint32_t>(p), g = static_cast<uint32_t>(q);
+        if (is_new(f) || is_new(g)) {
+            pairs.insert({std::max(f, g), std::min(f, g)});
+        }
+    }
+    return pairs;
 }

@@ -4,6 +4,9 @@
 #include <gusset.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 struct Verdict {
@@ -23,3 +26,7 @@ struct Verdict {
 
 /// `intersections`: count them too, which is slow for large meshes.
 Verdict judge(const gusset::MeshView &mesh, bool intersections = true);
+
+/// Pairs of triangles that intersect for CGAL, the larger number first, one of them at least among
+/// `new_count` faces from `first_new` on. Throws std::invalid_argument if the mesh is none for CGAL.
+std::set<std::pair<uint32_t, uint32_t>> intersecting_pairs(const gusset::MeshView &mesh, std::size_t first_new, std::size_t new_count);

@@ -1,13 +1,7 @@
 // Assembly of many pieces, and the faces of strips that cut others, with CGAL as judge.
-#include "cgal_soup.hpp"
 #include "data.hpp"
 #include "judge.hpp"
 #include "soup.hpp"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <doctest/doctest.h>
 
@@ -18,10 +12,7 @@
 #include <map>
 #include <set>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-
 namespace {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Lengths = std::vector<std::size_t>;
 using Point = std::array<double, 3>;
 using Pairs = std::set<std::pair<uint32_t, uint32_t>>;
@@ -32,26 +23,6 @@ std::vector<gusset::MeshView> views(const std::vector<Soup> &pieces) {
         all.push_back(piece.view());
     }
     return all;
-}
-
-/// Pairs of triangles that intersect for CGAL, the larger number first, one of them at least a new
-/// one.
-Pairs cuts_by_cgal(const gusset::MeshView &view, std::size_t first_new, std::size_t new_count) {
-    const CgalSoup<Kernel::Point_3> soup(view);
-    CGAL::Surface_mesh<Kernel::Point_3> mesh;
-    REQUIRE(PMP::is_polygon_soup_a_polygon_mesh(soup.faces));
-    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
-    std::vector<std::pair<CGAL::SM_Face_index, CGAL::SM_Face_index>> found;
-    PMP::self_intersections(mesh, std::back_inserter(found));
-    const auto is_new = [&](uint32_t f) { return f >= first_new && f < first_new + new_count; };
-    Pairs pairs;
-    for (const auto &[p, q] : found) {
-        const auto f = static_cast<uint32_t>(p), g = static_cast<uint32_t>(q);
-        if (is_new(f) || is_new(g)) {
-            pairs.insert({std::max(f, g), std::min(f, g)});
-        }
-    }
-    return pairs;
 }
 
 Pairs pairs_of(gusset::Indices list) {
@@ -68,7 +39,7 @@ std::size_t check_cuts(const gusset::Stitch &stitch) {
     REQUIRE(stitch.intersections());
     const auto [first, count] = stitch.strip_faces();
     const Pairs ours = pairs_of(*stitch.intersections());
-    CHECK((ours == cuts_by_cgal(stitch.mesh(), first, count)));
+    CHECK((ours == intersecting_pairs(stitch.mesh(), first, count)));
     return ours.size();
 }
 

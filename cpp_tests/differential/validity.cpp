@@ -1,0 +1,522 @@
+// Results of stitching, filling, assembling, welding, sewing and orienting: valid by CGAL, with the
+// characteristic that Euler's formula asks for, and with all that was there as it was.
+#include "../cpp/judge.hpp"
+#include "rims.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace campaign {
+namespace of_validity {
+namespace {
+using Lengths = std::vector<std::size_t>;
+
+std::vector<uint32_t> face_of(const gusset::MeshView &mesh, std::size_t f) { return {mesh.face(f).begin(), mesh.face(f).end()}; }
+
+bool same_face(const std::vector<uint32_t> &was, std::vector<uint32_t> is, bool turned) {
+    if (turned) {
+        std::reverse(is.begin() + 1, is.end());
+    }
+    return was == is;
+}
+
+/// The length of each boundary cycle of `before`, without those of rims, in CGAL's order.
+Lengths without_rims(Lengths before, const std::vector<std::size_t> &rims) {
+    for (std::size_t rim : rims) {
+        const auto at = std::find(before.begin(), before.end(), rim);
+        if (at != before.end()) {
+            before.erase(at);
+        }
+    }
+    std::sort(before.begin(), before.end(), std::greater<>());
+    return before;
+}
+
+void check_outward(Case &test, const gusset::MeshView &mesh, const Verdict &verdict) {
+    if (verdict.closed && verdict.components == 1) {
+        const Verdict whole = judge(mesh);
+        if (whole.self_intersections == 0) {
+            test.note("closed results, outwards");
+            test.check(whole.bounds_a_volume, "a closed result that does not cut itself does not face outwards");
+        }
+    }
+}
+
+void stitched(Case &test) {
+    Random &random = test.random;
+    Rims rims = random_rims(random, false);
+    gusset::StitchOptions options = random_stitch_options(random);
+    options.intersections = static_cast<gusset::Intersections>(random.below(3));
+    options.cells = random.one_in(2) ? gusset::StripCells::quads : gusset::StripCells::triangles;
+    options.outward = random.one_in(2) ? gusset::Outward::closed : gusset::Outward::keep;
+    const bool against = random.one_in(4);
+    if (against) {
+        rims.b = inside_out(rims.b);
+    }
+    const Verdict a = judge(rims.a.view(), false), b = judge(rims.b.view(), false);
+    std::optional<gusset::Stitch> made;
+    try {
+        made.emplace(gusset::stitch(rims.a.view(), rims.rim_a, rims.b.view(), rims.rim_b, options));
+    } catch (const gusset::Error &error) {
+        test.check(error.status() == GUSSET_ERROR_NO_STRIP, error.what());
+        test.note("stitches without a strip");
+        return;
+    }
+    const gusset::MeshView mesh = made->mesh();
+    const Verdict verdict = judge(mesh, false);
+    if (!test.check(verdict.is_mesh, "a stitched mesh is none for CGAL")) {
+        return;
+    }
+    test.equal(verdict.euler, a.euler + b.euler, "Euler's characteristic of a stitch");
+    test.equal(verdict.components, 1u, "components of a stitch");
+    Lengths ends = a.boundary;
+    ends.insert(ends.end(), b.boundary.begin(), b.boundary.end());
+    test.check(verdict.boundary == without_rims(ends, {rims.rim_a.size(), rims.rim_b.size()}), "the loops of a stitch are not the other ends of its pieces");
+    const auto quality = made->quality();
+    test.equal(quality.loops_left, verdict.boundary.size(), "loops left by a stitch");
+    test.check(quality.non_manifold_edges == 0 && quality.orientation_conflicts == 0, "a stitch reports a bad edge");
+    const gusset::Indices outwards = made->turned_outwards();
+    const std::set<uint32_t> over(outwards.begin(), outwards.end());
+    bool bits = true, faces = true;
+    for (int side = 0; side < 2; ++side) {
+        const Soup &soup = side == 0 ? rims.a : rims.b;
+        const gusset::Indices vertices = made->vertex_map(side), map = made->face_map(side);
+        for (std::size_t v = 0; v < soup.points.size(); ++v) {
+            bits = bits && mesh.position(vertices[v]) == soup.points[v];
+        }
+        for (std::size_t f = 0; f < soup.face_count(); ++f) {
+            std::vector<uint32_t> face;
+            for (uint32_t v : soup.view().face(f)) {
+                face.push_back(vertices[v]);
+            }
+            faces = faces && same_face(face, face_of(mesh, map[f]), (side == 1 && made->turned()) != (over.count(map[f]) != 0));
+        }
+    }
+    test.check(bits, "an old vertex of a stitch has other bits");
+    test.check(faces, "an old face of a stitch is another");
+    if (options.outward == gusset::Outward::closed) {
+        check_outward(test, mesh, verdict);
+    }
+}
+
+void filled(Case &test) {
+    Random &random = test.random;
+    Soup soup = cut_to_triangles(random_shape(random, static_cast<Shape>(random.below(4))), random, random.below(3) / 2.0);
+    soup = with_holes(soup, random);
+    if (random.one_in(4)) {
+        soup = together({soup, with_holes(random_shape(random, Shape::tube), random)});
+    }
+    const Verdict before = judge(soup.view(), false);
+    gusset::FillOptions options = random_fill_options(random);
+    options.intersections = static_cast<gusset::Intersections>(random.below(3));
+    options.keep = static_cast<gusset::FillKeep>(random.below(3));
+    options.outward = random.one_in(2) ? gusset::Outward::closed : gusset::Outward::keep;
+    options.max_edges = random.one_in(4) ? random.between(3, 12) : 0;
+    const gusset::Fill fill(soup.view(), options);
+    const gusset::MeshView mesh = fill.mesh();
+    const gusset::Indices outwards = fill.turned_outwards();
+    const std::set<uint32_t> over(outwards.begin(), outwards.end());
+    bool bits = true, faces = true;
+    for (std::size_t v = 0; v < soup.points.size(); ++v) {
+        bits = bits && mesh.position(v) == soup.points[v];
+    }
+    std::set<std::pair<uint32_t, uint32_t>> near, old;
+    for (std::size_t f = 0; f < soup.face_count(); ++f) {
+        const std::vector<uint32_t> face = face_of(soup.view(), f);
+        faces = faces && same_face(face, face_of(mesh, f), over.count(static_cast<uint32_t>(f)) != 0);
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            old.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+            for (uint32_t v : face) {
+                near.insert(std::minmax(face[i], v));
+            }
+        }
+    }
+    test.check(bits, "an old vertex of a filled mesh has other bits");
+    test.check(faces, "an old face of a filled mesh is another");
+    bool diagonal = false;
+    for (std::size_t f = soup.face_count(); f < mesh.face_count(); ++f) {
+        const std::vector<uint32_t> face = face_of(mesh, f);
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            const std::pair<uint32_t, uint32_t> edge = std::minmax(face[i], face[(i + 1) % face.size()]);
+            diagonal = diagonal || (near.count(edge) != 0 && old.count(edge) == 0);
+        }
+    }
+    test.check(!diagonal, "a new edge joins two vertices of one old face");
+    // A patch of k rims is a sphere with k holes: its characteristic is 2 - k.
+    std::map<uint32_t, std::pair<long, std::size_t>> patches;
+    std::map<uint32_t, const gusset_hole *> of_patch;
+    for (const gusset_hole &hole : fill.holes()) {
+        if (hole.status == GUSSET_HOLE_FILLED) {
+            patches[hole.patch].first += 1;
+            patches[hole.patch].second += hole.rim_count;
+            of_patch[hole.patch] = &hole;
+        } else {
+            test.check(hole.face_count == 0, "a hole that is left has faces");
+        }
+    }
+    long gained = 0;
+    std::size_t made = 0;
+    for (const auto &[patch, rims] : patches) {
+        const long euler = 2 - rims.first;
+        gained += euler;
+        made += of_patch[patch]->face_count;
+        test.equal(static_cast<long>(of_patch[patch]->face_count),
+                   2 * static_cast<long>(of_patch[patch]->vertex_count) + static_cast<long>(rims.second) - 2 * euler, "faces of a patch");
+    }
+    test.equal(mesh.face_count(), soup.face_count() + made, "faces of a filled mesh");
+    const Counts was = count(soup.view()), is = count(mesh);
+    test.equal(is.euler(), was.euler() + gained, "Euler's characteristic of a filled mesh");
+    test.equal(is.branches, was.branches, "edges of three faces and more");
+    if (!before.is_mesh) {
+        test.note("holes that touch");
+        return;
+    }
+    const Verdict after = judge(mesh, false);
+    if (test.check(after.is_mesh, "a mesh with its holes filled is none for CGAL")) {
+        test.equal(fill.quality().loops_left, after.boundary.size(), "loops left by filling");
+        const auto left = std::count_if(fill.holes().begin(), fill.holes().end(), [](const gusset_hole &hole) { return hole.status != GUSSET_HOLE_FILLED; });
+        test.equal(after.boundary.size(), static_cast<std::size_t>(left), "loops, and holes that are left");
+        test.equal(fill.holes().size(), before.boundary.size(), "holes");
+        if (options.outward == gusset::Outward::closed) {
+            check_outward(test, mesh, after);
+        }
+    }
+}
+
+/// Pieces of a shape by random planes, each with vertices of its own, drawn a little towards its
+/// middle.
+std::vector<Soup> cut_by_planes(const Soup &whole, Random &random, double shrink) {
+    const auto faces = faces_of(whole);
+    std::vector<uint32_t> colours(faces.size());
+    for (uint32_t plane = 0, planes = random.between(1, 2); plane < planes; ++plane) {
+        const Point normal{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
+        const double height = random.real(-0.2, 0.2);
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            double sum = 0;
+            for (uint32_t v : faces[f]) {
+                sum += (whole.points[v][0] * normal[0] + whole.points[v][1] * normal[1] + whole.points[v][2] * normal[2]) / double(faces[f].size());
+            }
+            colours[f] |= (sum > height ? 1u : 0u) << plane;
+        }
+    }
+    std::vector<Soup> pieces;
+    for (uint32_t colour = 0; colour < 4; ++colour) {
+        Soup piece = compact(without(whole, [&](std::size_t f) { return colours[f] != colour; }));
+        if (piece.face_count() == 0) {
+            continue;
+        }
+        Point middle{};
+        for (const Point &p : piece.points) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                middle[k] += p[k] / double(piece.points.size());
+            }
+        }
+        for (Point &p : piece.points) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                p[k] += shrink * (middle[k] - p[k]);
+            }
+        }
+        pieces.push_back(piece);
+    }
+    return pieces;
+}
+
+void assembled(Case &test) {
+    Random &random = test.random;
+    const Soup whole = cut_to_triangles(random_shape(random, static_cast<Shape>(random.below(4))), random, random.below(3) / 2.0);
+    std::vector<Soup> pieces = cut_by_planes(whole, random, random.one_in(3) ? 0.0 : random.real(0.005, 0.08));
+    for (Soup &piece : pieces) {
+        if (random.one_in(3)) {
+            piece = inside_out(piece);
+        }
+    }
+    gusset::AssemblyOptions options;
+    options.strips = random_stitch_options(random);
+    options.strips.twist = 0;
+    options.strips.cells = random.one_in(2) ? gusset::StripCells::quads : gusset::StripCells::triangles;
+    options.edge_to_edge = random.one_in(3);
+    options.whole_loops_only = random.one_in(3);
+    options.within_components = random.one_in(3);
+    options.outward = random.one_in(3) ? gusset::Outward::keep : gusset::Outward::closed;
+    if (random.one_in(2)) {
+        options.fill = random_fill_options(random);
+    }
+    std::vector<gusset::MeshView> views;
+    bool manifold = true;
+    for (const Soup &piece : pieces) {
+        views.push_back(piece.view());
+        manifold = manifold && judge(piece.view(), false).is_mesh;
+    }
+    const gusset::Assembly done(views, options);
+    const gusset::MeshView mesh = done.mesh();
+    const gusset_assembly_view parts = done.view();
+    std::vector<int> faces(mesh.face_count()), vertices(mesh.vertex_count());
+    bool bits = true;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const gusset_piece_map map = done.pieces()[k];
+        test.equal(map.faces.count, pieces[k].face_count(), "faces of a piece");
+        for (std::size_t v = 0; v < map.vertices.count; ++v) {
+            vertices[map.vertices.data[v]] = 1;
+            // Sewing keeps the bits of one of those that it joins.
+            bits = bits && (parts.welded_vertices > 0 || mesh.position(map.vertices.data[v]) == pieces[k].points[v]);
+        }
+        for (std::size_t f = 0; f < map.faces.count; ++f) {
+            faces[map.faces.data[f]] += 1;
+        }
+    }
+    test.check(bits, "an old vertex of an assembly has other bits");
+    const auto made = [&](std::size_t first_v, std::size_t count_v, std::size_t first_f, std::size_t count_f) {
+        std::for_each_n(vertices.begin() + static_cast<long>(first_v), count_v, [](int &n) { ++n; });
+        std::for_each_n(faces.begin() + static_cast<long>(first_f), count_f, [](int &n) { ++n; });
+    };
+    for (const gusset_joint &joint : done.joints()) {
+        made(joint.vertex_first, joint.vertex_count, joint.face_first, joint.face_count);
+        test.check((joint.outcome == GUSSET_JOINT_JOINED) == (joint.face_count > 0), "a joint has faces and is not joined, or the other way round");
+    }
+    std::set<uint32_t> patches;
+    for (const gusset_hole &hole : done.holes()) {
+        if (hole.status == GUSSET_HOLE_FILLED && patches.insert(hole.patch).second) {
+            made(hole.vertex_first, hole.vertex_count, hole.face_first, hole.face_count);
+        }
+    }
+    const auto once = [](int n) { return n == 1; };
+    test.check(std::all_of(faces.begin(), faces.end(), once), "a face of an assembly is of no part, or of two");
+    test.check(std::all_of(vertices.begin(), vertices.end(), once), "a vertex of an assembly is of no part, or of two");
+    test.check(parts.non_manifold_edges == 0, "an assembly has an edge of three faces");
+    if (!manifold) {
+        test.note("pieces that touch themselves");
+        return;
+    }
+    const Verdict verdict = judge(mesh, false);
+    if (test.check(verdict.is_mesh, "an assembly is no mesh for CGAL")) {
+        test.equal(parts.loops_left, verdict.boundary.size(), "loops left by an assembly");
+        if (options.outward == gusset::Outward::closed) {
+            check_outward(test, mesh, verdict);
+        }
+    }
+}
+
+/// Every face with vertices of its own, in another order, some turned over.
+Soup shattered(const Soup &soup, Random &random, bool turn) {
+    Soup pieces;
+    for (std::vector<uint32_t> face : faces_of(soup)) {
+        for (uint32_t &v : face) {
+            pieces.points.push_back(soup.points[v]);
+            v = static_cast<uint32_t>(pieces.points.size() - 1);
+        }
+        if (turn && random.one_in(2)) {
+            std::reverse(face.begin(), face.end());
+        }
+        pieces.add_face(face);
+    }
+    std::vector<uint32_t> place(pieces.points.size());
+    std::iota(place.begin(), place.end(), 0u);
+    random.shuffle(place);
+    Soup mixed = pieces;
+    for (uint32_t v = 0; v < place.size(); ++v) {
+        mixed.points[place[v]] = pieces.points[v];
+    }
+    for (uint32_t &v : mixed.corners) {
+        v = place[v];
+    }
+    return shuffled(mixed, random);
+}
+
+void welded(Case &test) {
+    Random &random = test.random;
+    const Soup whole = compact(with_holes(cut_to_triangles(random_shape(random, static_cast<Shape>(random.below(4))), random, random.below(3) / 2.0), random));
+    const Verdict before = judge(whole.view(), false);
+    if (!before.is_mesh) {
+        test.note("holes that touch");
+        return;
+    }
+    gusset::WeldOptions options;
+    options.vertices = random.one_in(2) ? gusset::WeldVertices::all : gusset::WeldVertices::boundary;
+    Soup pieces = shattered(whole, random, true);
+    const bool noise = random.one_in(3);
+    for (Point &p : pieces.points) {
+        for (double &x : p) {
+            x += noise ? random.real(-1e-7, 1e-7) : 0.0;
+        }
+    }
+    if (noise) {
+        options.tolerance = 1e-6;
+    }
+    const gusset::Weld weld(pieces.view(), options);
+    const gusset::Orient orient(weld.mesh(), gusset::Outward::closed);
+    test.check(weld.left_edges().empty() && weld.dropped_faces() == 0, "an edge is left, or a face is lost");
+    test.equal(orient.mesh().face_count(), whole.face_count(), "faces that were welded");
+    const Verdict after = judge(orient.mesh(), false);
+    if (test.check(after.is_mesh, "single faces welded and oriented are no mesh for CGAL")) {
+        test.equal(count(orient.mesh()).vertices, whole.points.size(), "vertices that were welded");
+        test.equal(after.euler, before.euler, "Euler's characteristic of what was welded");
+        test.equal(after.components, before.components, "components of what was welded");
+        test.check(after.boundary == before.boundary, "the loops of what was welded are others");
+        check_outward(test, orient.mesh(), after);
+    }
+    bool bits = true;
+    const gusset::Indices map = weld.vertex_map();
+    for (std::size_t v = 0; v < map.size() && !noise; ++v) {
+        bits = bits && weld.mesh().position(map[v]) == pieces.points[v];
+    }
+    test.check(bits, "a welded vertex has other bits");
+}
+
+/// Two sheets on either side of the line y = 0, whose borders there have different vertices.
+void sewn(Case &test) {
+    Random &random = test.random;
+    std::vector<Soup> sides;
+    for (double side : {1.0, -1.0}) {
+        std::set<double> places{0, 1};
+        for (uint32_t k = random.below(9); k-- > 0;) {
+            places.insert(random.between(1, 63) / 64.0);
+        }
+        const std::vector<double> list(places.begin(), places.end());
+        const auto n = static_cast<uint32_t>(list.size() - 1), m = random.between(1, 3);
+        Soup soup = grid(n, m, false, false, [&](double s, double t) { return Point{list[static_cast<std::size_t>(std::lround(s * n))], side * t, 0}; });
+        sides.push_back(cut_to_triangles(random.one_in(2) ? inside_out(soup) : soup, random, random.below(3) / 2.0));
+    }
+    const Counts a = count(sides[0].view()), b = count(sides[1].view());
+    std::set<double> common;
+    std::size_t on_a = 0, on_b = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        for (const Point &p : sides[k].points) {
+            if (p[1] == 0) {
+                common.insert(p[0]);
+                (k == 0 ? on_a : on_b) += 1;
+            }
+        }
+    }
+    Soup both = together(sides);
+    const auto rotation = random_rotation(random);
+    if (random.one_in(2)) {
+        move(both, rotation, {0.3, 0.1, -0.2});
+    }
+    both = shattered(both, random, false);
+    const gusset::Sew sew(both.view());
+    const gusset::Orient orient(sew.mesh());
+    test.equal(sew.sewn_edges() > 0, true, "something sewn");
+    test.check(sew.left_vertices().empty(), "a vertex is left unsewn");
+    const Verdict after = judge(orient.mesh(), false);
+    if (test.check(after.is_mesh, "two sheets sewn are no mesh for CGAL")) {
+        test.equal(after.euler, 1, "Euler's characteristic of two sheets sewn");
+        test.equal(after.components, 1u, "components of two sheets sewn");
+        test.check(after.boundary == Lengths{a.boundary + b.boundary - (on_a - 1) - (on_b - 1)}, "the border of two sheets sewn has not the edges that were free");
+        test.equal(count(orient.mesh()).vertices, a.vertices + b.vertices - on_a - on_b + common.size(), "vertices of two sheets sewn");
+    }
+}
+
+/// Sides that faces have for each component, by union-find with parity.
+struct Parity {
+    std::vector<uint32_t> parent, side;
+    explicit Parity(std::size_t n) : parent(n), side(n) { std::iota(parent.begin(), parent.end(), 0u); }
+    std::pair<uint32_t, uint32_t> root(uint32_t f) const {
+        uint32_t turned = 0;
+        for (; parent[f] != f; f = parent[f]) {
+            turned ^= side[f];
+        }
+        return {f, turned};
+    }
+};
+
+void oriented(Case &test) {
+    Random &random = test.random;
+    Soup soup = cut_to_triangles(random_shape(random, static_cast<Shape>(random.below(4))), random, random.below(3) / 2.0);
+    if (random.one_in(3)) {
+        // A strip whose ends are joined, half of them turned over.
+        const bool twisted = random.one_in(2);
+        const uint32_t n = random.between(3, 12), m = random.between(1, 4);
+        soup = grid(n, m, false, false, [&](double s, double t) { return Point{s, t, s * t}; });
+        for (uint32_t &v : soup.corners) {
+            const uint32_t row = v / (n + 1);
+            v = v % (n + 1) == n ? (twisted ? m - row : row) * (n + 1) : v;
+        }
+    }
+    soup = with_holes(soup, random);
+    for (uint32_t k = random.one_in(3) ? random.between(1, 5) : 0; k-- > 0;) {
+        soup.add_face({random.any(soup.corners), random.any(soup.corners), random.any(soup.corners)});
+    }
+    for (std::size_t f = 0; f < soup.face_count(); ++f) {
+        if (random.one_in(3)) {
+            turn_face(soup, f);
+        }
+    }
+    const auto faces = faces_of(soup);
+    std::map<std::pair<uint32_t, uint32_t>, std::vector<std::pair<uint32_t, bool>>> edges;
+    for (uint32_t f = 0; f < faces.size(); ++f) {
+        if (std::set<uint32_t>(faces[f].begin(), faces[f].end()).size() != faces[f].size()) {
+            test.note("faces that repeat a vertex, which are not compared");
+            return;
+        }
+        for (std::size_t k = 0; k < faces[f].size(); ++k) {
+            const uint32_t v = faces[f][k], w = faces[f][(k + 1) % faces[f].size()];
+            edges[std::minmax(v, w)].emplace_back(f, v < w);
+        }
+    }
+    Parity sets(faces.size());
+    std::set<uint32_t> one_sided;
+    std::vector<uint32_t> odd;
+    for (const auto &[edge, both] : edges) {
+        if (both.size() != 2) {
+            continue;
+        }
+        const auto [p, turned_p] = sets.root(both[0].first);
+        const auto [q, turned_q] = sets.root(both[1].first);
+        const uint32_t against = (both[0].second == both[1].second ? 1 : 0) ^ turned_p ^ turned_q;
+        if (p != q) {
+            sets.parent[std::max(p, q)] = std::min(p, q);
+            sets.side[std::max(p, q)] = against;
+        } else if (against) {
+            odd.push_back(p);
+        }
+    }
+    std::map<uint32_t, std::array<std::size_t, 2>> count_of;
+    for (uint32_t f = 0; f < faces.size(); ++f) {
+        const auto [root, turned] = sets.root(f);
+        ++count_of[root][turned];
+    }
+    for (uint32_t p : odd) {
+        one_sided.insert(sets.root(p).first);
+    }
+    std::size_t fewest = 0;
+    for (const auto &[root, sides] : count_of) {
+        fewest += one_sided.count(root) != 0 ? 0 : std::min(sides[0], sides[1]);
+    }
+    const gusset::Orient orient(soup.view());
+    test.equal(orient.component_count(), count_of.size(), "components to be oriented");
+    test.equal(orient.turned_faces(), fewest, "faces turned over");
+    const gusset::Indices listed = orient.one_sided_faces();
+    test.check(std::set<uint32_t>(listed.begin(), listed.end()) == one_sided, "the one-sided components are others");
+    bool kept = true;
+    for (uint32_t f = 0; f < faces.size(); ++f) {
+        kept = kept && same_face(faces[f], face_of(orient.mesh(), f), orient.turned()[f] != 0);
+        const auto [root, turned] = sets.root(f);
+        const auto [other, other_turned] = sets.root(root);
+        kept = kept && (one_sided.count(root) != 0 ? orient.turned()[f] == 0
+                                                   : (orient.turned()[f] ^ turned) == (orient.turned()[other] ^ other_turned));
+    }
+    test.check(kept, "faces that share an edge disagree, or a face is another");
+    if (one_sided.empty()) {
+        test.check(gusset::Check(orient.mesh()).is_oriented(), "what was oriented is not");
+    }
+    test.check(gusset::Check(soup.view()).is_orientable() == one_sided.empty(), "what can be oriented cannot, or the other way round");
+}
+} // namespace
+} // namespace of_validity
+
+void validity(Case &test) {
+    using namespace of_validity;
+    switch (test.random.below(6)) {
+    case 0: return stitched(test);
+    case 1: return filled(test);
+    case 2: return assembled(test);
+    case 3: return welded(test);
+    case 4: return sewn(test);
+    default: return oriented(test);
+    }
+}
+} // namespace campaign
