@@ -20,6 +20,10 @@ pub(super) const PARAMETER_ROUNDING: f64 = 1e-13;
 const ROUNDINGS: f64 = 64.0;
 /// How much nearer than [`ArcSearch::close`] to a side a curve is that runs along it.
 const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
+/// A parameter's slope, in widths of its bounds, from which smaller boxes prove that it has a sign.
+const MIN_SLOPE_SHARE: f64 = 1.0 / 64.0;
+/// Runs of a curve beyond a side, in tolerances, that may be lost, or be found twice.
+const MAX_RUN_BEYOND: f64 = 0.25;
 
 /// A line that is in the box for less of the free parameter tells little of the curve.
 const MIN_LINE_SHARE: f64 = 1.0 / 64.0;
@@ -117,7 +121,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         match self.stays(middle, &first, &last) {
             Stay::Inside => BoxTest::Unique([first, last]),
             Stay::Outside => BoxTest::Empty,
-            Stay::Unknown(k) => BoxTest::Undecided(Some(k)),
+            Stay::Unknown(k) => BoxTest::Undecided(k),
         }
     }
 
@@ -164,7 +168,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 return Err(Unclear);
             };
             let speed = frame.direction().length() / frame.tangent()[free].abs();
-            if (to - from) * speed <= 0.25 * self.tolerance {
+            if (to - from) * speed <= MAX_RUN_BEYOND * self.tolerance {
                 return Ok(None);
             }
             let step = way * 0.5 * (from + to);
@@ -290,9 +294,9 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
             let Some(samples) = samples else {
-                return Stay::Unknown(k);
+                return Stay::Unknown(Some(k));
             };
-            match self.beside(k, &samples, self.close(frame, k)) {
+            match self.beside(k, &samples, frame) {
                 Stay::Inside => {}
                 other => return other,
             }
@@ -301,23 +305,56 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     }
 
     /// Classifies a curve next to a side across parameter k: if it runs along it, to rounding, it
-    /// is of the boxes on both sides; if it touches it, of the box that it comes from.
-    fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
+    /// is of the boxes on both sides; if it touches it, of the box that it comes from. One that
+    /// crosses it is cut there by smaller boxes: beside poles, where lines of parameters are near
+    /// together, it may be that near to the side for several tolerances.
+    fn beside(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Stay {
+        let close = self.close(frame, k);
         let [min, max] = range(samples.map(|x| x[k]));
-        let near = |side: f64| min >= side - close && max <= side + close;
-        let is_high = near(self.high[k]);
-        if !is_high && !near(self.low[k]) {
-            return Stay::Unknown(k);
+        let mut all = Stay::Unknown(Some(k));
+        for (side, is_high) in [(self.low[k], false), (self.high[k], true)] {
+            if min < side - close || max > side + close {
+                continue;
+            }
+            let (below, above) = (max <= side + ALONG_SIDE_SHARE * close, min >= side - ALONG_SIDE_SHARE * close);
+            if !below && !above {
+                return Stay::Unknown(Some(k));
+            }
+            let stays = if is_high { below } else { above };
+            let outwards = if is_high == stays { 1.0 } else { -1.0 };
+            if self.crosses(k, samples, (side, outwards), frame) {
+                return Stay::Unknown(None);
+            }
+            if !stays {
+                return Stay::Outside;
+            }
+            all = Stay::Inside;
         }
-        let side = if is_high { self.high[k] } else { self.low[k] };
-        let (below, above) = (max <= side + ALONG_SIDE_SHARE * close, min >= side - ALONG_SIDE_SHARE * close);
-        match (below, above) {
-            (true, true) => Stay::Inside,
-            (true, false) if is_high => Stay::Inside,
-            (false, true) if !is_high => Stay::Inside,
-            (false, false) => Stay::Unknown(k),
-            _ => Stay::Outside,
+        all
+    }
+
+    /// Whether a curve clearly rises or falls across a side, with more of it beyond, to the side
+    /// that it is said not to be on, than may be lost.
+    fn crosses(&self, k: usize, samples: &[DVec4; 5], (side, outwards): (f64, f64), frame: &Frame) -> bool {
+        let free = self.chart.free;
+        let [low, high] = self.chart.slopes[k];
+        let [first, .., last] = samples;
+        let rise = (last[k] - first[k]).abs();
+        if rise <= MIN_SLOPE_SHARE * (high - low) * (last[free] - first[free]) {
+            return false;
         }
+        let rounding = self.rounding_error * frame.sensitivity(free, k);
+        let beyond = |x: &DVec4| outwards * (x[k] - side) - rounding;
+        let run = |pair: &[DVec4]| {
+            let [from, to] = [0, 1].map(|n| beyond(&pair[n]));
+            let (least, most) = (from.min(to), from.max(to));
+            if most <= 0.0 {
+                return 0.0;
+            }
+            let share = if least >= 0.0 { 1.0 } else { most / (most - least) };
+            share * self.equation.point(pair[0]).distance(self.equation.point(pair[1]))
+        };
+        samples.windows(2).map(run).sum::<f64>() > MAX_RUN_BEYOND * self.tolerance
     }
 
     /// Both ends and three points between them.
@@ -336,6 +373,6 @@ enum Stay {
     Inside,
     /// The curve touches a side from another box.
     Outside,
-    /// It cannot be told, for this parameter.
-    Unknown(usize),
+    /// It cannot be told: the box is to be halved by this parameter, if that is known.
+    Unknown(Option<usize>),
 }

@@ -20,6 +20,9 @@ const MIN_CHAIN_ARCS: usize = 8;
 const MAX_ENDS: usize = 64;
 /// Ends within this many tolerances may be one point.
 const POINT_TOLERANCES: f64 = 8.0;
+/// Open chains that are shorter than so many tolerances, and as near to a longer one as that many,
+/// are parts of it that were found once more.
+const REPEATED_TOLERANCES: [f64; 2] = [4.0, 2.0];
 
 /// The surfaces that are intersected.
 pub(super) trait Surroundings {
@@ -109,6 +112,31 @@ impl<S: Surroundings> Bridges<'_, S> {
             let (own, others) = rest.split_at(count);
             rest = others;
             if own.iter().all(|&within| within) {
+                chain.arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+            }
+        }
+        Ok(())
+    }
+
+    /// Leaves out open chains of a few tolerances all of whose ends are on a longer one: beside poles
+    /// lines of parameters are so near together that curves are found from both sides of them, in
+    /// arcs too short to be told from those that follow each other.
+    pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<()> {
+        let arcs = &self.pieces.arcs;
+        let [longest, near] = REPEATED_TOLERANCES.map(|count| count * self.tolerance);
+        let length = |chain: &Chain| -> f64 {
+            let all = chain.arcs.iter().map(|&arc| arcs[arc as usize].ends);
+            all.map(|[first, last]| first.distance(last)).sum()
+        };
+        let is_short = |chain: &Chain| !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS && length(chain) <= longest;
+        if !chains.iter().any(is_short) {
+            return Ok(());
+        }
+        let ends = |chain: &'a Chain| chain.arcs.iter().flat_map(|&arc| arcs[arc as usize].ends);
+        let others = alloc::gather(chains.iter().filter(|chain| !is_short(chain)).flat_map(ends))?;
+        let tree = tree(&others)?;
+        for chain in chains.iter().filter(|chain| is_short(chain)) {
+            if ends(chain).all(|end| tree.nearest(end, near * near, |_| true).is_some()) {
                 chain.arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
             }
         }
@@ -271,11 +299,11 @@ impl<S: Surroundings> Bridges<'_, S> {
     /// poles: there is nothing more to it.
     pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
         let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);
-        let is_small = |ball: &UnresolvedBall| ball.radius <= 4.0 * self.tolerance;
+        let limit = POINT_TOLERANCES * self.tolerance;
+        let is_small = |ball: &UnresolvedBall| ball.radius <= limit;
         let any_small = self.pieces.balls.iter().any(is_small);
         let joints = alloc::gather(followed.filter(|_| any_small).map(|(arc, _)| arc.ends[1]))?;
         let tree = tree(&joints)?;
-        let limit = POINT_TOLERANCES * self.tolerance;
         let passed =
             |ball: &UnresolvedBall| is_small(ball) && tree.nearest(ball.centre, limit * limit, |_| true).is_some();
         alloc::collect(self.pieces.balls.iter().map(passed))

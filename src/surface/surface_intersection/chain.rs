@@ -124,6 +124,7 @@ pub(super) fn chains(
     }
     let bridges = Bridges { pieces, surroundings, tolerance };
     bridges.drop_scraps(&chains, &mut dropped)?;
+    bridges.drop_repeated(&chains, &mut dropped)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
     // Branches that cross are joined when each is whole elsewhere.
     let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;

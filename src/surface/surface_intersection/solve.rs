@@ -132,10 +132,15 @@ pub(super) struct PairTask {
 }
 
 impl PairTask {
-    /// Whether parameters are on a side that no other cell is beyond.
-    fn is_at_border(&self, x: DVec4) -> bool {
-        let beyond = |k: usize| [x[k] <= PARAMETER_ROUNDING, x[k] >= 1.0 - PARAMETER_ROUNDING];
-        (0..4).any(|k| (0..2).any(|side| beyond(k)[side] && !self.neighbours[k][side]))
+    /// Whether the ends of an arc are on a side that no other cell is beyond; one that it runs along
+    /// does not end it.
+    fn are_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
+        let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
+        let runs_along = |k: usize, side: usize| is_along_side && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
+        let ends_at = |x: DVec4, k: usize, side: usize| {
+            sides(x[k], PARAMETER_ROUNDING)[side] && !self.neighbours[k][side] && !runs_along(k, side)
+        };
+        ends.map(|x| (0..4).any(|k| (0..2).any(|side| ends_at(x, k, side))))
     }
 
     /// Adds the arcs of the pair.
@@ -245,7 +250,10 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
             false => [tolerance, -tolerance],
         };
-        let unresolved = extents[longest] <= 0.25 * tolerance || part.is_within(&frame, thickness, reach);
+        // Beside poles pieces that cross may be as thin in both directions.
+        let is_slender = small && frame.is_transversal();
+        let unresolved =
+            extents[longest] <= 0.25 * tolerance || !is_slender && part.is_within(&frame, thickness, reach);
         let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
         // Near poles pieces are too short in one direction for that to be the longest ever.
         let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
@@ -278,9 +286,9 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
-        let at_border = ends.map(|end| self.task.is_at_border(end.x));
         let pair = self.task.pair;
         let is_along_side = !is_closed && part.has_on_side(ends.map(|end| end.x), SIDE_SLACK);
+        let at_border = self.task.are_at_border(ends.map(|end| end.x), is_along_side);
         // Those of Newton's last step but one are off by that step, over the distance from a crossing.
         let exact = |end: End| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
         let directions = ends.map(|end| exact(end).normalize_or_zero());
