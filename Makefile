@@ -132,6 +132,8 @@ torture: stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target torture --parallel 2
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target complexity
+	build/cpp/complexity/complexity --scale 16
 	TORTURE_TOGETHER=$(or $(TOGETHER),20000) TORTURE_CANCELS=100000 ctest --test-dir build/cpp -R '^torture/' --verbose --parallel 2
 
 # A clang of the system is not needed: the compiler has what libFuzzer asks for.
@@ -142,7 +144,8 @@ fuzz:
 check-cancel: stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
-	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel complexity_silence
+	build/cpp/complexity/complexity_silence $(and $(ONLY),--only '$(firstword $(ONLY))')
 	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
 
 demo:
