@@ -42,7 +42,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture differential sanitize fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -146,6 +146,13 @@ differential: stage
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target campaign --parallel 2
 	build/cpp/differential/campaign --cases $(or $(CASES),1000) --seed $(or $(SEED),1) $(addprefix --family ,$(FAMILY))
 
+# Work and memory at n, 2 n and 4 n on the worst inputs that are known, larger ones than in `make test`.
+complexity: stage
+	@scripts/install-packages.sh $(test_packages)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target complexity --parallel 2
+	build/cpp/complexity/complexity --scale 16
+
 # Both kinds, one after the other, unless KIND says which.
 sanitize:
 	@scripts/install-packages.sh $(test_packages)
@@ -159,7 +166,8 @@ fuzz:
 check-cancel: stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
-	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel complexity_silence
+	build/cpp/complexity/complexity_silence $(and $(ONLY),--only '$(firstword $(ONLY))')
 	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
 
 demo:

@@ -1,10 +1,10 @@
 // How long after a request to stop a run returns, for each filter on large shapes. Prints a table, and fails above a
 // tenth of a second. No test of `make test`, which has none that look at clocks.
+#include "instant.hpp"
 #include "shapes.h"
 
 #include <CLI/CLI.hpp>
 #include <dlfcn.h>
-#include <time.h>
 
 #include <algorithm>
 #include <atomic>
@@ -20,31 +20,13 @@
 #include <vector>
 
 namespace {
-using Milliseconds = std::chrono::duration<double, std::milli>;
+using cancel::between;
+using cancel::Instant;
+using cancel::Milliseconds;
 
 constexpr double limit = 100;
 /// Longer runs are not waited for: requests come within that time.
 constexpr Milliseconds longest{20000};
-
-/// By the clock on the wall, and by the time that all threads of this program have worked.
-struct Instant {
-    Milliseconds wall, work;
-
-    static Instant now() { return {read(CLOCK_MONOTONIC), read(CLOCK_PROCESS_CPUTIME_ID)}; }
-
-private:
-    static Milliseconds read(clockid_t clock) {
-        timespec time{};
-        clock_gettime(clock, &time);
-        return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-    }
-};
-
-/// Other programs at work lengthen the one, threads of our own the other. A machine of our own, on which neither is so,
-/// would need no more than the lesser.
-Milliseconds between(const Instant &from, const Instant &to) {
-    return std::min(to.wall - from.wall, to.work - from.work);
-}
 
 /// A run that stops when it is asked to, and the longest time that it did not ask.
 struct Run {

@@ -112,16 +112,25 @@ impl Border<'_> {
         let points = alloc::collect(self.members.iter().map(|&v| self.mesh.positions().get(v)))?;
         let unit = common_unit(&points);
         let ends = |e: u32| self.edges[e as usize].ends.map(|v| self.mesh.positions().get(v) / unit);
-        let boxes = alloc::collect((0..self.edges.len()).map(|e| Aabb::of(ends(e as u32))))?;
+        // No vertex lies inside an edge without a length.
+        let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
+        let long = alloc::gather((0..self.edges.len() as u32).filter(has_length))?;
+        let boxes = alloc::collect(long.iter().map(|&e| Aabb::of(ends(e))))?;
         let order = spatial_order(&boxes, GROUP)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
         let tree = BoxTree::new(order.chunks(GROUP).map(around))?;
         let mut found: Vec<Split> = Vec::new();
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
             job.part(0.0, 0.6).step_every(REPORT_INTERVAL, i, points.len(), STAGE)?;
+            // What lies in the very place of the vertex that stands for it finds the same places.
+            let first = self.members.binary_search(&self.cluster(v)).unwrap_or(i);
+            if first < i && points[first] == p && reach.get(first) == reach.get(i) {
+                continue;
+            }
             let (point, reach) = (p / unit, reach.get(i).map_or(0.0, |reach| reach / unit));
             tree.overlapping(&Aabb::of([point]), reach, |leaf| {
-                for &e in &order[GROUP * leaf..order.len().min(GROUP * (leaf + 1))] {
+                for &place in &order[GROUP * leaf..order.len().min(GROUP * (leaf + 1))] {
+                    let e = long[place as usize];
                     if let Some(at) = place_on(ends(e), point, reach)
                         && self.is_apart(v, e)
                     {

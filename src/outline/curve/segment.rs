@@ -4,6 +4,11 @@ use crate::geom::bernstein::{self, MAX_COEFFICIENTS, Roots, add_product, roots, 
 use glam::DVec3;
 use std::ops::{Deref, DerefMut};
 
+/// Whether a segment is a point: all its control points are one.
+pub(crate) fn is_point(controls: &[DVec3]) -> bool {
+    controls.iter().all(|&p| p == controls[0])
+}
+
 /// The highest degree of a segment.
 pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
 

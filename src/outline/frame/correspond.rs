@@ -20,6 +20,9 @@ use crate::outline::ops::Lengths;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
+/// Segments that are cut between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 14;
+
 /// The nodes of all sections, row by row.
 pub(super) struct SectionNodes {
     pub(super) rows: usize,
@@ -61,9 +64,10 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
             let places = places(axis, reference, rows, options.ring)?;
             found.reserve(columns)?;
             for (k, &(point, [along, first, second])) in places.iter().enumerate() {
-                job.step(k as f64 / rows as f64, "finding nodes")?;
-                let curve = curve_of(&curves, k)?;
+                let (curve, of_section) = (curve_of(&curves, k)?, job.share(k, rows));
+                let interval = (SEGMENTS_PER_REPORT / curve.len()).max(1);
                 for i in 0..columns {
+                    of_section.step_every(interval, i, columns, "finding nodes")?;
                     let angle = TAU * i as f64 / columns as f64;
                     let ray = first * libm::cos(angle) + second * libm::sin(angle);
                     found.add_farthest(&curve, k, point, ray, along.cross(ray))?;

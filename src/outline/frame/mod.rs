@@ -95,11 +95,12 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         made.grid.filled = filled;
         return Ok(made);
     }
+    let rows = sections.check()?;
+    let least = |closed: bool| if closed { 3 } else { 2 };
+    Error::require(rows >= least(options.ring), "sections", rows as f64)?;
     let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
-    let (rows, columns) = (found.rows, found.columns);
-    for (option, count, closed) in [("sections", rows, options.ring), ("columns", columns, sections.closed)] {
-        Error::require(count >= if closed { 3 } else { 2 }, option, count as f64)?;
-    }
+    let columns = found.columns;
+    Error::require(columns >= least(sections.closed), "columns", columns as f64)?;
     let kind = PointConstraint::Corner;
     let corners = alloc::collect(found.corners.iter().map(|&point| Constraint { point, kind }))?;
     let smooth = Options { corner_angle: std::f64::consts::PI, ..options.across };

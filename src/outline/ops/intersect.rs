@@ -9,6 +9,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
+use crate::outline::curve::segment;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place};
 use crate::sort;
@@ -65,6 +66,10 @@ impl Piece {
 
 /// How often a segment is halved to have no points in common with itself.
 const MAX_DEPTH: u32 = 20;
+/// Pairs of segments between two progress reports: each takes up to 20 ms.
+const PAIRS_PER_REPORT: usize = 4;
+
+const STAGE: &str = "intersections";
 
 impl CurveView<'_> {
     /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the
@@ -82,7 +87,7 @@ impl CurveView<'_> {
         let frame = UnitFrame::of(self.points().iter().chain(other.points()));
         let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
         let mut all = Intersections::of(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
-        all.merge([self.period(), other.period()]);
+        all.merge([self.period(), other.period()])?;
         Ok(all)
     }
 
@@ -113,20 +118,20 @@ impl CurveView<'_> {
             let gap = (found.b.along() - found.a.along()).abs();
             gap.min((period - gap).abs()) > 10.0 * SAME_PARAMETER
         });
-        all.merge([period; 2]);
+        all.merge([period; 2])?;
         Ok(all)
     }
 
     /// The segments in a frame, those that may meet themselves halved until they do not, at most
-    /// `depth` times. Segments that are points are left out where `depth` asks for
-    /// self-intersections.
+    /// `depth` times. Segments that are points are left out, as the ends of their neighbours are there;
+    /// of a curve that is nothing else the first is kept, unless `depth` asks for self-intersections.
     fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
-        for (k, controls) in self.segments().enumerate() {
-            if depth > 0 && controls.iter().all(|&p| p == controls[0]) {
-                continue;
-            }
+        for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {
             push_simple(Part::whole(frame.segment(controls)), k as u32, depth, &mut pieces)?;
+        }
+        if pieces.is_empty() && depth == 0 && !self.is_empty() {
+            push_simple(Part::whole(frame.segment(self.segment(0))), 0, depth, &mut pieces)?;
         }
         Ok(pieces)
     }
@@ -153,10 +158,17 @@ impl Intersections {
     ) -> Result<Self> {
         let tree = BoxTree::new(theirs.iter().map(Piece::bounds))?;
         let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
+        let mut pairs = 0usize;
         for (k, piece) in ours.iter().enumerate() {
-            job.step_every(64, k, ours.len(), "intersections")?;
+            job.step_every(64, k, ours.len(), STAGE)?;
             tree.overlapping(&piece.bounds(), BOX_SLACK, |i| match joined(k, i) {
-                Some(joined) => all.add(piece, &theirs[i], joined, &mut found),
+                Some(joined) => {
+                    if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
+                        job.step(k as f64 / ours.len() as f64, STAGE)?;
+                    }
+                    pairs += 1;
+                    all.add(piece, &theirs[i], joined, &mut found)
+                }
                 None => Ok(()),
             })?;
         }
@@ -174,15 +186,23 @@ impl Intersections {
     }
 
     /// Sorts, and removes the ends of overlaps, and points that joints have reported twice.
-    fn merge(&mut self, periods: [f64; 2]) {
-        let same = |x: Place, y: Place, period: f64| coincide(x.along(), y.along(), period, SAME_PARAMETER);
+    fn merge(&mut self, periods: [f64; 2]) -> Result<()> {
         let start = |overlap: &Overlap| [overlap.a[0].along(), overlap.b[0].along()];
         sort::stable(&mut self.overlaps, &|x, y| by_places(start(x), start(y)));
-        let overlaps = &self.overlaps;
+        let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
+        ends.extend(self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].along(), o.b[i].along()])));
+        sort::stable(&mut ends, &|&x, &y| by_places(x, y));
         self.points.retain(|m| {
-            let at_end = |o: &Overlap| (0..2).any(|i| same(o.a[i], m.a, periods[0]) && same(o.b[i], m.b, periods[1]));
-            !overlaps.iter().any(at_end)
+            let [a, b] = [m.a.along(), m.b.along()];
+            // The end of a closed curve is its start.
+            let at_end = |shift: f64| {
+                let from = ends.partition_point(|end| end[0] < a + shift - SAME_PARAMETER);
+                let mut near = ends[from..].iter().take_while(|end| end[0] <= a + shift + SAME_PARAMETER);
+                near.any(|end| coincide(end[1], b, periods[1], SAME_PARAMETER))
+            };
+            ![0.0, periods[0], -periods[0]].into_iter().any(at_end)
         });
         sort_distinct(&mut self.points, |m| [m.a.along(), m.b.along()], periods, SAME_PARAMETER);
+        Ok(())
     }
 }

@@ -63,6 +63,16 @@ const ROUNDING: f64 = 1e-12;
 const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
 /// Pairs of parts that are examined for two segments before halving ends.
 const MAX_PAIRS: usize = 20_000;
+/// Pairs of segments given up, after which the rest has the effort of plain minima only.
+const MAX_GIVEN_UP: u32 = 32;
+/// The pairs of parts that plain minima need.
+const MAX_PAIRS_OF_PLAIN: usize = 300;
+/// Pairs of segments between two progress reports: each takes up to 20 ms.
+const PAIRS_PER_REPORT: usize = 4;
+/// Descents between two progress reports.
+const DESCENTS_PER_REPORT: usize = 256;
+
+const STAGE: &str = "near misses of curves";
 /// Places whose parameters differ by less are one.
 const SAME_PARAMETER: f64 = 1e-7;
 /// Descents along one valley end no farther apart than this, in the parameters.
@@ -122,14 +132,32 @@ impl CurveView<'_> {
         ];
         // No two points of the frame are farther apart than 2 sqrt(3): more could be infinite in it.
         let within = frame.length(within).clamp(ROUNDING, 4.0);
-        let mut search = NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), undecided: false };
-        let tree = BoxTree::new(sides[1].segments().map(Aabb::of))?;
-        for (i, a) in sides[0].segments().enumerate() {
-            job.step_every(16, i, self.len(), "near misses of curves")?;
-            tree.overlapping(&Aabb::of(a), within, |j| search.search_pair([i, j]))?;
+        let mut search =
+            NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), given_up: 0, undecided: false };
+        let numbers = [lasting(&sides[0])?, lasting(&sides[1])?];
+        let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::of(sides[1].segment(j as usize))))?;
+        let (searching, mut pairs) = (job.part(0.0, 0.8), 0usize);
+        for (k, &i) in numbers[0].iter().enumerate() {
+            searching.step_every(16, k, numbers[0].len(), STAGE)?;
+            let i = i as usize;
+            tree.overlapping(&Aabb::of(sides[0].segment(i)), within, |leaf| {
+                pairs += 1;
+                if pairs.is_multiple_of(PAIRS_PER_REPORT) {
+                    searching.step(k as f64 / numbers[0].len() as f64, STAGE)?;
+                }
+                search.search_pair([i, numbers[1][leaf] as usize])
+            })?;
         }
-        search.finish(&frame)
+        search.finish(&frame, &job.part(0.8, 1.0))
     }
+}
+
+/// The segments that are not points, as the ends of their neighbours are where those are; of a curve that
+/// is nothing else the first.
+fn lasting(curve: &CurveView<'_>) -> Result<Vec<u32>> {
+    let all = (0..curve.len() as u32).filter(|&k| !segment::is_point(curve.segment(k as usize)));
+    let found = alloc::gather(all)?;
+    if found.is_empty() { alloc::filled(0, 1) } else { Ok(found) }
 }
 
 /// The direction in which a curve goes on beyond segment k at one of its ends; `None` if it ends
@@ -150,6 +178,8 @@ struct NearMissSearch<'a> {
     /// Pairs of parts without a proof at the least size: the places as numbers, and the distance in
     /// the middle.
     unresolved: Vec<UnresolvedBox>,
+    /// Pairs of segments given up so far.
+    given_up: u32,
     undecided: bool,
 }
 
@@ -158,6 +188,8 @@ struct PairSearch<'s, 'a> {
     search: &'s mut NearMissSearch<'a>,
     numbers: [usize; 2],
     whole: [&'a [DVec3]; 2],
+    /// Whether halving ended at the limit.
+    exhausted: bool,
 }
 
 impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
@@ -188,6 +220,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
 
     fn give_up(&mut self, [p, q]: [Part; 2], exhausted: bool) -> Result<()> {
         self.search.undecided |= exhausted;
+        self.exhausted |= exhausted;
         let [low, high] = corners(&[p, q]);
         let middle = (low + high) * 0.5;
         let [x, y] = [segment::point(self.whole[0], middle.x), segment::point(self.whole[1], middle.y)];
@@ -209,8 +242,12 @@ impl NearMissSearch<'_> {
     fn search_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));
-        let limits = Limits { max_depth: u32::MAX, max_boxes: MAX_PAIRS + 1 };
-        subdivide(&mut PairSearch { search: self, numbers, whole }, first, &mut Vec::new(), limits)
+        let max_pairs = if self.given_up < MAX_GIVEN_UP { MAX_PAIRS } else { MAX_PAIRS_OF_PLAIN };
+        let limits = Limits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
+        let mut search = PairSearch { search: self, numbers, whole, exhausted: false };
+        subdivide(&mut search, first, &mut Vec::new(), limits)?;
+        self.given_up += u32::from(search.exhausted);
+        Ok(())
     }
 
     /// Adds the least distance of a pair that has only one, if it is one of the curves too and near
@@ -288,13 +325,19 @@ impl NearMissSearch<'_> {
     /// at every pair that is nearer than those that touch it. Clusters that lead down to the same
     /// place are parts of one valley, and one overlap; where that place is in none of them, they are
     /// slopes towards a place that was proved.
-    fn add_overlaps(&mut self, place: impl Fn(usize, f64) -> Place, overlaps: &mut Vec<Overlap>) -> Result<()> {
+    fn add_overlaps(
+        &mut self,
+        place: impl Fn(usize, f64) -> Place,
+        overlaps: &mut Vec<Overlap>,
+        job: &Job<'_>,
+    ) -> Result<()> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
         sort::stable(&mut unresolved, &|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
         let cluster_of = cluster(&unresolved, &mut clusters)?;
         let mut valleys = Vec::new();
         for (k, start) in unresolved.iter().enumerate() {
+            job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), STAGE)?;
             if !is_lowest(&unresolved, k) {
                 continue;
             }
@@ -331,14 +374,14 @@ impl NearMissSearch<'_> {
     }
 
     /// Clusters the unresolved pairs, sorts, and merges repeats.
-    fn finish(mut self, frame: &UnitFrame) -> Result<NearMisses> {
+    fn finish(mut self, frame: &UnitFrame, job: &Job<'_>) -> Result<NearMisses> {
         let mut found = NearMisses::default();
         let sides = self.sides;
         let place = |k: usize, at: f64| {
             let segment = (at.max(0.0) as usize).min(sides[k].len() - 1);
             Place { segment: segment as u32, t: (at - segment as f64).clamp(0.0, 1.0) }
         };
-        self.add_overlaps(place, &mut found.overlaps)?;
+        self.add_overlaps(place, &mut found.overlaps, job)?;
         found.undecided = self.undecided;
         let periods = sides.map(|curve| curve.period());
         sort_distinct(&mut self.minima, |found| found.at.to_array(), periods, SAME_PARAMETER);

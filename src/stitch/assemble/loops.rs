@@ -2,7 +2,7 @@
 
 use super::base::Base;
 use super::candidates::{Candidate, Facing, FacingSearch, Slit};
-use super::edges::{Edges, loops_of};
+use super::edges::{Edges, entries_of};
 use super::request::{LeftLoop, MaxGap, Options, Reason, Selector};
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
@@ -79,14 +79,12 @@ impl Loops {
         Ok([a, b])
     }
 
-    /// The edges that the mesh has between different rims, and between the vertices of one that is
-    /// a slit. A vertex may be on several.
+    /// The edges that the mesh has between vertices of rims. A vertex may be on several.
     pub(super) fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
         let places = self.places()?;
         let mut on_rim = alloc::filled(false, mesh.positions.len())?;
         places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
-        let slits = alloc::collect(self.slits.iter().map(Option::is_some))?;
-        let mut edges = Edges { of: Vec::new(), places, slits };
+        let mut edges = Edges { of: Vec::new(), places };
         for face in mesh.faces() {
             for (k, &u) in face.iter().enumerate() {
                 let v = face[(k + 1) % face.len()];
@@ -137,7 +135,7 @@ impl Loops {
             return Ok(Vec::new());
         };
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
-            return alloc::collect(loops_of(places, vertex).iter().map(|&(_, r)| r as usize));
+            return alloc::collect(entries_of(places, vertex).iter().map(|&(_, r)| r as usize));
         }
         if selector.vertex != NONE {
             return Ok(Vec::new());

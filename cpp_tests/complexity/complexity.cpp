@@ -1,0 +1,118 @@
+// Counts the work of each row at n, 2 n and 4 n, in instructions under valgrind's callgrind, and the bytes in use at their
+// peak; fails where one grows by a larger power of n than the header states.
+#include "memory.hpp"
+#include "row.hpp"
+
+#include <CLI/CLI.hpp>
+#include <valgrind/callgrind.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+namespace {
+using namespace complexity;
+
+/// What n log n adds at these sizes, and steps of grids and of tables that double.
+constexpr double margin = 0.25;
+
+struct Cost {
+    double work = 0, bytes = 0, seconds = 0;
+};
+
+/// Callgrind writes a file for each request; the totals are what was counted since the last one.
+class Counter {
+public:
+    explicit Counter(std::string prefix) : prefix_(std::move(prefix)) {}
+    void start() { CALLGRIND_ZERO_STATS; }
+    double stop() {
+        if (!RUNNING_ON_VALGRIND) {
+            return 0;
+        }
+        CALLGRIND_DUMP_STATS;
+        const std::string name = prefix_ + "." + std::to_string(++count_);
+        std::ifstream file(name);
+        std::string line;
+        double total = 0;
+        while (std::getline(file, line)) {
+            if (line.rfind("totals: ", 0) == 0) {
+                total = std::stod(line.substr(8));
+            }
+        }
+        std::remove(name.c_str());
+        return total;
+    }
+
+private:
+    std::string prefix_;
+    std::size_t count_ = 0;
+};
+
+Cost measure(const Row &row, std::size_t n, Counter &counter) {
+    gusset::Context context;
+    context.set_threads(1);
+    const Call call = row.prepare(n);
+    Cost cost;
+    const std::size_t before = memory_in_use();
+    memory_reset_peak();
+    const auto start = std::chrono::steady_clock::now();
+    counter.start();
+    try {
+        const auto kept = call(context);
+        cost.work = counter.stop();
+    } catch (const gusset::Error &error) {
+        cost.work = counter.stop();
+        if (n == row.size) {
+            std::printf("  refused: %s\n", error.what());
+        }
+    }
+    cost.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    cost.bytes = static_cast<double>(memory_peak() - before);
+    return cost;
+}
+
+/// The power of n by which the last doubling grew.
+double exponent(double before, double after) { return after > before && before > 0 ? std::log2(after / before) : 0; }
+
+bool hold(const Row &row, std::size_t scale, Counter &counter) {
+    Cost costs[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        costs[i] = measure(row, (row.size * scale) << i, counter);
+    }
+    const double time = exponent(costs[1].seconds, costs[2].seconds);
+    const double work = exponent(costs[1].work, costs[2].work), memory = exponent(costs[1].bytes, costs[2].bytes);
+    const double each = costs[2].bytes / static_cast<double>(4 * row.size * scale);
+    const bool good = work <= row.work + margin && memory <= row.memory + margin;
+    std::printf("%-32s %-24s %7zu %12.0f %5.2f %4.1f %12.0f %5.2f %4.1f %8.0f  %.3f s %.1f %s\n", row.function, row.family,
+                4 * row.size * scale, costs[2].work, work, row.work, costs[2].bytes, memory, row.memory, each,
+                costs[2].seconds, time, good ? "" : "FAILS");
+    std::fflush(stdout);
+    return good;
+}
+} // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("Whether work and memory grow as the header states.");
+    std::string prefix, only;
+    std::size_t scale = 1, half = 2, number = 0;
+    app.add_option("--counts", prefix, "The --callgrind-out-file that valgrind was given");
+    app.add_option("--half", half, "Every second row, from the first or from the second");
+    app.add_option("--only", only, "Rows whose function or family contains this");
+    app.add_option("--scale", scale, "A factor of all sizes");
+    CLI11_PARSE(app, argc, argv);
+    std::printf("%-32s %-24s %7s %12s %5s %4s %12s %5s %4s %8s\n", "function", "family", "n", "instructions", "power", "<=",
+                "bytes", "power", "<=", "each");
+    Counter counter(prefix);
+    bool good = true;
+    for (const auto &rows : {mesh_rows(), curve_rows(), net_rows(), surface_rows()}) {
+        for (const Row &row : rows) {
+            const bool listed = half > 1 || number++ % 2 == half;
+            if (listed && (std::string(row.function) + " " + row.family).find(only) != std::string::npos) {
+                good = hold(row, scale, counter) && good;
+            }
+        }
+    }
+    return good ? 0 : 1;
+}

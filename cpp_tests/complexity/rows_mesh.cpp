@@ -1,0 +1,130 @@
+// Meshes: boundaries, welding, joining, filling.
+#include "row.hpp"
+#include "shapes.hpp"
+
+namespace complexity {
+
+namespace {
+/// A call on a mesh that is made beforehand.
+template <class Shape, class Function>
+std::function<Call(std::size_t)> on(Shape shape, Function function) {
+    return [=](std::size_t n) {
+        const auto mesh = std::make_shared<const Mesh>(shape(n));
+        return making([=](const gusset::Context &context) { return function(mesh->view(), context); });
+    };
+}
+
+/// Two shells, joined along their first loops.
+template <class Rim>
+std::function<Call(std::size_t)> joined(Rim rim, gusset::StitchOptions options = {}) {
+    return [=](std::size_t n) {
+        const auto a = std::make_shared<const Mesh>(shell(rim(n, 0.0), {0, 0, -0.5}));
+        const auto b = std::make_shared<const Mesh>(shell(rim(n, 1.0), {0, 0, 0.5}));
+        const auto loop = std::make_shared<std::vector<uint32_t>>();
+        for (uint32_t i = 0; i < n; ++i) {
+            loop->push_back(i);
+        }
+        return making([=](const gusset::Context &context) {
+            return gusset::stitch(a->view(), *loop, b->view(), *loop, options, context);
+        });
+    };
+}
+
+/// A shell, whose first loop is filled.
+template <class Rim>
+std::function<Call(std::size_t)> filled(Rim rim) {
+    return [=](std::size_t n) {
+        const auto mesh = std::make_shared<const Mesh>(shell(rim(n, 0.0), {0, 0, -0.5}));
+        const auto loop = std::make_shared<std::vector<uint32_t>>();
+        for (uint32_t i = 0; i < n; ++i) {
+            loop->push_back(i);
+        }
+        return making([=](const gusset::Context &context) {
+            const gusset::Indices loops[] = {*loop};
+            return gusset::Fill(mesh->view(), loops, gusset::FillOptions(), context);
+        });
+    };
+}
+} // namespace
+
+std::vector<Row> mesh_rows() {
+    using gusset::Context;
+    using gusset::MeshView;
+    const auto boundary = [](const MeshView &mesh, const Context &context) {
+        return gusset::Boundary(mesh, gusset::BoundaryOptions(), context);
+    };
+    const auto check = [](const MeshView &mesh, const Context &context) { return gusset::Check(mesh, context); };
+    const auto weld = [](const MeshView &mesh, const Context &context) {
+        gusset::WeldOptions options;
+        options.vertices = gusset::WeldVertices::all;
+        return gusset::Weld(mesh, options, context);
+    };
+    const auto sew = [](const MeshView &mesh, const Context &context) {
+        return gusset::Sew(mesh, gusset::WeldOptions(), context);
+    };
+    const auto orient = [](const MeshView &mesh, const Context &context) {
+        return gusset::Orient(mesh, gusset::Outward::closed, context);
+    };
+    const auto assemble = [](const MeshView &mesh, const Context &context) {
+        const MeshView pieces[] = {mesh};
+        return gusset::Assembly(pieces, gusset::AssemblyOptions(), context);
+    };
+    const auto fill = [](const MeshView &mesh, const Context &context) {
+        return gusset::Fill(mesh, gusset::FillOptions(), context);
+    };
+    const auto winged = [](const MeshView &mesh, const Context &context) {
+        return gusset::Winged(mesh, gusset::Winding::counter_clockwise, context);
+    };
+    const auto open_fan = [](std::size_t n) { return fan(n, false); };
+    const auto closed_fan = [](std::size_t n) { return fan(n, true); };
+    const auto loose = [](std::size_t n) { return scattered(n, false); };
+    const auto in_one_point = [](std::size_t n) { return scattered(n, true); };
+    const auto flat = [](std::size_t n) { return square(n, 0); };
+    const auto rough = [](std::size_t n) { return square(n, 0.8); };
+    const auto round_rim = [](std::size_t n, double height) { return circle(n, 1.0, height); };
+    const auto line_rim = [](std::size_t n, double) { return collinear(n); };
+    const auto star_rim = [](std::size_t n, double height) { return nested_star(n, height); };
+    const auto point_rim = [](std::size_t n, double height) { return point(n, {0, 0, height}); };
+    const auto spiral_rim = [](std::size_t n, double height) { return spiral(n, height); };
+    return {
+        {"boundary_create", "fan", 1000, 4000000, 1, 1, 0, on(closed_fan, boundary)},
+        {"boundary_create", "loops", 1000, 4000000, 1, 1, 0, on(loose, boundary)},
+        {"boundary_create", "triangles at a vertex", 1000, 4000000, 1, 1, 0, on(bundle, boundary)},
+        {"boundary_create", "equal copies", 1000, 4000000, 1, 1, 0, on(copies, boundary)},
+        {"boundary_create", "square", 1000, 4000000, 1, 1, 0, on(flat, boundary)},
+        {"check_create", "fan", 1000, 4000000, 1, 1, 0, on(open_fan, check)},
+        {"check_create", "triangles at a vertex", 1000, 4000000, 1, 1, 0, on(bundle, check)},
+        {"winged_create", "fan", 1000, 4000000, 1, 1, 0, on(closed_fan, winged)},
+        {"winged_create", "square", 1000, 4000000, 1, 1, 0, on(flat, winged)},
+        {"weld_create", "points in one", 1000, 4000000, 1, 1, 0, on(in_one_point, weld)},
+        {"weld_create", "equal copies", 1000, 4000000, 1, 1, 0, on(copies, weld)},
+        {"weld_create", "square", 1000, 4000000, 1, 1, 0, on(flat, weld)},
+        {"sew_create", "loops", 500, 1000000, 1, 1, 0, on(loose, sew)},
+        {"sew_create", "points in one", 500, 1000000, 1, 1, 0, on(in_one_point, sew)},
+        {"sew_create", "equal copies", 500, 1000000, 1, 1, 0, on(copies, sew)},
+        {"sew_create", "triangles at a vertex", 500, 1000000, 1, 1, 0, on(bundle, sew)},
+        {"orient_create", "fan", 1000, 4000000, 1, 1, 0, on(closed_fan, orient)},
+        {"orient_create", "triangles at a vertex", 1000, 4000000, 1, 1, 0, on(bundle, orient)},
+        {"assembly_create", "loops", 256, 100000, 1, 1, 0, on(loose, assemble)},
+        {"assembly_create", "triangles at a vertex", 256, 100000, 1, 1, 0, on(bundle, assemble)},
+        {"assembly_create", "points in one", 256, 100000, 1, 1, 0, on(in_one_point, assemble)},
+        {"assembly_create", "equal copies", 256, 100000, 1, 1, 0, on(copies, assemble)},
+        {"fill_create", "loops", 256, 100000, 1, 1, 0, on(loose, fill)},
+        {"fill_create", "triangles at a vertex", 256, 100000, 1, 1, 0, on(bundle, fill)},
+        {"fill_create", "points in one", 256, 100000, 1, 1, 0, on(in_one_point, fill)},
+        {"fill_create", "rough square", 1000, 100000, 1, 1, 0, on(rough, fill)},
+        {"fill_create", "fan", 512, 100000, 1, 1, 0, on(open_fan, fill)},
+        {"fill_create", "round rim", 512, 100000, 1, 1, 0, filled(round_rim)},
+        {"fill_create", "collinear rim", 512, 100000, 1, 1, 0, filled(line_rim)},
+        {"fill_create", "spiral", 512, 100000, 1, 1, 0, filled(spiral_rim)},
+        {"fill_create", "nested star", 512, 100000, 1, 1, 0, filled(star_rim)},
+        {"fill_create", "points in one", 512, 100000, 1, 1, 0, filled(point_rim)},
+        {"stitch_create", "round rims", 512, 100000, 1, 1, 0, joined(round_rim)},
+        {"stitch_create", "collinear rims", 512, 100000, 1, 1, 0, joined(line_rim)},
+        {"stitch_create", "spirals", 512, 100000, 1, 1, 0, joined(spiral_rim)},
+        {"stitch_create", "nested stars", 512, 100000, 1, 1, 0, joined(star_rim)},
+        {"stitch_create", "points in one", 512, 100000, 1, 1, 0, joined(point_rim)},
+    };
+}
+
+} // namespace complexity

@@ -1,0 +1,84 @@
+// For how long the rows of the table are silent on large inputs, between one progress call and the next: a request to stop is heard
+// with these. Prints a table, and fails above a tenth of a second. Run by `make check-cancel`: no test looks at clocks.
+#include "instant.hpp"
+#include "row.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <string>
+
+namespace {
+using namespace complexity;
+using cancel::between;
+using cancel::Instant;
+using cancel::Milliseconds;
+
+constexpr double limit = 100;
+
+/// The longest silence of a call, and the stages round it.
+struct Listener {
+    Instant start = Instant::now(), last = start;
+    Milliseconds silence{0}, longest;
+    std::string stage = "start", silent_after, silent_before;
+
+    explicit Listener(Milliseconds longest_) : longest(longest_) {}
+
+    /// False when the call has run for long enough.
+    bool heard(const char *next) {
+        const Instant now = Instant::now();
+        if (between(last, now) > silence) {
+            silence = between(last, now);
+            silent_after = stage;
+            silent_before = next;
+        }
+        last = now;
+        stage = next;
+        return now.wall - start.wall < longest;
+    }
+};
+
+bool hold(const Row &row, Milliseconds longest, std::size_t size) {
+    const Call call = row.prepare(size);
+    gusset::Context context;
+    Listener listener(longest);
+    context.set_progress([&listener](double, const char *stage) { return listener.heard(stage); });
+    listener.start = listener.last = Instant::now();
+    std::string outcome;
+    std::shared_ptr<void> kept;
+    try {
+        kept = call(context);
+    } catch (const gusset::Error &error) {
+        outcome = error.status() == GUSSET_ERROR_CANCELLED ? "stopped" : error.what();
+    }
+    listener.heard("end");
+    const bool good = listener.silence.count() <= limit;
+    std::printf("%-32s %-24s %8zu %9.0f %9.1f %s from \"%s\" to \"%s\" %s\n", row.function, row.family, size,
+                (listener.last.wall - listener.start.wall).count(), listener.silence.count(), good ? "    " : "LATE",
+                listener.silent_after.c_str(), listener.silent_before.c_str(), outcome.c_str());
+    std::fflush(stdout);
+    return good;
+}
+} // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("How long functions are silent between progress calls.");
+    std::string only;
+    double seconds = 10, scale = 1;
+    app.add_option("--only", only, "Rows whose function or family contains this");
+    app.add_option("--seconds", seconds, "Longer calls are stopped")->capture_default_str();
+    app.add_option("--scale", scale, "A factor of all sizes")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    std::printf("%-32s %-24s %8s %9s %9s\n", "function", "family", "n", "ms", "silence");
+    bool good = true;
+    for (const auto &rows : {mesh_rows(), curve_rows(), net_rows(), surface_rows()}) {
+        for (const Row &row : rows) {
+            if ((std::string(row.function) + " " + row.family).find(only) != std::string::npos) {
+                const auto size = static_cast<std::size_t>(scale * static_cast<double>(row.large));
+                good = hold(row, Milliseconds(1000 * seconds), size) && good;
+            }
+        }
+    }
+    std::printf(good ? "all within %.0f ms\n" : "not all within %.0f ms\n", limit);
+    return good ? 0 : 1;
+}
