@@ -53,6 +53,7 @@ help:
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
 	@echo 'make differential [CASES=1000] [FAMILY=loops] [SEED=1]  random campaigns against CGAL, OpenMesh and brute force, with a table; minutes'
+	@echo 'make complexity                   work and memory at n, 2 n and 4 n on the worst inputs that are known; minutes'
 	@echo 'make sanitize [KIND=thread] [TESTS=regex]  the C and C++ tests with the library under the address sanitizer, or that of threads; minutes'
 	@echo 'make torture [TOGETHER=20000]     each function again and again with hostile arguments, so many at a time, with cancels, and without each allocation; minutes'
 	@echo 'make fuzz [TARGET=sew] [SECONDS=60]  the fuzzers, each for so many seconds; what they find is left in build/fuzz'
