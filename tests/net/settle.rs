@@ -412,3 +412,73 @@ fn bridges_beyond_the_net_are_refused() {
         assert_eq!(done.err(), (!fits).then_some(refused), "{at} {rows}");
     }
 }
+
+/// Two bridges between three strips: the first one straight, the second one not.
+fn two_bridges(first: BridgeProperties) -> Net<'static> {
+    let nets = [strip(0.0, 0.0), strip(6.0, 0.0), strip(12.0, -0.4)];
+    let mut net = joined(&nets.each_ref(), 4, properties(1.0, 0.5, 0.3));
+    net.bridges_mut()[0].properties = first;
+    net
+}
+
+#[test]
+fn a_bridge_comes_to_rest_beside_one_that_is_much_stiffer() {
+    let mut alone = two_bridges(properties(1.0, 0.5, 0.3));
+    assert!(run(&mut alone, SettleOptions::default()).iterations > 4);
+    for factor in [1e8, 1e16, 1e20] {
+        let mut net = two_bridges(properties(factor, 0.5 * factor, 0.3 * factor));
+        let done = run(&mut net, SettleOptions::default());
+        assert!(done.converged, "{factor:e} {done:?}");
+        // Each within what the rounding of its own energy permits.
+        let off = (0..14).map(|i| net.get(i, 0).distance(alone.get(i, 0))).fold(0.0, f64::max);
+        assert!(off < 1e-7, "{factor:e} {off:e}");
+    }
+}
+
+#[test]
+fn stiffness_bends_alike_in_any_unit() {
+    let bent = |unit: f64, properties: BridgeProperties| {
+        let nets = [strip(0.0, 0.0), strip(6.0, 0.7)].map(|net| mapped(&net, |p| unit * p));
+        let mut net = joined(&nets.each_ref(), 4, properties);
+        let done = run(&mut net, SettleOptions::default());
+        assert!(done.converged && done.residual_force.is_finite(), "{unit:e} {done:?}");
+        (mapped(&net, |p| p / unit), done.bending_energy * unit)
+    };
+    let (wanted, energy) = bent(1.0, properties(0.0, 0.0, 1.0));
+    assert!(energy > 0.1 && wanted.get(3, 0).distance(DVec3::new(3.0, 0.0, 0.0)) > 0.2);
+    for unit in [1e-140, 1e-60, 1e60, 1e140, 1e170, 1e250] {
+        // Of a tension that is as nothing in small units, and all in large ones.
+        let tension = if unit < 1.0 { 1e-8 } else { 0.0 };
+        let (net, found) = bent(unit, properties(tension, 0.0, 1.0));
+        assert!((0..8).all(|i| net.get(i, 0).distance(wanted.get(i, 0)) < 1e-12), "{unit:e}");
+        assert!((found / energy - 1.0).abs() < 1e-12, "{unit:e} {found:e}");
+    }
+    // In large units tension leaves nothing of the stiffness: the line is straight.
+    let (straight, _) = bent(1e170, properties(1.0, 0.0, 1.0));
+    let [p, q] = [straight.get(1, 0), straight.get(6, 0)];
+    assert!((1..7).all(|i| straight.get(i, 0).distance(p.lerp(q, (i - 1) as f64 / 5.0)) < 1e-9));
+}
+
+#[test]
+fn links_without_a_rest_length_leave_the_others_theirs() {
+    let [a, b] = [strip(0.0, 0.0), strip(6.0, 0.0)];
+    let mut net = joined(&[&a, &b], 4, properties(0.0, 1.0, 0.0));
+    let mut reference = net.copied().unwrap();
+    (0..2).for_each(|j| set(&mut reference, 2, j, DVec3::NAN));
+    let done =
+        run(&mut net, SettleOptions { reference: Some(&reference), rest_ratio: 0.9, ..SettleOptions::default() });
+    // The two links at the missing node yield: the other three are 0.9 long, from the end on.
+    assert!(done.converged && done.elastic_energy < 1e-24, "{done:?}");
+    for (i, x) in [(3, 3.3), (4, 4.2), (5, 5.1), (6, 6.0)] {
+        assert!(net.get(i, 0).distance(DVec3::new(x, 0.0, 0.0)) < 1e-9, "{i} {}", net.get(i, 0));
+    }
+}
+
+#[test]
+fn nets_far_apart_are_joined_by_many_rows() {
+    // Ranges of rows, of which threads take one each, begin between the nets.
+    let wide = |z: f64| mapped(&sheet(2, 2000, Scalar::F64), |p| p + DVec3::new(0.0, 200.0 * z, z));
+    let net = joined(&[&wide(0.0), &wide(1.0)], 200, properties(0.0, 0.0, 0.0));
+    assert_eq!(net.shape().rows(), 204);
+    assert!((0..2000).all(|j| net.get(202, j) == DVec3::new(j as f64, 200.0, 1.0)));
+}

@@ -2,10 +2,10 @@
 
 use crate::pairs::{ball, check, length, one, summary, surface};
 use crate::shapes::Shape;
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use gusset::Job;
 use gusset::surface::surface_intersection::Options;
-use gusset::surface::{Patches, Paths, Sheet, Surface};
+use gusset::surface::{Patches, Paths, Place, Sheet, Surface};
 use std::f64::consts::TAU;
 
 /// How the parameters of a surface run: u and v exchanged, and each reversed.
@@ -156,21 +156,24 @@ fn shape(paths: &Paths) -> String {
 }
 
 /// Checks where heights meet the plane z = 0: so many paths, none of them closed, so many crossings,
-/// and the total length. `unresolved`: how many cells may be at most.
+/// and the total length. `unresolved`: how many cells may be at most. Returns how many are.
 fn check_lines(
     bad: &mut Vec<String>,
     name: &str,
     [a, b]: [&Surface<'_>; 2],
     (lines, crossings, total): (usize, usize, f64),
     unresolved: usize,
-) {
+) -> usize {
+    let mut undecided = 0;
     for (paths, way) in [(meet(a, b), "a b"), (meet(b, a), "b a")] {
         let is_whole = paths.len() == lines && !paths.closed.contains(&true) && paths.contacts.len() == crossings;
         let is_long = (length(&paths) / total - 1.0).abs() < 1e-6;
         if !is_whole || !is_long || paths.unresolved.len() > unresolved {
             bad.push(format!("{name} {way}, {lines} {crossings} {total:.6}: {}", shape(&paths)));
         }
+        undecided += paths.unresolved.len();
     }
+    undecided
 }
 
 #[test]
@@ -179,7 +182,7 @@ fn crossings_with_a_branch_along_a_line_of_parameters() {
     let two = |x: f64, y: f64| x * (y - 0.5 * x - 0.1);
     let three = |x: f64, y: f64| (x + 0.1) * (y - 0.2) * (x + y - 0.3);
     let hash = |x: f64, y: f64| (x + 0.1) * (y - 0.2) * (x - 0.5);
-    let mut bad = Vec::new();
+    let (mut bad, mut undecided) = (Vec::new(), 0);
     for shift in [DVec3::ZERO, DVec3::new(3.0, -2.0, 5.0)] {
         for n in [1, 2, 3, 4, 5, 8, 10] {
             for m in [1, 4, 6] {
@@ -192,12 +195,13 @@ fn crossings_with_a_branch_along_a_line_of_parameters() {
                 ] {
                     let a = heights([n, n], SQUARE, shift, f);
                     // In a few of them it is not decided beside which sides of boxes the line runs: one cell.
-                    check_lines(&mut bad, &format!("{n} {m} {shift}"), [&a, &plane], expected, usize::from(m == 6));
+                    undecided +=
+                        check_lines(&mut bad, &format!("{n} {m} {shift}"), [&a, &plane], expected, usize::from(m == 6));
                 }
             }
         }
     }
-    assert!(bad.is_empty(), "{}\n{}", bad.len(), bad.join("\n"));
+    assert!(bad.is_empty() && undecided <= 7, "{undecided} {}\n{}", bad.len(), bad.join("\n"));
 }
 
 #[test]
@@ -275,6 +279,52 @@ fn equal_pipes_are_two_closed_paths() {
     assert!(bad.is_empty(), "{}\n{}", bad.len(), bad.join("\n"));
 }
 
+/// How often a path comes as near to a point as that.
+fn visits(paths: &Paths, k: usize, to: DVec3, within: f64) -> usize {
+    let near: Vec<bool> = paths.points_of(k).iter().map(|p| p.distance(to) <= within).collect();
+    let last = near.len() - 1;
+    (0..near.len()).filter(|&n| near[n] && !near[if n == 0 { last } else { n - 1 }]).count()
+}
+
+/// Once round Viviani's curve, or round its two halves, with nothing else and nothing twice: the
+/// tube's angle goes twice round, and both poles are passed once. Returns what is wrong.
+fn faults_of_viviani(paths: &Paths, length_error: f64) -> Vec<String> {
+    let mut faults = Vec::new();
+    let is_whole = !paths.is_empty() && paths.len() <= 2 && paths.closed.iter().all(|&closed| closed);
+    if !is_whole || !paths.unresolved.is_empty() || paths.contacts.len() > 1 {
+        faults.push("pieces".to_string());
+    }
+    if (length(paths) / 7.640_395_578 - 1.0).abs() > length_error {
+        faults.push(format!("length {}", length(paths)));
+    }
+    for pole in [DVec3::Z, -DVec3::Z] {
+        let near = paths.points.iter().map(|p| p.distance(pole)).fold(f64::INFINITY, f64::min);
+        let passes: usize = (0..paths.len()).map(|k| visits(paths, k, pole, 1e-3)).sum();
+        if near > 1e-8 || passes != 1 {
+            faults.push(format!("pole {near:.1e} {passes}"));
+        }
+    }
+    // The way of the angle, and as much of it as goes back. Where branches cross paths turn back.
+    let mut way = [0.0; 2];
+    for k in 0..paths.len() {
+        let points = paths.points_of(k);
+        let mut last_sign = 0.0;
+        for n in 0..points.len() {
+            let [p, q] = [points[n], points[(n + 1) % points.len()]].map(|p| DVec2::new(p.x - 0.5, p.y));
+            let step = p.angle_to(q);
+            way[0] += step.abs();
+            if p.distance(DVec2::new(0.5, 0.0)) > 0.05 && last_sign * step < 0.0 {
+                way[1] += step.abs();
+            }
+            last_sign = step.signum();
+        }
+    }
+    if (way[0] - 2.0 * TAU).abs() > 1e-3 || way[1] > 0.0 {
+        faults.push(format!("way {way:?}"));
+    }
+    faults
+}
+
 #[test]
 fn vivianis_curve_through_a_pole() {
     let mut bad = Vec::new();
@@ -290,19 +340,63 @@ fn vivianis_curve_through_a_pole() {
                 };
                 let wall = surface(&wall, |p| p);
                 for (paths, way) in [(meet(&sphere, &wall), "a b"), (meet(&wall, &sphere), "b a")] {
-                    let near =
-                        |pole: DVec3| paths.points.iter().map(|p| p.distance(pole)).fold(f64::INFINITY, f64::min);
-                    let far = near(DVec3::Z).max(near(-DVec3::Z));
-                    if far > 1e-8 || (length(&paths) / 7.6404 - 1.0).abs() > 0.01 {
-                        bad.push(format!(
-                            "{cells:?} {turn} {tube:?} {way}: {far:.1e} {} {:?}",
-                            shape(&paths),
-                            paths.closed
-                        ));
+                    // Of 8 rows, turned within a cell, the sphere itself is off by that.
+                    let faults = faults_of_viviani(&paths, 4e-3);
+                    if !faults.is_empty() {
+                        let name = format!("{cells:?} {turn} {tube:?} {way}");
+                        bad.push(format!("{name}: {faults:?} {} {:?}", shape(&paths), paths.closed));
                     }
                 }
             }
         }
     }
     assert!(bad.is_empty(), "{}\n{}", bad.len(), bad.join("\n"));
+}
+
+/// The saddle of three valleys, turned and moved, against its plane: six rays from a point that no
+/// second form decides. All of each is found once; what is not resolved is at that point, where
+/// the rays are joined in pairs.
+#[test]
+fn saddles_of_three_valleys() {
+    let flat = |_: f64, _: f64| 0.0;
+    let (mut bad, mut broken) = (Vec::new(), 0);
+    for (turn, [cx, cy]) in [0.0, 0.125, 0.1, 0.03]
+        .into_iter()
+        .flat_map(|turn| [[0.0, 0.0], [0.25, 0.0], [0.1, -0.2], [0.013, 0.017]].map(|middle| (turn, middle)))
+    {
+        let (sin, cos) = (TAU * turn).sin_cos();
+        let saddle = |x: f64, y: f64| {
+            let (p, q) = (cos * (x - cx) + sin * (y - cy), cos * (y - cy) - sin * (x - cx));
+            p * p * p - 3.0 * p * q * q
+        };
+        // From the middle to the border of the square.
+        let ray = |angle: f64| {
+            let (dy, dx) = angle.sin_cos();
+            let until = |c: f64, d: f64| if d.abs() < 1e-12 { f64::INFINITY } else { (d.signum() - c) / d };
+            until(cx, dx).min(until(cy, dy))
+        };
+        let total: f64 = (0..6).map(|k| ray(TAU * (turn + 1.0 / 12.0 + f64::from(k) / 6.0))).sum();
+        for (n, m) in [1, 2, 4, 5, 8].into_iter().flat_map(|n| [(n, 1), (n, 6)]) {
+            let (a, plane) =
+                (heights([n, n], SQUARE, DVec3::ZERO, &saddle), heights([m, m], WIDER, DVec3::ZERO, &flat));
+            for (paths, way) in [(meet(&a, &plane), "a b"), (meet(&plane, &a), "b a")] {
+                let is_whole = paths.len() == 3 && (length(&paths) / total - 1.0).abs() < 1e-6;
+                broken += usize::from(!is_whole);
+                // Unjoined rays end within some thousandths of the point.
+                let is_nearly = paths.len() <= 4 && (length(&paths) / total - 1.0).abs() < 3e-4;
+                let near = |place: &Place| {
+                    let point = a_or(&a, &plane, way).jet(*place).point;
+                    point.truncate().distance(DVec2::new(cx, cy)) < 2e-3
+                };
+                if paths.closed.contains(&true) || !is_nearly || !paths.unresolved.iter().all(near) {
+                    bad.push(format!("{turn} {cx} {cy} {n} {m} {way}, {total:.6}: {}", shape(&paths)));
+                }
+            }
+        }
+    }
+    assert!(bad.is_empty() && broken <= 4, "{broken} {}\n{}", bad.len(), bad.join("\n"));
+}
+
+fn a_or<'a>(a: &'a Surface<'static>, b: &'a Surface<'static>, way: &str) -> &'a Surface<'static> {
+    if way == "a b" { a } else { b }
 }

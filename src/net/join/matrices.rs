@@ -85,7 +85,9 @@ fn copy_rows<T: Real>(
         let first = i - starts[part];
         let own = parts[part].shape().rows().saturating_sub(first).min(end - i);
         let here = &mut here[..own * columns];
-        if stride == columns {
+        if own == 0 {
+            // Rows between two nets, of which a range may begin anywhere.
+        } else if stride == columns {
             here.copy_from_slice(&from[first * columns..][..here.len()]);
         } else {
             for (i, to) in (first..).zip(here.chunks_exact_mut(columns)) {

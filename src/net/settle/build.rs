@@ -31,6 +31,16 @@ pub(super) struct Composite {
     pub(super) idle: u32,
     /// The films: their quads, and their area before.
     pub(super) films: Vec<(Range<usize>, f64)>,
+    /// What each bridge that has forces has of the model.
+    pub(super) shares: Vec<Share>,
+}
+
+/// The unknowns, lines and quads of a bridge.
+#[derive(Clone)]
+pub(super) struct Share {
+    pub(super) unknowns: Range<usize>,
+    pub(super) lines: Range<usize>,
+    pub(super) quads: Range<usize>,
 }
 
 struct Builder<'a> {
@@ -39,9 +49,70 @@ struct Builder<'a> {
     rest_ratio: f64,
     parts: &'a Parts,
     surface: &'a Surface,
-    /// The largest finite property.
-    largest: f64,
+    scale: ForceScale,
     composite: Composite,
+}
+
+/// The force that properties are relative to.
+#[derive(Clone, Copy)]
+enum ForceScale {
+    /// The largest finite property.
+    Largest(f64),
+    /// The largest stiffness over the square of the unit, which itself may be too small or too large
+    /// a number: in units in which no other force comes near to it.
+    Stiffness(f64),
+}
+
+/// Stiffness over the square of the unit and the largest property: beyond that squares of forces
+/// would overflow, or vanish.
+const PLAIN_STIFFNESS: [f64; 2] = [1e-100, 1e100];
+
+impl ForceScale {
+    fn of(parts: &Parts, net: &Net<'_>, unit: f64) -> ForceScale {
+        let forces = || parts.bridges.iter().map(|&index| &net.bridges()[index]).filter_map(|b| Some((b, forces(b)?)));
+        let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
+        let largest =
+            forces().fold(0.0, |most: f64, (_, p)| most.max(p.tension).max(p.elasticity).max(finite(p.stiffness)));
+        let largest = if largest > 0.0 { largest } else { 1.0 };
+        let stiffest = forces().fold(0.0, |most: f64, (_, p)| most.max(finite(p.stiffness)));
+        let [least, most] = PLAIN_STIFFNESS;
+        if stiffest == 0.0 || (least..=most).contains(&(stiffest / largest / unit / unit)) {
+            return ForceScale::Largest(largest);
+        }
+        let scale = ForceScale::Stiffness(stiffest);
+        let is_weaker = |x: f64| scale.relative(x, unit) <= 1.0;
+        let others_are = forces().all(|(b, p)| is_weaker(p.tension * film_unit(b, unit)) && is_weaker(p.elasticity));
+        if others_are { scale } else { ForceScale::Largest(largest) }
+    }
+
+    /// A force relative to it.
+    fn relative(self, force: f64, unit: f64) -> f64 {
+        match self {
+            ForceScale::Largest(largest) => force / largest,
+            ForceScale::Stiffness(stiffest) => force * unit / stiffest * unit,
+        }
+    }
+
+    /// A stiffness relative to it, in the unit.
+    fn relative_stiffness(self, stiffness: f64, unit: f64) -> f64 {
+        match self {
+            ForceScale::Largest(largest) => stiffness / largest / unit / unit,
+            ForceScale::Stiffness(stiffest) => stiffness / stiffest,
+        }
+    }
+
+    /// What energies are multiplied by, and forces.
+    fn units(self, unit: f64) -> [f64; 2] {
+        match self {
+            ForceScale::Largest(largest) => [largest * unit, largest],
+            ForceScale::Stiffness(stiffest) => [stiffest / unit, stiffest / unit / unit],
+        }
+    }
+}
+
+/// The length that a tension is multiplied by to be a force: of films it is that of a line.
+fn film_unit(bridge: &Bridge, unit: f64) -> f64 {
+    if bridge.kind == BridgeKind::Tube { unit } else { 1.0 }
 }
 
 /// The composite of a net: `slots` are the bodies of its vertices.
@@ -51,21 +122,26 @@ pub(super) fn build<'a>(
     (parts, surface, slots): (&'a Parts, &'a Surface, Vec<u32>),
     job: &Job<'_>,
 ) -> Result<Composite> {
-    let largest = parts.bridges.iter().filter_map(|&index| forces(&net.bridges()[index])).fold(0.0, |most: f64, p| {
-        let finite = if p.stiffness.is_finite() { p.stiffness } else { 0.0 };
-        most.max(p.tension).max(p.elasticity).max(finite)
-    });
-    let largest = if largest > 0.0 { largest } else { 1.0 };
+    let scale = ForceScale::of(parts, net, surface.unit);
     let (translations, motions) = (Vec::new(), alloc::filled(Motion::NONE, parts.ranges.len())?);
     let (carried, lines, quads) = (Vec::new(), Vec::new(), Vec::new());
     let model = Model { slots, translations, carried, unknowns: 0, lines, quads };
-    let energy_unit = [largest * surface.unit, largest];
+    let energy_unit = scale.units(surface.unit);
     let points = alloc::copied(&surface.positions)?;
-    let composite =
-        Composite { model, points, start: Vec::new(), motions, energy_unit, settled: 0, idle: 0, films: Vec::new() };
+    let composite = Composite {
+        model,
+        points,
+        start: Vec::new(),
+        motions,
+        energy_unit,
+        settled: 0,
+        idle: 0,
+        films: Vec::new(),
+        shares: Vec::new(),
+    };
     let rest_ratio = if options.rest_ratio == 0.0 { 1.0 } else { options.rest_ratio };
     let reference = options.reference.unwrap_or(net);
-    let mut builder = Builder { net, reference, rest_ratio, parts, surface, largest, composite };
+    let mut builder = Builder { net, reference, rest_ratio, parts, surface, scale, composite };
     builder.shape_bodies(options)?;
     for (k, &index) in parts.bridges.iter().enumerate() {
         builder.add_bridge(k, index, &job.share(k, parts.bridges.len()))?;
@@ -86,6 +162,7 @@ impl Builder<'_> {
             return Ok(());
         }
         let law = self.law(index)?;
+        let before = self.composite.model.counts();
         self.number_unknowns(bridge)?;
         let is_film = bridge.kind == BridgeKind::Tube;
         let line_law = if is_film { Law { tension: 0.0, ..law } } else { law };
@@ -104,16 +181,21 @@ impl Builder<'_> {
         if is_film && law.tension > 0.0 {
             self.add_film(bridge, law.tension)?;
         }
-        Ok(())
+        let [unknowns, lines, quads] = [0, 1, 2].map(|k| before[k]..self.composite.model.counts()[k]);
+        alloc::push(&mut self.composite.shares, Share { unknowns, lines, quads })
     }
 
     /// The properties in the unit and relative to the largest.
     fn law(&self, index: usize) -> Result<Law> {
         let bridge = &self.net.bridges()[index];
         let (p, unit) = (bridge.properties, self.surface.unit);
-        let film = if bridge.kind == BridgeKind::Tube { unit } else { 1.0 };
-        let (tension, elasticity) = (p.tension / self.largest * film, p.elasticity / self.largest);
-        let stiffness = p.stiffness / self.largest / unit / unit;
+        let film = film_unit(bridge, unit);
+        let tension = match self.scale {
+            ForceScale::Largest(largest) => p.tension / largest * film,
+            ForceScale::Stiffness(_) => self.scale.relative(p.tension * film, unit),
+        };
+        let elasticity = self.scale.relative(p.elasticity, unit);
+        let stiffness = self.scale.relative_stiffness(p.stiffness, unit);
         for (property, scaled, value) in [("tension", tension, p.tension), ("stiffness", stiffness, p.stiffness)] {
             if !scaled.is_finite() {
                 return Err(Error::BadProperty { bridge: index as u32, property, value });
@@ -177,10 +259,10 @@ impl Builder<'_> {
         let links = bridge.first_side()..bridge.at;
         let rests = links.map(|i| self.rest_ratio * at(i).distance(at(i + 1)));
         let mut rests: Vec<f64> = alloc::collect(rests)?;
-        if !rests.iter().all(|rest| rest.is_finite()) {
-            rests.fill(0.0);
-        }
-        let h = rests.iter().sum::<f64>() / rests.len() as f64;
+        let known = rests.iter().filter(|rest| rest.is_finite());
+        let count = known.clone().count();
+        let h = if count > 0 { known.sum::<f64>() / count as f64 } else { 0.0 };
+        rests.iter_mut().filter(|rest| !rest.is_finite()).for_each(|rest| *rest = 0.0);
         let mut aims = [None; 2];
         if law.stiffness > 0.0 && h > MIN_LENGTH {
             for end in 0..2 {
@@ -189,7 +271,7 @@ impl Builder<'_> {
                 aims[end] = before.map(|before| self.add_aim(side, before, h)).transpose()?.flatten();
             }
         }
-        alloc::push(&mut self.composite.model.lines, Line { points, rests, aims, law })
+        alloc::push(&mut self.composite.model.lines, Line { points, rests, spacing: h, aims, law })
     }
 
     /// The row or column of a part next to the side of a bridge that is its end.

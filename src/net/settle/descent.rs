@@ -2,13 +2,15 @@
 
 use super::anderson::Anderson;
 use super::bodies::rotate;
-use super::build::Composite;
+use super::build::{Composite, Share};
+use super::energy::{Energies, Line};
 use super::motion::Motion;
 use super::parts::{BODY, NOWHERE};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
+use std::ops::Range;
 
 /// A step is halved so often before it is given up.
 const MAX_HALVINGS: u32 = 30;
@@ -41,10 +43,9 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
         let terms = model.terms(x)?;
         let gradient = model.gradient(&terms, x)?;
         let step = model.step(&terms, &gradient, &job)?;
-        let gain: f64 = step.iter().zip(&gradient).map(|(s, g)| -s.dot(*g)).sum();
         descent.iterations += 1;
-        let Some(mut next) = lower(composite, &step, energy)? else {
-            descent.converged = gain <= 1e3 * ROUNDING * energy;
+        let Some(mut next) = lower(composite, &step, energy, &job)? else {
+            descent.converged = is_rounding(composite, &step, &gradient, 1e3, energy);
             break;
         };
         let mut turned = (alloc::copied(&next.0)?, alloc::copied(&next.1)?);
@@ -55,7 +56,8 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
         }
         let largest = largest(composite, x, motions, &next);
         let gained = energy - next.2;
-        descent.converged = largest <= tolerance || (gained <= ROUNDING * energy && gain <= ROUNDING * energy);
+        descent.converged = largest <= tolerance
+            || (gained <= ROUNDING * energy && is_rounding(composite, &step, &gradient, 1.0, energy));
         if are_held && !descent.converged {
             let unknowns = unknowns(composite)?;
             if let Some(step) = anderson.accelerated(&unknowns, &step)? {
@@ -74,6 +76,24 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
     Ok(descent)
 }
 
+/// Whether what a step would gain is within so many roundings of the energy: of all of it, and of
+/// each bridge's own, as beside a bridge that is much stiffer all of another's may be rounding.
+fn is_rounding(composite: &Composite, step: &[DVec3], gradient: &[DVec3], roundings: f64, energy: f64) -> bool {
+    let gain = |unknowns: Range<usize>| -> f64 {
+        step[unknowns.clone()].iter().zip(&gradient[unknowns]).map(|(s, g)| -s.dot(*g)).sum()
+    };
+    let is_within = |gain: f64, energy: f64| gain <= roundings * ROUNDING * energy;
+    let energy_of = |share: &Share| {
+        let (lines, quads) = (&composite.model.lines[share.lines.clone()], &composite.model.quads[share.quads.clone()]);
+        let mut sum = Energies::default();
+        lines.iter().for_each(|line| line.add_energies(&composite.points, &mut sum));
+        let films: f64 = quads.iter().map(|quad| quad.energy(&composite.points)).sum();
+        sum.sum() + films + lines.iter().map(Line::spring_scale).sum::<f64>()
+    };
+    is_within(gain(0..step.len()), energy)
+        && composite.shares.iter().all(|share| is_within(gain(share.unknowns.clone()), energy_of(share)))
+}
+
 /// Where the unknowns are.
 fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
     let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknowns)?;
@@ -87,9 +107,10 @@ fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
 type State = (Vec<DVec3>, Vec<Motion>, f64);
 
 /// The state after a step, or after a half, a quarter, ... of it, where the energy is no more.
-fn lower(composite: &Composite, step: &[DVec3], energy: f64) -> Result<Option<State>> {
+fn lower(composite: &Composite, step: &[DVec3], energy: f64, job: &Job<'_>) -> Result<Option<State>> {
     let mut part = 1.0;
     for _ in 0..MAX_HALVINGS {
+        job.part(1.0, 1.0).step(0.0, "settle")?;
         let (x, motions) = composite.model.moved(&composite.points, &composite.motions, step, part)?;
         let after = composite.model.energies(&x).sum();
         if after <= energy * (1.0 + ROUNDING) {

@@ -42,8 +42,10 @@ pub(super) struct Law {
 pub(super) struct Line {
     /// The points from side to side.
     pub(super) points: Vec<u32>,
-    /// The rest lengths of the links.
+    /// The rest lengths of the links; 0 where none is known.
     pub(super) rests: Vec<f64>,
+    /// The mean of those that are known.
+    pub(super) spacing: f64,
     /// The points that it aims at from its ends, one link away.
     pub(super) aims: [Option<u32>; 2],
     pub(super) law: Law,
@@ -63,7 +65,7 @@ impl Line {
     /// The weight of a squared second difference: stiffness / h^3, h being the rest length of a
     /// link; 0 if there is none.
     fn bending_weight(&self) -> f64 {
-        let h = self.rests.iter().sum::<f64>() / self.rests.len() as f64;
+        let h = self.spacing;
         if self.law.stiffness > 0.0 && h > MIN_LENGTH { self.law.stiffness / (h * h * h) } else { 0.0 }
     }
 
@@ -76,6 +78,12 @@ impl Line {
     fn clamps(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let next = [1, self.points.len() - 2];
         (0..2).filter_map(move |end| Some([self.points[next[end]], self.aims[end]?]))
+    }
+
+    /// The energy of its springs if each were as long again as at rest, about: what rounding of
+    /// their energy is relative to where it is nearly 0.
+    pub(super) fn spring_scale(&self) -> f64 {
+        self.law.elasticity * self.rests.iter().sum::<f64>()
     }
 
     pub(super) fn add_energies(&self, x: &[DVec3], sum: &mut Energies) {

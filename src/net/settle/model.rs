@@ -41,6 +41,11 @@ impl Model {
         (unknown != NOWHERE).then_some(unknown as usize)
     }
 
+    /// The numbers of unknowns, lines and quads.
+    pub(super) fn counts(&self) -> [usize; 3] {
+        [self.unknowns, self.lines.len(), self.quads.len()]
+    }
+
     /// Puts the points of moving bodies where these are.
     pub(super) fn place(&self, motions: &[Motion], x: &mut [DVec3]) {
         for &(point, start) in &self.carried {
