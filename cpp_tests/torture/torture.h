@@ -363,7 +363,7 @@ static inline int torture_cancel_step(size_t value) {
 
 /* No allocation fails at first, which counts them; then each, or if there are many, some. */
 static inline int torture_refuse(enum torture_phase phase, size_t value) {
-    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 20);
+    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 12);
     const long long step = most > 1 ? most - 1 : 1;
     const long long nth = value == 0 ? 0 : all <= most ? (long long)value : 1 + (all - 1) * ((long long)value - 1) / step;
     if (!torture_context || (value > 0 && (nth > all || (long long)value > most))) return 0;
