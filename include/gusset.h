@@ -7343,7 +7343,7 @@ extern "C" {
  * Creates a context with automatic threads and no callbacks.
  *
  * @param[out] context receives it, for gusset_context_destroy; NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
  * @complexity O(1).
  * @since 0.1
  */
@@ -10356,7 +10356,7 @@ GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param grid the grid.
  * @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
  * @complexity O(1).
  * @since 0.1
  */
@@ -10580,7 +10580,7 @@ gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param[out] scene receives it, for gusset_scene_destroy.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
  * @complexity O(1).
  * @since 0.1
  */
@@ -10770,7 +10770,7 @@ gusset_status gusset_scene_get_entry(const struct gusset_scene *scene,
  * @param entry its index.
  * @param[out] net receives it, for gusset_net_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
- *     group.
+ *     group, OUT_OF_MEMORY.
  * @complexity O(1).
  * @since 0.1
  */

@@ -92,23 +92,16 @@ pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
 }
 
 /// [`reserve`] where there is no room. The reserve behind the allocator is for those who cannot
-/// fail: a vector that might move there is made anew, and stays where it is if that is there.
+/// fail: a vector that was moved there goes back to where it was.
 #[cold]
 #[inline(never)]
 fn grow_capacity<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
-    let capacity = vec.len().saturating_add(additional).max(2 * vec.capacity());
-    let made = if capacity.saturating_mul(size_of::<T>()) <= reserve::MAX_BLOCK {
-        let mut grown = Vec::new();
-        let made = grown.try_reserve(capacity).is_ok() && !reserve::holds(grown.as_ptr());
-        if made {
-            grown.append(vec);
-            *vec = grown;
-        }
-        made
-    } else {
-        vec.try_reserve(additional).is_ok()
-    };
-    if made { Ok(()) } else { Err(out_of_memory::<T>(additional)) }
+    let capacity = vec.capacity();
+    if vec.try_reserve(additional).is_ok() && !reserve::holds(vec.as_ptr()) {
+        return Ok(());
+    }
+    vec.shrink_to(capacity);
+    Err(out_of_memory::<T>(additional))
 }
 
 #[cold]

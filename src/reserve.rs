@@ -33,22 +33,16 @@ pub(crate) fn holds<T>(block: *const T) -> bool {
     }
 }
 
-/// Bytes of the largest block that the reserve may hold.
-#[cfg(feature = "reserve")]
-pub(crate) const MAX_BLOCK: usize = arenas::ARENA;
-#[cfg(not(feature = "reserve"))]
-pub(crate) const MAX_BLOCK: usize = 0;
-
 #[cfg(feature = "reserve")]
 mod arenas {
     use std::alloc::{GlobalAlloc, Layout, System};
     use std::cell::UnsafeCell;
     use std::ptr;
-    use std::sync::atomic::{AtomicU64, Ordering};
+    use std::sync::atomic::{AtomicPtr, AtomicU64, AtomicUsize, Ordering};
 
     const ARENAS: usize = 32;
     /// Bytes of one arena, and thus of the largest block.
-    pub(super) const ARENA: usize = 1 << 16;
+    const ARENA: usize = 1 << 16;
     const MAX_ALIGN: usize = 64;
 
     /// Memory, and what of it is in use. Of a static one that begins with zeros, the program's file
@@ -120,20 +114,93 @@ mod arenas {
         }
     }
 
+    /// Where a block of the reserve came from when it grew: the system's block, which is kept until
+    /// the other is given back. A vector that must not be in the reserve returns to it, and needs
+    /// no memory for that.
+    struct Move {
+        block: AtomicPtr<u8>,
+        from: AtomicPtr<u8>,
+        size: AtomicUsize,
+    }
+
+    static MOVES: [Move; 64] = [const {
+        Move {
+            block: AtomicPtr::new(ptr::null_mut()),
+            from: AtomicPtr::new(ptr::null_mut()),
+            size: AtomicUsize::new(0),
+        }
+    }; 64];
+
+    impl Move {
+        /// Notes where a block came from; false if there is no room for that.
+        fn note(block: *mut u8, from: *mut u8, size: usize) -> bool {
+            let free = |of: &&Move| {
+                let none = ptr::null_mut();
+                of.block.compare_exchange(none, block, Ordering::AcqRel, Ordering::Relaxed).is_ok()
+            };
+            MOVES.iter().find(free).is_some_and(|own| {
+                own.from.store(from, Ordering::Relaxed);
+                own.size.store(size, Ordering::Relaxed);
+                true
+            })
+        }
+
+        /// Where a block came from, and how large that is; it is noted no longer.
+        fn take(block: *mut u8) -> Option<(*mut u8, usize)> {
+            let own = MOVES.iter().find(|of| of.block.load(Ordering::Acquire) == block)?;
+            let found = (own.from.load(Ordering::Relaxed), own.size.load(Ordering::Relaxed));
+            own.block.store(ptr::null_mut(), Ordering::Release);
+            Some(found)
+        }
+    }
+
     /// A block of another size with the same content; `block` is as it was if there is none.
+    ///
+    /// # Safety
+    /// That of `realloc`.
     #[cold]
     #[inline(never)]
     unsafe fn moved(block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         let Ok(new) = Layout::from_size_align(size, layout.align()) else { return ptr::null_mut() };
-        // SAFETY: the caller's promises on `block` and the two sizes, neither of which is 0.
+        let offset = RESERVE.offset_of(block);
+        // SAFETY: the caller's promises on `block` and the two sizes, neither of which is 0; what
+        // was noted is the system's, has that size, and nobody else has it.
         unsafe {
+            if let Some(offset) = offset
+                && let Some((from, before)) = Move::take(block)
+            {
+                if before == size {
+                    ptr::copy_nonoverlapping(block, from, layout.size().min(size));
+                    RESERVE.give_back(offset, layout.size());
+                    return from;
+                }
+                System.dealloc(from, Layout::from_size_align_unchecked(before, layout.align()));
+            }
             let made = Backed.alloc(new);
-            if !made.is_null() {
-                ptr::copy_nonoverlapping(block, made, layout.size().min(size));
+            if made.is_null() {
+                return made;
+            }
+            ptr::copy_nonoverlapping(block, made, layout.size().min(size));
+            let is_moved = offset.is_none() && RESERVE.offset_of(made).is_some();
+            if !(is_moved && Move::note(made, block, layout.size())) {
                 Backed.dealloc(block, layout);
             }
             made
         }
+    }
+
+    /// Takes a block of the reserve back, and what it came from.
+    ///
+    /// # Safety
+    /// That of `dealloc`.
+    #[cold]
+    #[inline(never)]
+    unsafe fn free(block: *mut u8, offset: usize, layout: Layout) {
+        if let Some((from, size)) = Move::take(block) {
+            // SAFETY: as in `moved`.
+            unsafe { System.dealloc(from, Layout::from_size_align_unchecked(size, layout.align())) };
+        }
+        RESERVE.give_back(offset, layout.size());
     }
 
     /// The system's allocator, with the reserve behind it.
@@ -166,7 +233,8 @@ mod arenas {
 
         unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
             match RESERVE.offset_of(block) {
-                Some(offset) => RESERVE.give_back(offset, layout.size()),
+                // SAFETY: the caller's promises.
+                Some(offset) => unsafe { free(block, offset, layout) },
                 // SAFETY: the caller's promises.
                 None => unsafe { System.dealloc(block, layout) },
             }
@@ -188,6 +256,18 @@ mod arenas {
     #[cfg(test)]
     mod tests {
         use super::*;
+
+        #[test]
+        fn a_block_that_was_moved_knows_where_it_came_from() {
+            let mut blocks = [[0_u8; 8]; 66];
+            let blocks = blocks.each_mut().map(<[u8; 8]>::as_mut_ptr);
+            let noted = |k: usize| Move::note(blocks[k], blocks[k + 1], k);
+            assert!((0..64).all(noted) && !noted(64));
+            assert_eq!(Move::take(blocks[7]), Some((blocks[8], 7)));
+            assert!(Move::take(blocks[7]).is_none() && noted(64) && !noted(7));
+            assert_eq!(Move::take(blocks[64]), Some((blocks[65], 64)));
+            assert!((0..64).all(|k| Move::take(blocks[k]).is_some() == (k != 7)));
+        }
 
         #[test]
         fn blocks_of_the_reserve_are_apart_and_come_back() {

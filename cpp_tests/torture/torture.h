@@ -11,6 +11,7 @@
 #include <gusset.h>
 #include <limits.h>
 #include <math.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -378,7 +379,7 @@ static inline int torture_cancel_step(size_t value) {
 
 /* No allocation fails at first, which counts them; then each, or if there are many, some. */
 static inline int torture_refuse(enum torture_phase phase, size_t value) {
-    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 6);
+    const long long all = torture_told->allocations, most = (long long)torture_limit("TORTURE_ALLOCATIONS", 12);
     const long long step = most > 1 ? most - 1 : 1;
     const long long nth = value == 0 ? 0 : all <= most ? (long long)value : 1 + (all - 1) * ((long long)value - 1) / step;
     if (!torture_context || (value > 0 && (nth > all || (long long)value > most))) return 0;
@@ -386,6 +387,7 @@ static inline int torture_refuse(enum torture_phase phase, size_t value) {
         (gusset_context_destroy)(torture_context);
         torture_context = NULL, torture_live = atomic_load(&memory_live), torture_bytes = atomic_load(&memory_bytes);
         torture_own_context();
+        if ((gusset_context_set_threads)(torture_context, 2) != GUSSET_OK) abort();
     }
     snprintf(torture_told->now, sizeof torture_told->now, "%s: allocation %lld of %lld fails%s%s", torture_function, nth, all,
              phase == TORTURE_ALL_ALLOCATIONS ? ", and all after it" : "", torture_repeats ? "; then again" : "");
@@ -417,10 +419,26 @@ static inline void torture_finish(void) {
         torture_context = NULL;
         const long long blocks = atomic_load(&memory_live) - torture_live, bytes = atomic_load(&memory_bytes) - torture_bytes;
         if (told->phase == TORTURE_ONE_ALLOCATION && told->value == 0) told->kept = blocks;
-        if (blocks != told->kept || (told->kept == 0 && torture_pure && bytes != 0)) torture_fails("memory is left");
+        if (blocks != told->kept || (told->kept == 0 && torture_pure && bytes != 0)) {
+            torture_fails("memory is left");
+        }
     }
     if (told->phase == TORTURE_CANCELS && !torture_fired) ++told->phase, told->value = 0;
     else ++told->value;
+}
+
+static inline void *torture_nothing(void *nothing) {
+    return nothing;
+}
+
+/* Starts a thread as the library does: the C library keeps its stack and what it notes of it for the next one. */
+static inline void torture_start_thread(void) {
+    pthread_attr_t attributes;
+    pthread_t thread;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, (size_t)2 << 20);
+    if (pthread_create(&thread, &attributes, torture_nothing, NULL) == 0) pthread_join(thread, NULL);
+    pthread_attr_destroy(&attributes);
 }
 
 /* Arranges the next call; 0 after the last. */
@@ -434,6 +452,7 @@ static inline int torture_next(void) {
         setrlimit(RLIMIT_AS, &memory);
         setrlimit(RLIMIT_CORE, &core);
         signal(SIGPROF, torture_cancel);
+        torture_start_thread();
     }
     torture_own_context();
     for (; told->phase < TORTURE_PHASES; ++told->phase, told->value = 0) {
@@ -541,6 +560,7 @@ static inline uint64_t torture_finite(uint64_t hash, const void *list, size_t co
             torture_fails(name);
             break;
         }
+    if (torture_told->phase < TORTURE_ONE_ALLOCATION) return hash;
     return torture_hash(hash, list, 2 * count * (real ? sizeof(double) : sizeof(float)));
 }
 

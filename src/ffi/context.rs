@@ -220,7 +220,7 @@ pub(crate) use lend;
 /// Creates a context with automatic threads and no callbacks.
 ///
 /// @param[out] context receives it, for gusset_context_destroy; NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -29,3 +29,17 @@ fn the_tests_ask_for_no_more_than_the_library() {
     let changed: Vec<_> = alone.difference(&with_the_tests).collect();
     assert!(changed.is_empty(), "with other features among the tests: {changed:?}");
 }
+
+/// The allocator of a program is its own choice: what it links has the reserve only where it asks.
+#[test]
+fn the_crate_has_no_reserve_unless_it_is_asked_for() {
+    let features = |package: &[&str]| {
+        let all = made_of(package);
+        let own = all.iter().find(|line| line.starts_with("gusset v")).unwrap();
+        own.rsplit_once(')').unwrap().1.trim().to_owned()
+    };
+    assert_eq!(features(&["-p", "gusset"]), "");
+    assert_eq!(features(&["-p", "gusset", "--features", "reserve"]), "reserve");
+    // Set by cargo-c, which makes libraries for C.
+    assert_eq!(features(&["-p", "gusset", "--features", "capi"]), "capi,reserve");
+}

@@ -172,5 +172,6 @@ pub unsafe extern "C" fn gusset_curve_get_view(
 /// The product of counts, for buffers of `what`.
 pub(crate) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
     let product = count.checked_mul(each);
-    product.ok_or(Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
+    product
+        .ok_or_else(|| Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
 }

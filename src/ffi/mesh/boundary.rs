@@ -240,7 +240,7 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     view: *mut gusset_loop_view,
 ) -> gusset_status {
     lend!(boundary, view, |boundary| {
-        let found = boundary.boundary.get(index).ok_or(Failure::no_such("loop", index))?;
+        let found = boundary.boundary.get(index).ok_or_else(|| Failure::no_such("loop", index))?;
         gusset_loop_view {
             struct_size: size_of::<gusset_loop_view>(),
             vertices: gusset_indices::lend(found.vertices),

@@ -264,7 +264,7 @@ pub unsafe extern "C" fn gusset_net_deform_rows(
     user: *mut c_void,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let map = map.ok_or(Failure::null("map"))?;
+        let map = map.ok_or_else(|| Failure::null("map"))?;
         let call = |first: usize, rows: RowsMut<'_>| {
             let (count, [x, y, z]) = match rows {
                 RowsMut::F32(rows) => (rows[0].len(), rows.map(|row| row.as_mut_ptr().cast())),

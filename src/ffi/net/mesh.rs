@@ -360,7 +360,7 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param grid the grid.
 /// @param[out] net receives it, for gusset_net_destroy; it outlives the grid. NULL on failure.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]

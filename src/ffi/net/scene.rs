@@ -115,7 +115,7 @@ fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene,
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param[out] scene receives it, for gusset_scene_destroy.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -356,7 +356,7 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
 /// @param entry its index.
 /// @param[out] net receives it, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
-///     group.
+///     group, OUT_OF_MEMORY.
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -70,7 +70,7 @@ impl CurveView<'_> {
             return Ok(text);
         };
         let add = |text: &mut String, letter: char, points: &[DVec3]| {
-            let bytes = 2 + 2 * WIDTH * points.len();
+            let bytes = 4 + 2 * WIDTH * points.len();
             text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
             text.push(letter);
             for p in points {

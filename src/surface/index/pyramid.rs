@@ -163,6 +163,8 @@ impl Pyramid {
         }
         let Aabb { low, high } = self.bounds();
         let made = Cones::build(cells, low.abs().max(high.abs()).max_element(), job)?;
+        // What a surface keeps is not to be in the reserve.
+        job.memory()?;
         Ok(self.cones.get_or_init(|| made))
     }
 
