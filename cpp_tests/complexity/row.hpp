@@ -29,6 +29,8 @@ struct Row {
     /// Bytes at the peak for each unit of n that docs/guides/guarantees.md states, or 0.
     double bytes;
     std::function<Call(std::size_t)> prepare;
+    /// Left to `make torture`, as it takes seconds.
+    bool slow = false;
 };
 
 /// A call that makes a handle, which is kept.

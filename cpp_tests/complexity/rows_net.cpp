@@ -66,7 +66,7 @@ std::vector<Row> net_rows() {
         };
     };
     return {
-        {"net_encode_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, encode)},
+        {"net_encode_create", "rough", 256, 4000000, 1, 1, 0, on(rough, encode)},
         {"net_encode_create", "missing nodes", 1024, 4000000, 1, 1, 0, on(missing, encode)},
         {"net_decode_create", "rough", 1024, 4000000, 1, 1, 0, decoded(rough)},
         {"net_decode_create", "missing nodes", 4096, 4000000, 1, 1, 0, decoded(missing)},
@@ -77,7 +77,7 @@ std::vector<Row> net_rows() {
         {"net_validation_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, validate)},
         {"net_normals", "rough", 4096, 4000000, 1, 1, 0, on(rough, normals)},
         {"net_resample_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, resample)},
-        {"scene_remove_child", "all, first to last", 128, 20000, 1, 1, 0,
+        {"scene_remove_child", "all, first to last", 128, 20000, 2, 1, 0,
          [](std::size_t n) -> Call {
              const auto scene = std::make_shared<gusset::Scene>();
              const uint32_t net = scene->add(net_of(plane_grid(1))), group = scene->add_group();
@@ -94,7 +94,7 @@ std::vector<Row> net_rows() {
                  return nullptr;
              };
          }},
-        {"scene_remove", "all, first to last", 128, 20000, 1, 1, 0,
+        {"scene_remove", "all, first to last", 128, 20000, 2, 1, 0,
          [](std::size_t n) -> Call {
              const auto scene = std::make_shared<gusset::Scene>();
              const uint32_t net = scene->add(net_of(plane_grid(1))), group = scene->add_group();

@@ -258,11 +258,11 @@ fn nearest_first<T: Ord>((i, a): &(T, Distance), (k, b): &(T, Distance)) -> Orde
 /// holes.
 fn near(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
     let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(ROOM * around.diagonal())))?;
-    let order = spatial_order(&rooms, 1)?;
+    let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
     let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;
     let mut pairs = Vec::new();
     for (i, room) in rooms.iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, i, rooms.len(), "triangulating holes")?;
+        job.part(0.2, 1.0).step_every(REPORT_INTERVAL, i, rooms.len(), "triangulating holes")?;
         let mut found = Vec::new();
         tree.overlapping(room, 0.0, |leaf| {
             let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);

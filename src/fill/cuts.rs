@@ -92,8 +92,8 @@ struct Boxes {
 }
 
 impl Boxes {
-    fn new(boxes: &[Aabb]) -> Result<Self> {
-        let order = spatial_order(boxes, 1)?;
+    fn new(boxes: &[Aabb], job: &Job<'_>) -> Result<Self> {
+        let order = spatial_order(boxes, 1, job, "looking for intersections")?;
         let tree = BoxTree::new(order.iter().map(|&k| boxes[k as usize]))?;
         Ok(Boxes { tree, order })
     }
@@ -107,9 +107,9 @@ impl Boxes {
 impl<'a> Trials<'a> {
     /// `rooms`: of each patch, what it stays in, whichever way it is made. O(n log n) for n old
     /// triangles and patches.
-    pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb]) -> Result<Self> {
+    pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
         let boxes = alloc::collect(old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v)))))?;
-        Ok(Trials { old, triangles: Boxes::new(&boxes)?, rooms: Boxes::new(rooms)? })
+        Ok(Trials { old, triangles: Boxes::new(&boxes, &job.part(0.0, 0.5))?, rooms: Boxes::new(rooms, &job.part(0.5, 1.0))? })
     }
 
     /// How many pairs of triangles cut each other if `patch` takes the place of patch `k`: its own,

@@ -130,7 +130,7 @@ impl<'a> Filling<'a> {
         let old = Old::new(self.made.pool.mesh, &self.near, &job.part(0.0, 0.1))?;
         let mut pairs = cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.1, 0.3))?;
         if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
-            let trials = Trials::new(&self.made.pool, &old, rooms)?;
+            let trials = Trials::new(&self.made.pool, &old, rooms, &job.part(0.3, 0.3))?;
             let cutting = cutting(&pairs, &self.made.patches)?;
             for (i, &k) in cutting.iter().enumerate() {
                 let job = job.part(0.3, 0.8).share(i, cutting.len());

@@ -13,10 +13,13 @@ use std::ops::Range;
 /// Faces looked at by a thread at a time.
 const CHUNK: usize = 1 << 14;
 
+const STAGE: &str = "looking round the holes";
+
 /// The faces whose boxes meet one of `boxes`, in ascending order. O(F log n) for F faces and n
 /// boxes; extra memory: 4 bytes a face that is found, and about 200 a box.
 pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<u32>> {
-    let order = spatial_order(boxes, 1)?;
+    let order = spatial_order(boxes, 1, &job.part(0.0, 0.1), STAGE)?;
+    let job = job.part(0.1, 1.0);
     let tree = BoxTree::new(order.iter().map(|&i| boxes[i as usize]))?;
     let chunk = |range: Range<usize>| -> Result<Vec<u32>> {
         let mut found = Vec::new();
@@ -35,7 +38,7 @@ pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> 
         Ok(found)
     };
     let mut near = Vec::new();
-    let found = par::map_cancellable(job, "looking round the holes", par::ranges(mesh.faces().len(), CHUNK), chunk)?;
+    let found = par::map_cancellable(&job, STAGE, par::ranges(mesh.faces().len(), CHUNK), chunk)?;
     alloc::append_all(&mut near, found)?;
     Ok(near)
 }

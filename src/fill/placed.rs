@@ -102,7 +102,8 @@ fn parents(
     }
     let corners = |t: u32| patch.coarse[t as usize].map(|v| rim[v as usize]);
     let boxes = alloc::collect((0..patch.coarse.len() as u32).map(|t| Aabb::of(corners(t))))?;
-    let order = spatial_order(&boxes, 1)?;
+    let order = spatial_order(&boxes, 1, &job.part(0.0, 0.1), "refining")?;
+    let job = job.part(0.1, 1.0);
     let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
     alloc::try_collect(patch.unfaired.iter().enumerate().map(|(k, &p)| {
         job.step_every(REPORT_INTERVAL, k, patch.unfaired.len(), "refining")?;

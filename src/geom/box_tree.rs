@@ -8,6 +8,7 @@
 use super::Aabb;
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::sort::select;
 use glam::DVec3;
 
@@ -95,17 +96,55 @@ impl BoxTree {
 /// together: each part is split by its boxes' lower or upper corners along the axis where those are
 /// spread widest, at a multiple of what makes the tree over the groups complete. So long boxes that
 /// have an end in common stay together, as the needles of a fan do, which others lie across.
-/// O(n log n).
-pub(crate) fn spatial_order(boxes: &[Aabb], group: usize) -> Result<Vec<u32>> {
+/// O(n log n). Reports before each part of many boxes.
+pub(crate) fn spatial_order(
+    boxes: &[Aabb],
+    group: usize,
+    job: &Job<'_>,
+    stage: &'static str,
+) -> Result<Vec<u32>> {
     let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
-    split(boxes, &mut order, group);
+    let mut done = 0;
+    let mut report = |count: usize| {
+        job.step(done as f64 / boxes.len() as f64, stage)?;
+        done += count;
+        Ok(())
+    };
+    split(boxes, &mut order, group, &mut report)?;
     Ok(order)
 }
 
-fn split(boxes: &[Aabb], order: &mut [u32], group: usize) {
-    if order.len() <= group {
-        return;
+/// Parts of at most so many boxes are split between two progress reports.
+const MAX_UNREPORTED: usize = 1 << 14;
+
+/// `report` is told of each part of at most [`MAX_UNREPORTED`] boxes, and of larger ones with 0.
+fn split(
+    boxes: &[Aabb],
+    order: &mut [u32],
+    group: usize,
+    report: &mut dyn FnMut(usize) -> Result<()>,
+) -> Result<()> {
+    if order.len() <= MAX_UNREPORTED {
+        report(order.len())?;
+        split_small(boxes, order, group);
+    } else if order.len() > group {
+        report(0)?;
+        let (first, second) = halves(boxes, order, group);
+        split(boxes, first, group, report)?;
+        split(boxes, second, group, report)?;
     }
+    Ok(())
+}
+
+fn split_small(boxes: &[Aabb], order: &mut [u32], group: usize) {
+    if order.len() > group {
+        let (first, second) = halves(boxes, order, group);
+        split_small(boxes, first, group);
+        split_small(boxes, second, group);
+    }
+}
+
+fn halves<'o>(boxes: &[Aabb], order: &'o mut [u32], group: usize) -> (&'o mut [u32], &'o mut [u32]) {
     let spread = |end: fn(&Aabb) -> DVec3| Aabb::of(order.iter().map(|&i| end(&boxes[i as usize]))).size();
     let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
     let [low, high] = ends.map(spread);
@@ -113,9 +152,7 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize) {
     let axis = spread.max_position();
     let middle = group * (order.len().div_ceil(group).next_power_of_two() / 2);
     select(order, middle, |i| end(&boxes[i as usize])[axis]);
-    let (first, second) = order.split_at_mut(middle);
-    split(boxes, first, group);
-    split(boxes, second, group);
+    order.split_at_mut(middle)
 }
 
 #[cfg(test)]
@@ -133,7 +170,7 @@ mod tests {
                 let low = DVec3::new(x.into(), y.into(), z.into());
                 Aabb { low, high: low + DVec3::new(u.into(), v.into(), w.into()) }
             }).collect();
-            let order = spatial_order(&boxes, group).unwrap();
+            let order = spatial_order(&boxes, group, &Job::default(), "").unwrap();
             let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
             let tree = BoxTree::new(order.chunks(group).map(around)).unwrap();
             for (k, query) in boxes.iter().enumerate() {

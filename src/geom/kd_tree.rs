@@ -38,6 +38,8 @@ pub(crate) struct KdTree<'a> {
     /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if
     /// there are no groups.
     group: Vec<u32>,
+    /// The smallest index of the range whose middle is at this place; empty if there are no groups.
+    least: Vec<u32>,
     /// The box round all points of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this
     /// place, or up to 4 beyond; empty if there are none.
     boxes: Vec<Aabb>,
@@ -52,6 +54,7 @@ impl<'a> KdTree<'a> {
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
             axis: alloc::filled(0, points.len())?,
             group: Vec::new(),
+            least: Vec::new(),
             boxes: Vec::new(),
             whole: Aabb::of(points),
         };
@@ -96,7 +99,22 @@ impl<'a> KdTree<'a> {
         let mut group = alloc::filled(MIXED, points.len())?;
         tree.find_groups(0..points.len(), groups, &mut group);
         tree.group = group;
+        let mut least = alloc::filled(0, points.len())?;
+        tree.find_least(0..points.len(), &mut least);
+        tree.least = least;
         Ok(tree)
+    }
+
+    /// Enters and returns the smallest index of a range; [`u32::MAX`] of none.
+    fn find_least(&self, range: Range<usize>, out: &mut [u32]) -> u32 {
+        if range.is_empty() {
+            return u32::MAX;
+        }
+        let middle = usize::midpoint(range.start, range.end);
+        let low = self.find_least(range.start..middle, out);
+        let high = self.find_least(middle + 1..range.end, out);
+        out[middle] = low.min(high).min(self.order[middle]);
+        out[middle]
     }
 
     /// Enters and returns the group that all of a range is of.
@@ -151,6 +169,10 @@ impl<'a> KdTree<'a> {
     ) {
         let middle = usize::midpoint(range.start, range.end);
         if own != MIXED && self.group.get(middle) == Some(&own) {
+            return;
+        }
+        // Of points that lie in one, the smallest index is looked for among those that have smaller ones.
+        if self.least.get(middle).is_some_and(|&least| least >= best.1) && off.length_squared() >= best.0 {
             return;
         }
         // The points of a leaf are no more work than its box.

@@ -18,6 +18,11 @@ const LEAF_TRIANGLES: usize = 4;
 const CHUNK: usize = 1 << 9;
 const REPORT_INTERVAL: usize = 1 << 15;
 
+/// Leaves that are met between two progress reports: where all triangles lie together, each meets all.
+const LEAVES_PER_REPORT: usize = 1 << 11;
+
+const STAGE: &str = "looking for intersections";
+
 /// New and old triangles over common points, which are in a unit that keeps products in range.
 pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
     /// The position of a vertex.
@@ -57,17 +62,18 @@ pub(crate) fn intersecting_pairs(
     if soup.new.is_empty() {
         return Ok(Vec::new());
     }
-    job.step(0.0, "looking for intersections")?;
+    job.step(0.0, STAGE)?;
     let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
     let boxes = alloc::collect(soup.new.iter().map(around))?;
-    let order = spatial_order(&boxes, LEAF_TRIANGLES)?;
+    let order = spatial_order(&boxes, LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
+    let job = job.part(0.1, 1.0);
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
     let tree = BoxTree::new(order.chunks(LEAF_TRIANGLES).map(leaf_box))?;
     let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at))?;
     let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at)?;
     let n = soup.new.len();
-    let pairs_of = |range: std::ops::Range<usize>| -> Result<Vec<[u32; 2]>> {
-        let mut found = Vec::new();
+    let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {
+        let (mut found, mut leaves) = (Vec::new(), 0usize);
         for k in range {
             let (triangle, query) =
                 if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
@@ -77,6 +83,10 @@ pub(crate) fn intersecting_pairs(
                 b.overlaps(&query) && !turned[node].is_beside(&corners) && !fans.is_beside(node, &sides)
             };
             tree.descend(enter, |leaf| {
+                leaves += 1;
+                if leaves.is_multiple_of(LEAVES_PER_REPORT) {
+                    job.step(0.0, STAGE)?;
+                }
                 let of_leaf = &order[LEAF_TRIANGLES * leaf..n.min(LEAF_TRIANGLES * (leaf + 1))];
                 let met = |&&i: &&u32| {
                     (i as usize) < k
@@ -92,13 +102,14 @@ pub(crate) fn intersecting_pairs(
     let mut pairs = Vec::new();
     let total = n + soup.old.len();
     for start in (0..total).step_by(REPORT_INTERVAL) {
-        job.step(start as f64 / total as f64, "looking for intersections")?;
         let count = REPORT_INTERVAL.min(total - start);
-        let found =
-            par::map(job.threads(), par::ranges(count, CHUNK), |part| pairs_of(start + part.start..start + part.end))?;
-        alloc::append_all(&mut pairs, found)?;
+        let part = job.part(start as f64 / total as f64, (start + count) as f64 / total as f64);
+        let found = par::map_jobs(&part, STAGE, par::ranges(count, CHUNK), |range, job| {
+            pairs_of(start + range.start..start + range.end, job)
+        })?;
+        alloc::append_all(&mut pairs, found.into_iter().map(Ok))?;
     }
     pairs.sort_unstable();
-    job.step(1.0, "looking for intersections")?;
+    job.step(1.0, STAGE)?;
     Ok(pairs)
 }

@@ -89,7 +89,7 @@ impl Net<'_> {
             add(FindingKind::FewNodes, link, shape.ends(link))?;
         }
         let key = |finding: &Finding| (finding.kind, finding.element, finding.nodes);
-        sort::stable(&mut findings, &|a, b| key(a).cmp(&key(b)));
+        sort::sort(&mut findings, |a, b| key(a).cmp(&key(b)), &job.part(1.0, 1.0), "sorting findings")?;
         Ok(findings)
     }
 }

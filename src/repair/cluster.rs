@@ -30,6 +30,9 @@ pub(super) struct Clusters {
 /// Claims between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
+/// From so many on, sorting them reports progress.
+const MANY_CANDIDATES: usize = 1 << 14;
+
 const STAGE: &str = "clustering vertices";
 
 impl Clusters {
@@ -58,7 +61,8 @@ impl Clusters {
             }
             claimed[i] = true;
             candidates.clear();
-            near.candidates(&points, i, &mut candidates)?;
+            let here = i as f64 / members.len() as f64;
+            near.candidates(&points, i, &mut candidates, &job.part(here, here))?;
             guard.admits(representative, representative);
             for &(_, j) in &candidates {
                 let (j, v) = (j as usize, members[j as usize]);
@@ -118,7 +122,7 @@ impl<'a> Near<'a> {
 
     /// Appends the places that lie with place `i`, itself too, as (squared distance, place),
     /// nearest first.
-    fn candidates(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>) -> Result<()> {
+    fn candidates(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>, job: &Job<'_>) -> Result<()> {
         match self {
             Near::Equal { order, begin } => {
                 let group = order[begin[i] as usize..].iter().take_while(|&&j| points[j as usize] == points[i]);
@@ -134,7 +138,12 @@ impl<'a> Near<'a> {
                     }
                 });
                 outcome?;
-                sort::stable(out, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                let nearest_first = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+                if out.len() < MANY_CANDIDATES {
+                    sort::stable(out, &nearest_first);
+                } else {
+                    sort(out, nearest_first, job, STAGE)?;
+                }
             }
         }
         Ok(())

@@ -116,12 +116,12 @@ impl Border<'_> {
         let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
         let long = alloc::gather((0..self.edges.len() as u32).filter(has_length))?;
         let boxes = alloc::collect(long.iter().map(|&e| Aabb::of(ends(e))))?;
-        let order = spatial_order(&boxes, GROUP)?;
+        let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
         let tree = BoxTree::new(order.chunks(GROUP).map(around))?;
         let mut found: Vec<Split> = Vec::new();
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
-            job.part(0.0, 0.6).step_every(REPORT_INTERVAL, i, points.len(), STAGE)?;
+            job.part(0.2, 0.6).step_every(REPORT_INTERVAL, i, points.len(), STAGE)?;
             // What lies in the very place of the vertex that stands for it finds the same places.
             let first = self.members.binary_search(&self.cluster(v)).unwrap_or(i);
             if first < i && points[first] == p && reach.get(first) == reach.get(i) {

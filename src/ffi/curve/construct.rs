@@ -206,10 +206,10 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     offset: *mut *mut gusset_curve,
 ) -> gusset_status {
     let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose();
-    create(context, offset, "offset", |_| {
+    create(context, offset, "offset", |job| {
         let out = out?;
         let options = input::read(options, false, "options")?.checked()?;
-        let done = view(curve, "curve")?.offset(distance, &options, &Job::default())?;
+        let done = view(curve, "curve")?.offset(distance, &options, job)?;
         if let Some(out) = out {
             out.write(gusset_offset_report {
                 struct_size: 0,

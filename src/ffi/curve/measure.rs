@@ -170,7 +170,7 @@ pub unsafe extern "C" fn gusset_curve_length(
     curve: *const gusset_curve,
     length: *mut f64,
 ) -> gusset_status {
-    answer(context, (length, "length"), 0.0, |_| Ok(view(curve, "curve")?.length()?))
+    answer(context, (length, "length"), 0.0, |job| Ok(view(curve, "curve")?.lengths(job)?.total()))
 }
 
 /// The arc lengths from the start to many places.

@@ -33,6 +33,8 @@ const MAX_QUERY_DISTANCE: f64 = (1u64 << 26) as f64;
 
 /// Queries that one thread takes at once.
 const QUERIES_PER_BATCH: usize = 256;
+/// Segments that they look at together between two progress reports, if each is equally far from all.
+const SEGMENTS_PER_BATCH: usize = 1 << 17;
 
 /// A bound of the rounding of boxes in a frame of size 1.
 const BOX_ROUNDING: f64 = 1e-14;
@@ -56,7 +58,7 @@ impl CurveView<'_> {
             return Err(Error::EmptyCurve);
         }
         let search = CurveSearch::new(self)?;
-        answers(queries, job, |q| search.nearest(q))
+        answers(queries, self.len(), job, |q| search.nearest(q))
     }
 }
 
@@ -80,16 +82,23 @@ pub(crate) fn nearest_of_any(
         return Err(Error::EmptyCurve);
     }
     let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
-    answers(queries, &job.part(0.1, 1.0), |q| set.nearest(q))
+    let segments = curves.iter().map(CurveView::len).sum();
+    answers(queries, segments, &job.part(0.1, 1.0), |q| set.nearest(q))
 }
 
-fn answers<A: Send>(queries: &[DVec3], job: &Job<'_>, answer: impl Fn(DVec3) -> A + Sync) -> Result<Vec<A>> {
+fn answers<A: Send>(
+    queries: &[DVec3],
+    segments: usize,
+    job: &Job<'_>,
+    answer: impl Fn(DVec3) -> A + Sync,
+) -> Result<Vec<A>> {
+    let at_once = (SEGMENTS_PER_BATCH / segments.max(1)).clamp(1, QUERIES_PER_BATCH);
     queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
     let mut found = alloc::with_capacity(queries.len())?;
     for some in queries.chunks(QUERIES_PER_BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
         let part = job.part(done / count, (done + some.len() as f64) / count);
-        let batches = par::map_cancellable(&part, STAGE, some.chunks(QUERIES_PER_BATCH), |batch| {
+        let batches = par::map_cancellable(&part, STAGE, some.chunks(at_once), |batch| {
             alloc::collect(batch.iter().map(|&q| answer(q)))
         })?;
         for batch in batches {

@@ -30,6 +30,8 @@ use glam::{DMat2, DMat3, DVec4};
 const MAX_CLUSTER: usize = 4096;
 /// Balls of a cluster from which its critical point is looked for.
 const MAX_STARTS: usize = 32;
+/// Neighbours of balls that are looked at between two progress reports.
+const VISITS_PER_REPORT: usize = 1 << 18;
 /// Steps of Newton's method.
 const NEWTON_STEPS: usize = 32;
 /// How far outside its cells a critical point may be, by parameters: those on sides are of the
@@ -124,13 +126,18 @@ impl ContactSearch<'_> {
         let centres = alloc::collect(balls.iter().map(|ball| ball.centre))?;
         let tree = KdTree::new(&centres, job, "contact")?;
         let mut sets = DisjointSets::new(balls.len())?;
+        let mut visits = 0;
         for (k, ball) in balls.iter().enumerate() {
-            if k.is_multiple_of(1 << 12) {
+            // Where all balls lie together each has all others near it.
+            if visits >= VISITS_PER_REPORT || k == 0 {
                 job.step(0.0, "contact")?;
+                visits = 0;
             }
+            visits += 1;
             // Smaller balls only, and so all within four times the radius.
             let limit = 4.0 * ball.radius + 4.0 * self.tolerance;
             tree.for_each_within(ball.centre, Radius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
+                visits += 1;
                 let other = &balls[n as usize];
                 let touch = 2.0 * (ball.radius + other.radius) + 4.0 * self.tolerance;
                 if other.radius <= ball.radius && other.centre.distance(ball.centre) <= touch {
