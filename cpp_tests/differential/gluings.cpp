@@ -489,10 +489,11 @@ void check_join(Case &test, const Net &net, const Net &other, bool against) {
     }
 }
 
-Net random_net(Case &test, std::optional<Classes> &kept, bool &reversed) {
+/// `like`: a net of the same size, or none.
+Net random_net(Case &test, std::optional<Classes> &kept, bool &reversed, const Net *like = nullptr) {
     Random &random = test.random;
     for (;;) {
-        const std::size_t rows = random.between(2, 8), columns = random.between(2, 8);
+        const std::size_t rows = like ? like->rows() : random.between(2, 8), columns = like ? like->columns() : random.between(2, 8);
         Classes classes(rows, columns);
         std::vector<Point3> points;
         for (std::size_t k = 0; k < rows * columns; ++k) {
@@ -581,7 +582,7 @@ void gluings(Case &test) {
     }
     check_part(test, net);
     check_moves(test, net);
-    const Net other = random_net(test, others, other_reversed);
+    const Net other = random_net(test, others, other_reversed, test.random.one_in(2) ? &net : nullptr);
     check_join(test, net, other, reversed != other_reversed);
 }
 } // namespace campaign
