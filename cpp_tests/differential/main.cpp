@@ -14,9 +14,9 @@ using campaign::Case;
 using campaign::Family;
 
 constexpr Family families[] = {
-    {"loops", campaign::loops, 400},       {"validity", campaign::validity, 100},
-    {"intersections", campaign::intersections, 60}, {"surfaces", campaign::surfaces, 4},
-    {"curves", campaign::curves, 60},      {"gluings", campaign::gluings, 500},
+    {"loops", campaign::loops, 400},       {"validity", campaign::validity, 60},
+    {"intersections", campaign::intersections, 60}, {"surfaces", campaign::surfaces, 3},
+    {"curves", campaign::curves, 60},      {"gluings", campaign::gluings, 150},
 };
 
 struct Row {
