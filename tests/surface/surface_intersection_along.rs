@@ -319,7 +319,9 @@ fn faults_of_viviani(paths: &Paths, length_error: f64) -> Vec<String> {
             last_sign = step.signum();
         }
     }
-    if (way[0] - 2.0 * TAU).abs() > 1e-3 || way[1] > 0.0 {
+    // Interpolants of the sphere are off by d, up to 7e-5 with 8 rows: branches that pass the double
+    // point turn at angles of sqrt(8 d), four times.
+    if way[0] > 2.0 * TAU + 1e-3 || way[0] < 2.0 * TAU - 0.1 || way[1] > 0.0 {
         faults.push(format!("way {way:?}"));
     }
     faults
