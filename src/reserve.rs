@@ -260,7 +260,7 @@ mod arenas {
         #[test]
         fn a_block_that_was_moved_knows_where_it_came_from() {
             let mut blocks = [[0_u8; 8]; 66];
-            let blocks = blocks.each_mut().map(<[u8; 8]>::as_mut_ptr);
+            let blocks = blocks.each_mut().map(|block| block.as_mut_ptr());
             let noted = |k: usize| Move::note(blocks[k], blocks[k + 1], k);
             assert!((0..64).all(noted) && !noted(64));
             assert_eq!(Move::take(blocks[7]), Some((blocks[8], 7)));
