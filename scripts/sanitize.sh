@@ -19,7 +19,7 @@ mkdir -p "$prefix/lib"
 
 RUSTC_BOOTSTRAP=1 CARGO_PROFILE_RELEASE_OPT_LEVEL=1 \
     RUSTFLAGS="-Zsanitizer=$kind -Cunsafe-allow-abi-mismatch=sanitizer -Cdebug-assertions -Ccodegen-units=8 -Cdebuginfo=line-tables-only -Cforce-frame-pointers=yes" \
-    "${CARGO:-cargo}" rustc --locked -p gusset --lib --crate-type cdylib --release --target "$host" --target-dir "$folder/target"
+    "${CARGO:-cargo}" rustc --locked -p gusset --lib --features reserve --crate-type cdylib --release --target "$host" --target-dir "$folder/target"
 "${MAKE:-make}" --no-print-directory -s install-data PREFIX="$prefix" DESTDIR=
 version=$(sed -n 's/^version = "\(.*\)\..*"/\1/p' Cargo.toml | head -n 1)
 cp "$folder/target/$host/release/libgusset.so" "$prefix/lib/libgusset.so.$version"
