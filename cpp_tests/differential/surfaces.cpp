@@ -20,9 +20,6 @@ using shapes::of;
 constexpr double mesh_tolerance = 1e-3;
 /// Of points that lie on the surface, or in a plane, but for rounding.
 constexpr double rounding = 1e-9;
-/// Chords are held at the middles and the quarters of arcs. A cubic that is 0 at both ends and at
-/// most 1 there is nowhere more than 1.0941; arcs as short as chords are close to cubics.
-constexpr double between_quarters = 1.095;
 
 Point along(const Point &from, const Point &direction, double t) {
     return {from[0] + t * direction[0], from[1] + t * direction[1], from[2] + t * direction[2]};
@@ -262,7 +259,7 @@ void sections(Case &test, const Tested &tested) {
             }
         }
         for (const gusset::NearestPoint &near : tested.surface.nearest(middles)) {
-            test.at_most(near.distance, between_quarters * chord, "the distance of a chord from the surface");
+            test.at_most(near.distance, chord + rounding, "the distance of a chord from the surface");
         }
         if (!paths.unresolved().empty()) {
             test.note("sections with cells that are unresolved");
@@ -275,7 +272,7 @@ void sections(Case &test, const Tested &tested) {
                     nearest = std::min(nearest, from_segment(p, path.points[i == 0 ? path.size() - 1 : i - 1], path.points[i]));
                 }
             }
-            test.at_most(nearest, between_quarters * chord + rounding, "the distance of a point of surface and plane from all sections");
+            test.at_most(nearest, chord + rounding, "the distance of a point of surface and plane from all sections");
         }
         // Where shifts by some deviations change no count, the mesh's are those of the surface.
         std::vector<std::size_t> counts;
