@@ -10,7 +10,8 @@ use crate::surface::surface_intersection::{CellPair, Options};
 pub struct gusset_intersection_options {
     /// sizeof(gusset_intersection_options), set by the caller.
     pub struct_size: usize,
-    /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of
+    /// A length, the greatest distance of the curve from the chords between its points, as their
+    /// tangents and middles show it (1.14 times as much was seen at one chord in 10,000); 0: 1e-4 of
     /// the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
     /// of cells of either surface; a smaller one than `tolerance` counts as that. (In
     /// gusset_contour_options `spacing` says which of these is meant.)
