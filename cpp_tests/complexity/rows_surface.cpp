@@ -83,7 +83,7 @@ std::vector<Row> surface_rows() {
         {"surface_minima_create", "focal point", 16, 10000, 1, 1, 0, on(round, minima), true},
         {"surface_section_create", "rough", 16, 100000, 1, 1, 0, on(rough, section)},
         {"surface_section_create", "in its plane", 64, 100000, 1, 1, 0, on(flat, section)},
-        {"surface_isophotes_create", "rough", 4, 40000, 1, 1, 0, on(rough, isophotes)},
+        {"surface_isophotes_create", "rough", 16, 40000, 2, 1, 0, on(rough, isophotes), true},
         {"surface_line_hits_create", "rough", 256, 1000000, 1, 1, 0, on(rough, hits)},
         {"surface_surface_distance", "parallel planes", 64, 100000, 2, 2, 0, on_two(flat, above, apart)},
         {"surface_intersection_create", "rough", 4, 256, 2, 2, 0, on_two(rough, other, intersect), true},
