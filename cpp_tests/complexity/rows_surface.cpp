@@ -76,7 +76,7 @@ std::vector<Row> surface_rows() {
     return {
         {"surface_create", "rough", 1024, 1000000, 1, 1, 0, index(rough)},
         {"surface_create", "points in one", 1024, 1000000, 1, 1, 0, index(one)},
-        {"surface_nearest", "focal point", 64, 1000000, 0, 0, 0, on(round, nearest)},
+        {"surface_nearest", "focal point", 64, 1000000, 1, 1, 0, on(round, nearest)},
         {"surface_nearest", "rough", 256, 1000000, 1, 1, 0, on(rough, nearest)},
         {"surface_nearest", "points in one", 64, 1000000, 1, 1, 0, on(one, nearest)},
         {"surface_minima_create", "rough", 64, 10000, 1, 1, 0, on(rough, minima)},
