@@ -168,8 +168,8 @@ check-cancel: stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel complexity_silence
-	build/cpp/complexity/complexity_silence $(and $(ONLY),--only '$(firstword $(ONLY))')
-	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
+	build/cpp/complexity/complexity_silence $(and $(ONLY),--only '$(firstword $(ONLY))'); functions=$$?; \
+	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY) && exit $$functions
 
 demo:
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages) -- $(browser_packages)

@@ -78,12 +78,12 @@ std::vector<Row> curve_rows() {
     const auto by_angle = [](uint32_t) { return gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}); };
     return {
         {"curve_intersect_create", "equal copy of a circle", 16, 2000, 1, 1, 0, on(round, copy)},
-        {"curve_intersect_create", "equal copy of a line", 4, 2000, 1, 1, 0, on(line, copy)},
+        {"curve_intersect_create", "equal copy of a line", 16, 2000, 1, 1, 0, on(line, copy), true},
         {"curve_intersect_create", "equal copy of a star", 4, 2000, 2, 1, 0, on(star, copy)},
         {"curve_intersect_create", "equal copy in a point", 32, 2000, 1, 1, 0, on(one, copy)},
         {"curve_intersect_create", "itself, at random", 8, 2000, 2, 2, 0, on(random, itself), true},
         {"curve_intersect_create", "itself, spiral", 64, 2000, 1, 1, 0, on(whirl, itself)},
-        {"curve_near_misses_create", "equal points", 2, 64, 0, 0, 0, on(one, near)},
+        {"curve_near_misses_create", "equal points", 2, 64, 0, 0, 0, on(one, near), true},
         {"curve_near_misses_create", "equal copy of a circle", 2, 64, 1, 1, 0, on(round, near), true},
         {"curve_near_misses_create", "equal copy of a line", 2, 64, 1, 1, 0, on(line, near), true},
         {"curve_intersect_plane_create", "star", 128, 1000000, 1, 1, 0, on(star, plane)},

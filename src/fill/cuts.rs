@@ -109,7 +109,11 @@ impl<'a> Trials<'a> {
     /// triangles and patches.
     pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
         let boxes = alloc::collect(old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v)))))?;
-        Ok(Trials { old, triangles: Boxes::new(&boxes, &job.part(0.0, 0.5))?, rooms: Boxes::new(rooms, &job.part(0.5, 1.0))? })
+        Ok(Trials {
+            old,
+            triangles: Boxes::new(&boxes, &job.part(0.0, 0.5))?,
+            rooms: Boxes::new(rooms, &job.part(0.5, 1.0))?,
+        })
     }
 
     /// How many pairs of triangles cut each other if `patch` takes the place of patch `k`: its own,

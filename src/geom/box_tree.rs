@@ -97,12 +97,7 @@ impl BoxTree {
 /// spread widest, at a multiple of what makes the tree over the groups complete. So long boxes that
 /// have an end in common stay together, as the needles of a fan do, which others lie across.
 /// O(n log n). Reports before each part of many boxes.
-pub(crate) fn spatial_order(
-    boxes: &[Aabb],
-    group: usize,
-    job: &Job<'_>,
-    stage: &'static str,
-) -> Result<Vec<u32>> {
+pub(crate) fn spatial_order(boxes: &[Aabb], group: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
     let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
     let mut done = 0;
     let mut report = |count: usize| {
@@ -118,12 +113,7 @@ pub(crate) fn spatial_order(
 const MAX_UNREPORTED: usize = 1 << 14;
 
 /// `report` is told of each part of at most [`MAX_UNREPORTED`] boxes, and of larger ones with 0.
-fn split(
-    boxes: &[Aabb],
-    order: &mut [u32],
-    group: usize,
-    report: &mut dyn FnMut(usize) -> Result<()>,
-) -> Result<()> {
+fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
     if order.len() <= MAX_UNREPORTED {
         report(order.len())?;
         split_small(boxes, order, group);

@@ -201,16 +201,15 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 
 /// Makes the net of a stream.
 ///
-/// A stream that is damaged, cut off or forged does no harm, and memory is asked for as far as the size
-/// of the stream allows: 2^20 nodes of 12 or 24 bytes, and 256 nodes more for each byte. A stream of more
-/// is refused; it can be read by gusset_stream_decoder_create with a limit that is yours.
+/// A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one
+/// of its size can need it: 4096 nodes a byte at most.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param data all its bytes, at any alignment.
 /// @param size how many.
 /// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
-///     TOO_LARGE with the nodes, OUT_OF_MEMORY, CANCELLED.
+///     OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes), with blocks decoded by the context's threads.
 /// @since 0.1
 #[unsafe(no_mangle)]

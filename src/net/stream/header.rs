@@ -14,10 +14,6 @@ const VERSION: u32 = 1;
 /// The largest number of nodes per byte. Encoders pad shorter streams, so that a short stream
 /// cannot demand much memory.
 pub(super) const MAX_NODES_PER_BYTE: u64 = 4096;
-/// Nodes that a stream may ask memory for unless its reader allows more: so many in any case, and so many
-/// for each byte of it.
-pub(super) const NODES_ALLOWED: u64 = 1 << 20;
-pub(super) const NODES_ALLOWED_PER_BYTE: u64 = 256;
 /// The alignment of blocks in a raw stream.
 pub(super) const ALIGNMENT: usize = 64;
 

@@ -5,7 +5,7 @@
 
 use super::block::{self, Duplicates};
 use super::bytes::{Reader, bad, checksum};
-use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, NODES_ALLOWED, NODES_ALLOWED_PER_BYTE, StreamInfo};
+use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
 use super::levels::{Bits, LosslessLevels, UniformLevels};
 use super::{raw, structure};
 use crate::alloc;
@@ -115,31 +115,20 @@ fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u6
 /// The net of a stream.
 ///
 /// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones
-/// by their checksums; memory is bounded by the length of the stream: 2^20 nodes and 256 for each byte. A
-/// [`StreamDecoder`] takes another limit.
+/// by their checksums; memory is bounded by the length of the stream.
 ///
 /// # Errors
-/// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
     let info = StreamInfo::read(bytes)?;
     if info.prelude_size > bytes.len() as u64 {
         return Err(bad("it is cut off", bytes.len() as u64));
     }
-    check_nodes(&info, allowed_nodes(bytes.len() as u64))?;
     let prelude = Prelude::read(info, bytes, Some(bytes.len() as u64))?;
     let mut coordinates = Coordinates::zeroed(info.shape, info.scalar)?;
     each!(&mut coordinates, planes => decode_blocks(&prelude, bytes, planes, job))?;
     prelude.restore(&mut coordinates, 0..info.shape.rows());
     Ok(prelude.into_net(coordinates))
-}
-
-/// The nodes that a stream of so many bytes may have unless its reader allows more.
-fn allowed_nodes(size: u64) -> u64 {
-    NODES_ALLOWED.saturating_add(NODES_ALLOWED_PER_BYTE.saturating_mul(size))
-}
-
-fn check_nodes(info: &StreamInfo, limit: u64) -> Result<()> {
-    Error::check_count("nodes", info.shape.node_count() as u64, limit)
 }
 
 /// Decodes all blocks, some at a time so that the host can cancel.
@@ -233,7 +222,8 @@ impl StreamDecoder {
             return Ok(0);
         }
         let info = StreamInfo::read(&self.pending)?;
-        check_nodes(&info, self.node_limit)?;
+        let count = info.shape.node_count() as u64;
+        Error::check_count("nodes", count, self.node_limit)?;
         let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
             return Ok(0);
         };
