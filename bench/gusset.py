@@ -390,5 +390,5 @@ class Library:
     def net_decode(self, data, automatic=False):
         context, address = self.automatic if automatic else self.one_thread, c_void_p()
         self._check(self.c.gusset_net_decode_create(
-            context.address, c_void_p(data.ctypes.data), c_size_t(data.size), byref(address)))
+            context.address, c_void_p(data.ctypes.data), c_size_t(data.size), c_uint64(0), byref(address)))
         return Handle(self.c, "gusset_net_destroy", address)

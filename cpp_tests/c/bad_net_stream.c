@@ -59,7 +59,7 @@ static void there_and_back(const gusset_net *net) {
         CHECK(info.rows == ROWS && info.columns == COLUMNS && info.rows_per_block == 4);
         CHECK(info.mode == modes[m] && info.scalar == GUSSET_F32 && info.bits == (m == 0 ? 14u : 0u));
         CHECK(info.prelude_size < size && (info.step[2] > 0) == (m == 0));
-        EXPECT(GUSSET_OK, gusset_net_decode_create(context, data, size, &back));
+        EXPECT(GUSSET_OK, gusset_net_decode_create(context, data, size, 0, &back));
         for (k = 0; k < ROWS * COLUMNS; ++k) {
             const float found = heights(back)[k], given = z[k];
             CHECK(k == 10 ? isnan(found) : fabs(found - given) <= info.step[2] / 2 + 1e-7);
@@ -87,17 +87,21 @@ static void damaged(const gusset_net *net) {
     for (k = 0; k < size; ++k) {
         memcpy(copy, data, size);
         copy[k] ^= 4;
-        EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, copy, size, &back));
-        EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, data, k, &back));
+        EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, copy, size, 0, &back));
+        EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, data, k, 0, &back));
     }
     CHECK(back == NULL);
     memset(&report, 0, sizeof report);
     report.struct_size = sizeof report;
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_BYTE && report.index <= size);
-    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, NULL, 0, &back));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decode_create(context, NULL, 5, &back));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decode_create(context, data, size, NULL));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_decode_create(context, data, size, 3, &back));
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    CHECK(back == NULL && report.value == 3.0);
+    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, NULL, 0, 0, &back));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decode_create(context, NULL, 5, 0, &back));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decode_create(context, data, size, 0, NULL));
     memset(&info, 0, sizeof info);
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stream_inspect(context, data, size, &info));
     info.struct_size = sizeof info;

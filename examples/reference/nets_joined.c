@@ -239,7 +239,7 @@ static void as_bytes(void) {
     MUST(gusset_stream_get_view(stream, &data, &size));
     MUST(gusset_stream_inspect(NULL, data, size, &info));
     HOLDS(info.rows == 5 && info.columns == 9 && info.scalar == GUSSET_F64);
-    MUST(gusset_net_decode_create(NULL, data, size, &back));
+    MUST(gusset_net_decode_create(NULL, data, size, 0, &back));
     HOLDS(memcmp(size_of(back).x, size_of(net).x, 5 * 9 * sizeof(double)) == 0);
     gusset_net_destroy(back);
 

@@ -54,10 +54,12 @@ private:
     detail::Handle<gusset_stream, gusset_stream_destroy> stream_;
 };
 
-/// The net of a stream.
-inline Net decode(Bytes bytes, const Context &context = Context()) {
-    return Net(context.result(gusset_net_decode_create, bytes.data(), bytes.size()));
+/// The net of a stream. A net of more nodes than `node_limit` is refused before memory is asked for; 0: 4096 for
+/// each byte.
+inline Net decode(Bytes bytes, uint64_t node_limit, const Context &context = Context()) {
+    return Net(context.result(gusset_net_decode_create, bytes.data(), bytes.size(), node_limit));
 }
+inline Net decode(Bytes bytes, const Context &context = Context()) { return decode(bytes, 0, context); }
 
 /// Reads the header of a stream; see gusset_stream_inspect.
 inline StreamReport inspect(Bytes bytes, const Context &context = Context()) {

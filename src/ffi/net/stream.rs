@@ -3,7 +3,7 @@
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
 use crate::net::MAX_NODES;
-use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
+use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_within, encode};
 
 /// How a stream stores coordinates.
 pub type gusset_stream_mode = u32;
@@ -202,14 +202,17 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 /// Makes the net of a stream.
 ///
 /// A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one
-/// of its size can need it: 4096 nodes a byte at most.
+/// of its size can need it: 4096 nodes a byte at most. That is little of a file of one's own, and may
+/// be much of a stranger's: 96 KiB a byte.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param data all its bytes, at any alignment.
 /// @param size how many.
+/// @param node_limit a net of more nodes is refused before memory is asked for; 0 for no other limit
+///     than that by the size.
 /// @param[out] net receives the net, for gusset_net_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STREAM with the byte,
-///     OUT_OF_MEMORY, CANCELLED.
+///     TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(nodes), with blocks decoded by the context's threads.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -218,9 +221,14 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     context: *const gusset_context,
     data: *const c_void,
     size: usize,
+    node_limit: u64,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| Ok(gusset_net::new(decode(input::bytes(data, size, 1, "data")?, job)?)))
+    create(context, net, "net", |job| {
+        let data = input::bytes(data, size, 1, "data")?;
+        let limit = if node_limit == 0 { u64::MAX } else { node_limit };
+        Ok(gusset_net::new(decode_within(data, limit, job)?))
+    })
 }
 
 /// Begins to decode a stream that arrives in pieces.

@@ -43,5 +43,5 @@ mod structure;
 mod write;
 
 pub use header::{HEADER_SIZE, Mode, StreamInfo};
-pub use read::{StreamDecoder, decode};
+pub use read::{StreamDecoder, decode, decode_within};
 pub use write::{StreamOptions, encode};

@@ -115,12 +115,22 @@ fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u6
 /// The net of a stream.
 ///
 /// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones
-/// by their checksums; memory is bounded by the length of the stream.
+/// by their checksums; there are no more than 4096 nodes for each byte.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
+    decode_within(bytes, u64::MAX, job)
+}
+
+/// [`decode`], of streams that may be hostile: a net of more nodes than `node_limit` is refused
+/// before memory is asked for.
+///
+/// # Errors
+/// Those of [`decode`]; [`Error::TooLarge`].
+pub fn decode_within(bytes: &[u8], node_limit: u64, job: &Job<'_>) -> Result<Net<'static>> {
     let info = StreamInfo::read(bytes)?;
+    Error::check_count("nodes", info.shape.node_count() as u64, node_limit)?;
     if info.prelude_size > bytes.len() as u64 {
         return Err(bad("it is cut off", bytes.len() as u64));
     }
