@@ -59,6 +59,7 @@ private:
 inline Net decode(Bytes bytes, uint64_t node_limit, const Context &context = Context()) {
     return Net(context.result(gusset_net_decode_create, bytes.data(), bytes.size(), node_limit));
 }
+/// The same with the limit that the size gives.
 inline Net decode(Bytes bytes, const Context &context = Context()) { return decode(bytes, 0, context); }
 
 /// Reads the header of a stream; see gusset_stream_inspect.

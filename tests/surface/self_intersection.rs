@@ -1,6 +1,6 @@
 //! Where one surface meets itself: against equations. Against triangles: `self_intersection_sampled`.
 
-use crate::common::Silent;
+use crate::common::{Silent, some_of};
 use crate::pairs::{ball, flat, grid, length, one, ring, summary};
 use crate::shapes::{Random, SHAPES, Shape, torus};
 use glam::DVec3;
@@ -252,7 +252,7 @@ fn a_bump_through_the_other_leaf_of_a_fold_has_a_loop() {
 /// each of which is a whole row of parameters. All cells of that row are unresolved, no others.
 #[test]
 fn a_spindle_torus_has_two_points() {
-    for (cells, shift) in [([25, 7], 0.1), ([12, 6], 0.0)] {
+    for (cells, shift) in some_of(2, [([12, 6], 0.0), ([25, 7], 0.1)].into_iter()) {
         let surface = lattice(cells, [true, true], |u, v| {
             let (t, a) = (TAU * (u + shift / cells[0] as f64), TAU * v);
             let r = 0.5 + t.cos();

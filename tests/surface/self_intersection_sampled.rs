@@ -196,7 +196,7 @@ fn default_chord(surface: &Surface<'_>) -> f64 {
 
 #[test]
 fn random_sheets_against_triangles() {
-    random_sheets(12);
+    random_sheets(6);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Curves that run along lines of parameters that are borders of cells: whole, and once.
 
+use crate::common::some_of;
 use crate::pairs::{ball, check, length, one, summary, surface};
 use crate::shapes::Shape;
 use glam::{DMat3, DVec2, DVec3};
@@ -362,10 +363,9 @@ fn vivianis_curve_through_a_pole() {
 fn saddles_of_three_valleys() {
     let flat = |_: f64, _: f64| 0.0;
     let (mut bad, mut broken) = (Vec::new(), 0);
-    for (turn, [cx, cy]) in [0.0, 0.125, 0.1, 0.03]
-        .into_iter()
-        .flat_map(|turn| [[0.0, 0.0], [0.25, 0.0], [0.1, -0.2], [0.013, 0.017]].map(|middle| (turn, middle)))
-    {
+    let middles = [[0.0, 0.0], [0.25, 0.0], [0.1, -0.2], [0.013, 0.017]];
+    let places = [0.0, 0.125, 0.1, 0.03].into_iter().flat_map(|turn| middles.map(|middle| (turn, middle)));
+    for (turn, [cx, cy]) in some_of(3, places) {
         let (sin, cos) = (TAU * turn).sin_cos();
         let saddle = |x: f64, y: f64| {
             let (p, q) = (cos * (x - cx) + sin * (y - cy), cos * (y - cy) - sin * (x - cx));
