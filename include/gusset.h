@@ -8,7 +8,7 @@
  *     options.struct_size = sizeof options;
  *
  * Errors are listed without their prefix GUSSET_ERROR_. Every function that takes a context may also return CONTEXT_BUSY, and
- * CANCELLED before it looks at its other arguments. Whatever fails, handles, arrays of handles, structs and outputs of a fixed
+ * CANCELLED before it looks at its other arguments; every one that takes a handle, WRONG_HANDLE. Whatever fails, handles, arrays of handles, structs and outputs of a fixed
  * size are cleared; what an array of numbers holds, for which the caller gives the room, is unspecified after a failure. An
  * array that the library lends is NULL if it has no elements. C99 or later, C++11 or later.
  */
@@ -6410,9 +6410,10 @@ typedef struct gusset_intersection_options {
      */
     double chord;
     /**
-     * A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
-     * overlap, by no more than that touch; 0: the smaller one of the tolerances of the
-     * two surfaces.
+     * A length, finite: branches that are shorter may be lost, those that run beside each other at
+     * less than four times that may be taken for one, and found in parts, and surfaces that are
+     * apart, or overlap, by no more than that touch; 0: the smaller one of the tolerances of the two
+     * surfaces. One that is as large as what is looked for loses it.
      */
     double tolerance;
 } gusset_intersection_options;
@@ -7213,7 +7214,8 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_POINT_SPACING_AUTO 0
 
 /**
- * As many points of the surface as keep the chords within `chord`.
+ * As many points of the surface as keep the chords within `chord`, as the middle and the quarters of
+ * the curve beside each show; where nodes are far apart for that length, it may be more elsewhere.
  */
 #define GUSSET_POINT_SPACING_CHORD 1
 
@@ -12470,8 +12472,8 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * N_A x N_B, closed ones marked so.
  *
  * Points and normals are those of a; the points of b at `others` are the same but for rounding,
- * and at crossings to the tolerance. Every branch longer than the tolerance is found, relative to
- * the surfaces as declared.
+ * and at crossings to the tolerance. Every branch longer than the tolerance, and farther than four
+ * times that from others, is found, relative to the surfaces as declared.
  *
  * A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
  * be alone: near it both are graphs over a plane, and the second derivatives of their difference
@@ -12518,8 +12520,8 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  * Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
  * control points are the same but for rounding, in either order, and cells round a pole are
  * joined: what they have in common so is no intersection, and that they have nothing else is
- * proved, or they are divided. Every branch longer than the tolerance is found, but for cells that
- * are listed as unresolved: where tangents are dependent, as where a curve ends in a pinch
+ * proved, or they are divided. Every branch longer than the tolerance, and farther than four times
+ * that from others, is found, but for cells that are listed as unresolved: where tangents are dependent, as where a curve ends in a pinch
  * (Whitney's umbrella), at creases and singular poles, and where pieces touch or coincide. A curve
  * that ends in a pinch ends within the tolerance of it; the unresolved place is where its pieces
  * are as near to each other as that. No contacts are looked for. What borders of different sheets

@@ -363,6 +363,9 @@ static void frames(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_get_curves(frame, misaligned(), NULL));
     EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, NULL, NULL));
     EXPECT(GUSSET_OK, gusset_frame_get_curves(frame, &across, &along));
+    /* They are the frame's, and stay with it. */
+    gusset_outline_destroy((gusset_outline *)(size_t)across);
+    gusset_outline_destroy((gusset_outline *)(size_t)along);
     EXPECT(GUSSET_OK, gusset_outline_measure(across, 1, &measure));
     CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
     EXPECT(GUSSET_OK, gusset_outline_measure(along, 3, &measure));

@@ -23,11 +23,12 @@ pub(crate) struct Tagged<T> {
 }
 
 impl<T: Handle> Tagged<T> {
-    pub(crate) fn new(object: T) -> Self {
-        Tagged { kind: T::KIND, object }
+    /// An object that is lent to C as a part of another, and goes with it: it can be read, and not
+    /// destroyed.
+    pub(crate) fn part(object: T) -> Self {
+        Tagged { kind: !T::KIND, object }
     }
 
-    /// Lends an object to C that is a part of another.
     pub(crate) fn lent(&self) -> *const T {
         ptr::from_ref(self).cast()
     }
@@ -43,7 +44,7 @@ impl<T> std::ops::Deref for Tagged<T> {
 
 /// The object with its kind, in memory of its own.
 pub(crate) fn boxed<T: Handle>(object: T) -> Box<Tagged<T>> {
-    Box::new(Tagged::new(object))
+    Box::new(Tagged { kind: T::KIND, object })
 }
 
 /// Gives the object to C, until [`destroy`] takes it back.
@@ -51,13 +52,14 @@ pub(crate) fn give<T>(object: Box<Tagged<T>>) -> *mut T {
     Box::into_raw(object).cast()
 }
 
-/// Whether what begins here says that it is a T.
-fn checked<T: Handle>(pointer: *const T, name: &'static str) -> Result<*mut Tagged<T>, Failure> {
+/// Whether what begins here says that it is a T, of its own or `or_part`.
+fn checked<T: Handle>(pointer: *const T, or_part: bool, name: &'static str) -> Result<*mut Tagged<T>, Failure> {
     let held = pointer.cast::<Tagged<T>>().cast_mut();
     aligned(held.cast_const(), name)?;
     // SAFETY: not NULL and aligned; that it points to a live handle of the library is the caller's
     // promise, and all handles begin with their kind.
-    if unsafe { (&raw const (*held).kind).read() } == T::KIND {
+    let kind = unsafe { (&raw const (*held).kind).read() };
+    if kind == T::KIND || or_part && kind == !T::KIND {
         Ok(held)
     } else {
         Err(Failure::new(GUSSET_ERROR_WRONG_HANDLE, format!("{name} is no live {}", T::NAME)))
@@ -66,7 +68,7 @@ fn checked<T: Handle>(pointer: *const T, name: &'static str) -> Result<*mut Tagg
 
 /// The object of a handle.
 pub(crate) fn get<'a, T: Handle>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
-    let held = checked(pointer, name)?;
+    let held = checked(pointer, true, name)?;
     // SAFETY: as there; a T begins with this kind, and lives while the call runs.
     Ok(unsafe { &(*held).object })
 }
@@ -87,17 +89,17 @@ pub(crate) fn list<'a, T: Handle + 'a>(
 
 /// The object of a handle that the call changes.
 pub(crate) fn get_mut<'a, T: Handle>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
-    let held = checked(pointer, name)?;
+    let held = checked(pointer, false, name)?;
     // SAFETY: as above; that nobody else uses it now is the caller's promise.
     Ok(unsafe { &mut (*held).object })
 }
 
-/// Frees what a `_create` function gave out; NULL is allowed, and handles of another kind are left
-/// alone.
+/// Frees what a `_create` function gave out; NULL is allowed, and handles of another kind, or lent
+/// as parts of others, are left alone.
 pub(crate) fn destroy<T: Handle>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.
     let _ = caught(|| {
-        if let Ok(held) = checked(handle, "handle") {
+        if let Ok(held) = checked(handle, false, "handle") {
             // SAFETY: it came from `give`, and the caller gives it up. The kind goes first,
             // by a write that stays although the memory is freed: a second destroy finds it gone, as
             // long as the memory is not used again.

@@ -204,7 +204,7 @@ pub unsafe extern "C" fn gusset_frame_create(
         let given = Given::read(sections)?;
         let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
         let closed = given.outlines().closed;
-        let (across, along) = (Tagged::new(gusset_outline(across)), Tagged::new(gusset_outline(along)));
+        let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
         Ok(gusset_frame { grid, across, along, options: options.across, closed, ring: options.ring })
     })
 }

@@ -9,7 +9,8 @@ pub type gusset_point_spacing = u32;
 /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's
 /// box.
 pub const GUSSET_POINT_SPACING_AUTO: gusset_point_spacing = 0;
-/// As many points of the surface as keep the chords within `chord`.
+/// As many points of the surface as keep the chords within `chord`, as the middle and the quarters of
+/// the curve beside each show; where nodes are far apart for that length, it may be more elsewhere.
 pub const GUSSET_POINT_SPACING_CHORD: gusset_point_spacing = 1;
 /// Nothing.
 pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_point_spacing = 2;
