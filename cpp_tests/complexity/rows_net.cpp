@@ -65,6 +65,24 @@ std::vector<Row> net_rows() {
             return making([=](const Context &context) { return gusset::decode(stream->bytes(), context); });
         };
     };
+    const auto emptied = [](auto take) {
+        return [=](std::size_t n) -> Call {
+            const auto scene = std::make_shared<gusset::Scene>();
+            const uint32_t net = scene->add(net_of(plane_grid(1))), group = scene->add_group();
+            const auto children = std::make_shared<std::vector<uint32_t>>();
+            for (std::size_t i = 0; i < n; ++i) {
+                children->push_back(scene->add_group());
+                scene->add_child(children->back(), net);
+                scene->add_child(group, children->back());
+            }
+            return [=](const Context &context) -> std::shared_ptr<void> {
+                for (const uint32_t child : *children) {
+                    take(*scene, group, child, context);
+                }
+                return nullptr;
+            };
+        };
+    };
     return {
         {"net_encode_create", "rough", 256, 4000000, 1, 1, 0, on(rough, encode)},
         {"net_encode_create", "missing nodes", 1024, 4000000, 1, 1, 0, on(missing, encode)},
@@ -78,39 +96,9 @@ std::vector<Row> net_rows() {
         {"net_normals", "rough", 4096, 4000000, 1, 1, 0, on(rough, normals)},
         {"net_resample_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, resample)},
         {"scene_remove_child", "all, first to last", 128, 20000, 2, 1, 0,
-         [](std::size_t n) -> Call {
-             const auto scene = std::make_shared<gusset::Scene>();
-             const uint32_t net = scene->add(net_of(plane_grid(1))), group = scene->add_group();
-             const auto children = std::make_shared<std::vector<uint32_t>>();
-             for (std::size_t i = 0; i < n; ++i) {
-                 children->push_back(scene->add_group());
-                 scene->add_child(children->back(), net);
-                 scene->add_child(group, children->back());
-             }
-             return [=](const Context &context) -> std::shared_ptr<void> {
-                 for (const uint32_t child : *children) {
-                     scene->remove_child(group, child, context);
-                 }
-                 return nullptr;
-             };
-         }},
+         emptied([](gusset::Scene &scene, uint32_t group, uint32_t child, const Context &context) { scene.remove_child(group, child, context); })},
         {"scene_remove", "all, first to last", 128, 20000, 2, 1, 0,
-         [](std::size_t n) -> Call {
-             const auto scene = std::make_shared<gusset::Scene>();
-             const uint32_t net = scene->add(net_of(plane_grid(1))), group = scene->add_group();
-             const auto children = std::make_shared<std::vector<uint32_t>>();
-             for (std::size_t i = 0; i < n; ++i) {
-                 children->push_back(scene->add_group());
-                 scene->add_child(children->back(), net);
-                 scene->add_child(group, children->back());
-             }
-             return [=](const Context &context) -> std::shared_ptr<void> {
-                 for (const uint32_t child : *children) {
-                     scene->remove(child, context);
-                 }
-                 return nullptr;
-             };
-         }},
+         emptied([](gusset::Scene &scene, uint32_t, uint32_t child, const Context &context) { scene.remove(child, context); })},
         {"scene_world_transforms", "deep", 128, 100000, 1, 1, 0,
          [](std::size_t n) {
              const auto scene = deep(n);

@@ -10,40 +10,21 @@
 
 namespace {
 using namespace complexity;
-using cancel::between;
-using cancel::Instant;
 using cancel::Milliseconds;
+using cancel::Silence;
 
 constexpr double limit = 100;
-
-/// The longest silence of a call, and the stages round it.
-struct Listener {
-    Instant start = Instant::now(), last = start;
-    Milliseconds silence{0}, longest;
-    std::string stage = "start", silent_after, silent_before;
-
-    explicit Listener(Milliseconds longest_) : longest(longest_) {}
-
-    /// False when the call has run for long enough.
-    bool heard(const char *next) {
-        const Instant now = Instant::now();
-        if (between(last, now) > silence) {
-            silence = between(last, now);
-            silent_after = stage;
-            silent_before = next;
-        }
-        last = now;
-        stage = next;
-        return now.wall - start.wall < longest;
-    }
-};
 
 bool hold(const Row &row, Milliseconds longest, std::size_t size) {
     const Call call = row.prepare(size);
     gusset::Context context;
-    Listener listener(longest);
-    context.set_progress([&listener](double, const char *stage) { return listener.heard(stage); });
-    listener.start = listener.last = Instant::now();
+    Silence silence;
+    context.set_progress([&](double, const char *stage) {
+        silence.heard(stage);
+        // False when the call has run for long enough.
+        return silence.last.wall - silence.start.wall < longest;
+    });
+    silence.begin();
     std::string outcome;
     std::shared_ptr<void> kept;
     try {
@@ -51,11 +32,11 @@ bool hold(const Row &row, Milliseconds longest, std::size_t size) {
     } catch (const gusset::Error &error) {
         outcome = error.status() == GUSSET_ERROR_CANCELLED ? "stopped" : error.what();
     }
-    listener.heard("end");
-    const bool good = listener.silence.count() <= limit;
+    silence.heard("end");
+    const bool good = silence.longest.count() <= limit;
     std::printf("%-32s %-24s %8zu %9.0f %9.1f %s from \"%s\" to \"%s\" %s\n", row.function, row.family, size,
-                (listener.last.wall - listener.start.wall).count(), listener.silence.count(), good ? "    " : "LATE",
-                listener.silent_after.c_str(), listener.silent_before.c_str(), outcome.c_str());
+                (silence.last.wall - silence.start.wall).count(), silence.longest.count(), good ? "    " : "LATE",
+                silence.after.c_str(), silence.before.c_str(), outcome.c_str());
     std::fflush(stdout);
     return good;
 }

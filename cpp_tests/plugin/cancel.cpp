@@ -26,32 +26,19 @@ using cancel::Milliseconds;
 
 constexpr double limit = 100;
 /// Longer runs are not waited for: requests come within that time.
-constexpr Milliseconds longest{20000};
+constexpr Milliseconds patience{20000};
 
 /// A run that stops when it is asked to, and the longest time that it did not ask.
-struct Run {
-    Instant start, last, end;
-    Milliseconds silence{0};
-    std::string stage = "start", silent_after, silent_before;
+struct Run : cancel::Silence {
+    Instant end;
     std::atomic<bool> stop{false};
     int32_t status = 0;
-
-    void heard(const char *next) {
-        const Instant now = Instant::now();
-        if (between(last, now) > silence) {
-            silence = between(last, now);
-            silent_after = stage;
-            silent_before = next;
-        }
-        last = now;
-        stage = next;
-    }
 };
 
 int32_t progress(void *user, double, const char *stage) {
     auto &run = *static_cast<Run *>(user);
     run.heard(stage);
-    return run.stop || run.last.wall - run.start.wall > longest ? 1 : 0;
+    return run.stop || run.last.wall - run.start.wall > patience ? 1 : 0;
 }
 
 /// Sets the flag of a run after a while, unless the run is over by then.
@@ -118,7 +105,7 @@ public:
         host.progress = progress;
         host.threads = threads;
         gusset_outputs *outputs = nullptr;
-        run.start = run.last = Instant::now();
+        run.begin();
         run.status = filter.run(&filter, &host, made.inputs, made.count, values.data(), filter.value_count, &outputs);
         run.end = Instant::now();
         run.heard("end");
@@ -165,7 +152,7 @@ bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t 
     // Runs take their time differently: some requests come too late.
     for (int k = 0; k < 3 * cancels && late.size() < static_cast<std::size_t>(cancels); ++k) {
         Run run;
-        Watcher watcher(run, std::uniform_real_distribution<>(0, 0.95)(random) * std::min(time, longest));
+        Watcher watcher(run, std::uniform_real_distribution<>(0, 0.95)(random) * std::min(time, patience));
         subject.go(run);
         const auto requested = watcher.finish();
         if (requested && requested->wall <= run.end.wall && run.status == GUSSET_PLUGIN_CANCELLED) {
@@ -175,7 +162,7 @@ bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t 
     std::sort(late.begin(), late.end());
     const double median = late.empty() ? 0 : late[late.size() / 2], worst = late.empty() ? 0 : late.back();
     std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  from \"%s\" to \"%s\"\n", filter.id, cut ? ">" : " ", time.count(),
-                median, worst, late.size(), whole.silence.count(), whole.silent_after.c_str(), whole.silent_before.c_str());
+                median, worst, late.size(), whole.longest.count(), whole.after.c_str(), whole.before.c_str());
     std::fflush(stdout);
     return worst <= limit;
 }

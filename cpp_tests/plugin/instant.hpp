@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 
 namespace cancel {
 
@@ -30,6 +31,26 @@ private:
 inline Milliseconds between(const Instant &from, const Instant &to) {
     return std::min(to.wall - from.wall, to.work - from.work);
 }
+
+/// The longest time between two progress calls, and the stages round it.
+struct Silence {
+    Instant start, last;
+    Milliseconds longest{0};
+    std::string stage = "start", after, before;
+
+    void begin() { start = last = Instant::now(); }
+
+    void heard(const char *next) {
+        const Instant now = Instant::now();
+        if (between(last, now) > longest) {
+            longest = between(last, now);
+            after = stage;
+            before = next;
+        }
+        last = now;
+        stage = next;
+    }
+};
 
 } // namespace cancel
 

@@ -13,10 +13,9 @@
 
 extern char **environ;
 
-/* FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo. */
-static uint64_t hashed(uint64_t hash, const void *data, size_t size) {
+uint64_t hashed(uint64_t hash, const void *data, size_t size) {
     const unsigned char *const bytes = data;
-    for (size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001B3u;
+    for (size_t i = 0; data && i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001B3u;
     return hash;
 }
 

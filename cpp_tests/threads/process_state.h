@@ -2,6 +2,7 @@
 #ifndef PROCESS_STATE_H
 #define PROCESS_STATE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 typedef struct process_state {
@@ -12,5 +13,8 @@ process_state process_state_now(void);
 
 /* How many of the things above differ; names them on standard output. */
 int process_state_changed(const process_state *before, const process_state *after);
+
+/* The hash of what was hashed before and of some bytes, if any: FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo. */
+uint64_t hashed(uint64_t hash, const void *data, size_t size);
 
 #endif

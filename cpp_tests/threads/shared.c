@@ -1,25 +1,10 @@
 /* Handles and arrays that threads share, each thread with a context of its own: each answer has the bytes that it has alone. */
+#include "example.h"
 #include "process_state.h"
 
-#include <gusset.h>
-#include <math.h>
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { ROWS = 17, COLUMNS = 25, THREADS = 6, ROUNDS = 3, NODES = 33 * 65 };
-
-static const double pi = 3.14159265358979323846;
-
-#define MUST(call)                                                                                                     \
-    do {                                                                                                               \
-        const gusset_status status_ = (call);                                                                          \
-        if (status_ != GUSSET_OK) {                                                                                    \
-            fprintf(stderr, "%s:%d: %s: %s\n", __FILE__, __LINE__, #call, gusset_status_text(status_));                \
-            exit(1);                                                                                                   \
-        }                                                                                                              \
-    } while (0)
 
 /* What is shared: made once, before the threads, and only read by them. */
 static struct {
@@ -33,13 +18,6 @@ static struct {
     gusset_outline *outline;
     gusset_boundary *boundary;
 } shared;
-
-/* FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo. */
-static uint64_t hashed(uint64_t hash, const void *data, size_t size) {
-    const unsigned char *const bytes = data;
-    for (size_t i = 0; data && i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001B3u;
-    return hash;
-}
 
 static uint64_t of_mesh(const gusset_mesh_view *mesh) {
     const uint64_t hash = hashed(14695981039346656037u, mesh->positions, mesh->vertex_count * 3 * sizeof(double));

@@ -171,7 +171,7 @@ impl<'a> KdTree<'a> {
         if own != MIXED && self.group.get(middle) == Some(&own) {
             return;
         }
-        // Of points that lie in one, the smallest index is looked for among those that have smaller ones.
+        // Of points that lie in one, the smallest index is looked for among those with smaller ones.
         if self.least.get(middle).is_some_and(|&least| least >= best.1) && off.length_squared() >= best.0 {
             return;
         }

@@ -18,7 +18,7 @@ const LEAF_TRIANGLES: usize = 4;
 const CHUNK: usize = 1 << 9;
 const REPORT_INTERVAL: usize = 1 << 15;
 
-/// Leaves that are met between two progress reports: where all triangles lie together, each meets all.
+/// Leaves met between two progress reports: where all triangles lie together, each meets all.
 const LEAVES_PER_REPORT: usize = 1 << 11;
 
 const STAGE: &str = "looking for intersections";

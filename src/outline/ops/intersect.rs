@@ -123,8 +123,9 @@ impl CurveView<'_> {
     }
 
     /// The segments in a frame, those that may meet themselves halved until they do not, at most
-    /// `depth` times. Segments that are points are left out, as the ends of their neighbours are there;
-    /// of a curve that is nothing else the first is kept, unless `depth` asks for self-intersections.
+    /// `depth` times. Segments that are points are left out, as the ends of their neighbours are
+    /// there; of a curve that is nothing else the first is kept, unless `depth` asks for
+    /// self-intersections.
     fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
         for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {

@@ -152,8 +152,8 @@ impl CurveView<'_> {
     }
 }
 
-/// The segments that are not points, as the ends of their neighbours are where those are; of a curve that
-/// is nothing else the first.
+/// The segments that are not points, as the ends of their neighbours are where those are; of a curve
+/// that is nothing else the first.
 fn lasting(curve: &CurveView<'_>) -> Result<Vec<u32>> {
     let all = (0..curve.len() as u32).filter(|&k| !segment::is_point(curve.segment(k as usize)));
     let found = alloc::gather(all)?;

@@ -6,8 +6,9 @@ use crate::sort::sort_distinct;
 use crate::stitch::rim::{Bridges, Rim};
 use crate::stitch::strip::Strip;
 
-/// Edges between vertices of loops, each once from either end: which rims they join is asked for the rims
-/// of a strip, as an edge between two vertices of many loops joins each of the one with each of the other.
+/// Edges between vertices of loops, each once from either end: which rims they join is asked for the
+/// rims of a strip, as an edge between two vertices of many loops joins each of the one with each of
+/// the other.
 pub(super) struct Edges {
     /// In ascending order.
     pub(super) of: Vec<(u32, u32)>,
