@@ -83,6 +83,39 @@ fn add_pairs_of_many(
     Ok(())
 }
 
+/// Offsets of ends that run along the curve as much as this, by the cosine.
+const ALONG: f64 = 0.9;
+
+/// When ends of arcs may be one point of a curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OnePoint {
+    /// Arcs up to this may be lost between the ends.
+    pub(super) tolerance: f64,
+    /// How exactly ends are known across the curve: the surfaces' own tolerance, if the one that is
+    /// asked for is greater. Of ends that are farther apart one is farther along the curve than the
+    /// other, or they are of curves beside each other.
+    pub(super) resolution: f64,
+}
+
+impl OnePoint {
+    /// The greatest distance.
+    pub(super) fn reach(&self) -> f64 {
+        2.0 * self.tolerance
+    }
+
+    /// Whether ends so far apart are of one curve of this direction, which is zero if not known.
+    pub(super) fn are_along(&self, offset: DVec3, direction: DVec3) -> bool {
+        let length = offset.length();
+        length <= 2.0 * self.resolution || direction == DVec3::ZERO || offset.dot(direction).abs() >= ALONG * length
+    }
+
+    /// The same for the end of an arc and the start of the next one.
+    pub(super) fn follow(&self, offset: DVec3, [last, next]: [DVec3; 2]) -> bool {
+        let turns = offset.length() > 2.0 * self.resolution && last.dot(next) < 0.0;
+        self.are_along(offset, last) && self.are_along(offset, next) && !turns
+    }
+}
+
 /// Chains of arcs.
 #[derive(Debug, Default)]
 pub(super) struct Chained {
@@ -98,20 +131,22 @@ pub(super) fn chains(
     pieces: &FoundArcs,
     critical: &CriticalPoints,
     surroundings: &impl Surroundings,
-    tolerance: f64,
+    one: OnePoint,
     job: &Job<'_>,
 ) -> Result<Chained> {
     let arcs = &pieces.arcs;
     // Starts and ends, in turn.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&ends, 2.0 * tolerance, job)?;
-    let mut dropped = repeated(arcs, &near, false, tolerance)?;
+    let near = near_pairs(&ends, one.reach(), job)?;
+    let mut dropped = repeated(arcs, &near, false, one)?;
     let mut links = Links::new(arcs.len())?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
         let usable = end % 2 == 1 && start % 2 == 0 && (end / 2 != start / 2 || arcs[end as usize / 2].is_closed);
-        if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] {
+        let offset = ends[start as usize] - ends[end as usize];
+        let ways = [end, start].map(|k| arcs[k as usize / 2].directions[k as usize % 2]);
+        if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] && one.follow(offset, ways) {
             alloc::push(&mut joints, (distance, end / 2, start / 2))?;
         }
     }
@@ -122,7 +157,7 @@ pub(super) fn chains(
     if pieces.balls.is_empty() {
         return Ok(Chained { chains, ..Chained::default() });
     }
-    let bridges = Bridges { pieces, surroundings, tolerance };
+    let bridges = Bridges { pieces, surroundings, tolerance: one.tolerance };
     bridges.drop_scraps(&chains, &mut dropped)?;
     bridges.drop_repeated(&chains, &mut dropped)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
@@ -138,13 +173,18 @@ pub(super) fn chains(
 /// of starts and ends that are near each other. Sheets may be turned against each other, so that
 /// such arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as
 /// neither of the surfaces is the first.
-pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, tolerance: f64) -> Result<Vec<bool>> {
+pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, same: OnePoint) -> Result<Vec<bool>> {
+    let tolerance = same.tolerance;
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
         // Most are arcs that follow each other.
-        if one.ends[1 - e].distance(other.ends[1 - f]) > 2.0 * tolerance {
+        let offsets = [other.ends[f] - one.ends[e], other.ends[1 - f] - one.ends[1 - e]];
+        if offsets[1].length() > same.reach()
+            || !same.are_along(offsets[0], one.directions[e])
+            || !same.are_along(offsets[1], one.directions[1 - e])
+        {
             continue;
         }
         let way = if e == f { 1.0 } else { -1.0 };

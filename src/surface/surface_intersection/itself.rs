@@ -73,6 +73,7 @@ impl Surface<'_> {
                 origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
             },
             tolerance,
+            resolution: tolerance.min(self.tolerance()),
             chord: chord.max(tolerance),
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
@@ -166,7 +167,7 @@ impl Intersection<'_> {
             let places = self.places.places(arc.pair, pieces.points[at as usize]);
             Ok(places.map(|place| self.places.surfaces[0].normal(place)))
         }))?;
-        let trails = Trails { arcs: &pieces.arcs, normals: &normals, tolerance: self.tolerance };
+        let trails = Trails { arcs: &pieces.arcs, normals: &normals, one: self.one_point() };
         let mut trails = trails.run(&job.part(0.5, 1.0))?;
         trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
         Ok(trails)

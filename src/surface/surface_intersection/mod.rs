@@ -49,7 +49,7 @@ use super::cells::Cells;
 use super::path::{Contact, ContactKind};
 use super::{Paths, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
-use chain::{Chained, chains};
+use chain::{Chained, OnePoint, chains};
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
 use glam::{DVec3, DVec4};
@@ -126,6 +126,7 @@ impl Surface<'_> {
         let intersection = Intersection {
             places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
+            resolution: tolerance.min(self.tolerance().min(other.tolerance())),
             chord: chord.max(tolerance),
         };
         let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
@@ -139,7 +140,7 @@ impl Surface<'_> {
             tolerance: intersection.tolerance,
         };
         let critical = search.run(&job.part(0.9, 0.92))?;
-        let chained = chains(&pieces, &critical, &intersection, intersection.tolerance, &job.part(0.92, 0.92))?;
+        let chained = chains(&pieces, &critical, &intersection, intersection.one_point(), &job.part(0.92, 0.92))?;
         let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
             let is_explained = chained.passed[k]
@@ -167,6 +168,8 @@ impl Surface<'_> {
 struct Intersection<'a> {
     places: PairPlaces<'a>,
     tolerance: f64,
+    /// How exactly ends of arcs are known across them.
+    resolution: f64,
     chord: f64,
 }
 
@@ -292,8 +295,12 @@ impl Intersection<'_> {
     /// The arcs, those along sides that others share cut where these end; `None` if they are as
     /// they were.
     fn cut_overlaps(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
-        let (tolerance, chord) = (self.tolerance, self.chord);
-        Overlaps { pieces, places: &self.places, tolerance, chord }.cut(job)
+        let (resolution, chord) = (self.resolution, self.chord);
+        Overlaps { pieces, places: &self.places, resolution, chord }.cut(job)
+    }
+
+    fn one_point(&self) -> OnePoint {
+        OnePoint { tolerance: self.tolerance, resolution: self.resolution }
     }
 
     fn contact(&self, point: &CriticalPoint) -> Contact {

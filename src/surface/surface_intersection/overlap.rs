@@ -29,7 +29,8 @@ struct Cut {
 pub(super) struct Overlaps<'a> {
     pub(super) pieces: &'a FoundArcs,
     pub(super) places: &'a PairPlaces<'a>,
-    pub(super) tolerance: f64,
+    /// How exactly ends are known.
+    pub(super) resolution: f64,
     pub(super) chord: f64,
 }
 
@@ -55,7 +56,7 @@ impl Overlaps<'_> {
     /// Adds the cuts of one arc: at ends of others on it that are not its own.
     fn add_cuts(&self, k: u32, arc: &Arc, ends: &[DVec3], tree: &KdTree<'_>, cuts: &mut Vec<Cut>) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
-        let within = 2.0 * self.tolerance;
+        let within = 2.0 * self.resolution;
         let mut from = self.places.point(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
             let to = self.places.point(arc.pair, pair[1]);
@@ -71,7 +72,7 @@ impl Overlaps<'_> {
                 if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * chord {
                     return;
                 }
-                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end, self.tolerance);
+                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end, self.resolution);
                 if let Some(at) = at.filter(|at| at.point.distance(end) <= within) {
                     result = alloc::push(cuts, Cut { arc: k, behind: n as u32, way, at });
                 }
@@ -98,7 +99,7 @@ impl Overlaps<'_> {
             for cut in own {
                 // Ends of several others are nearly one point.
                 let before = last.map_or(arc.ends[0], |cut: &Cut| cut.at.point);
-                if before.distance(cut.at.point) > 2.0 * self.tolerance {
+                if before.distance(cut.at.point) > 2.0 * self.resolution {
                     self.add_part(arc, [last, Some(cut)], &mut made)?;
                     last = Some(cut);
                 }
