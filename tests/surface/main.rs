@@ -37,6 +37,7 @@ mod self_intersection_sampled;
 mod shapes;
 mod surface_intersection;
 mod surface_intersection_along;
+mod surface_intersection_beside;
 mod surface_intersection_contact;
 mod surface_intersection_degenerate;
 mod surface_tangency;

@@ -28,9 +28,6 @@ const POINTS_PER_BATCH: usize = 1 << 12;
 
 const BATCHES_PER_REPORT: usize = 32;
 
-/// Control points of outlines below this size cannot overflow.
-const MAX_SAFE_SIZE: f64 = 1e200;
-
 /// Finds the curves through the points of outlines.
 ///
 /// Each outline is brought near the origin and to a size near 1; neighbours that repeat each other
@@ -300,10 +297,11 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Withdraws a curve whose control points overflow, though its points do not.
+    /// Withdraws a curve whose control points overflow, though its points do not: near 1e308, and from
+    /// 1e150 on where parameters are as near to each other as that.
     fn check_range(&mut self, span: &Range<usize>, base: usize, first: usize, report: &mut Report) -> Result<()> {
         let done = &mut self.done;
-        if report.size < MAX_SAFE_SIZE || done.points[base..].iter().all(|p| p.is_finite()) {
+        if done.points[base..].iter().all(|p| p.is_finite()) {
             return Ok(());
         }
         done.points.truncate(base);

@@ -78,9 +78,9 @@ pub struct Options {
     /// diagonal of the smaller surface's box; infinity: points are only where it crosses sides of
     /// cells of either surface.
     pub chord: Option<f64>,
-    /// Branches shorter than this may be lost, those beside each other at less than four times this
-    /// may be taken for one, and surfaces nearer than this to each other all over are reported as
-    /// touching; `None`: the smaller one of the tolerances of the two surfaces.
+    /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over
+    /// are reported as touching; branches beside each other are told apart by the surfaces' own
+    /// tolerances. `None`: the smaller one of these.
     pub tolerance: Option<f64>,
 }
 
