@@ -6410,10 +6410,10 @@ typedef struct gusset_intersection_options {
      */
     double chord;
     /**
-     * A length, finite: branches that are shorter may be lost, those that run beside each other at
-     * less than four times that may be taken for one, and found in parts, and surfaces that are
-     * apart, or overlap, by no more than that touch; 0: the smaller one of the tolerances of the two
-     * surfaces. One that is as large as what is looked for loses it.
+     * A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
+     * overlap, by no more than that all over touch; branches beside each other are told apart by the
+     * surfaces' own tolerances all the same. 0: the smaller one of the tolerances of the two
+     * surfaces.
      */
     double tolerance;
 } gusset_intersection_options;
@@ -12520,8 +12520,8 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  * Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
  * control points are the same but for rounding, in either order, and cells round a pole are
  * joined: what they have in common so is no intersection, and that they have nothing else is
- * proved, or they are divided. Every branch longer than the tolerance, and farther than four times
- * that from others, is found, but for cells that are listed as unresolved: where tangents are
+ * proved, or they are divided. Every branch longer than the tolerance is found, but for cells that
+ * are listed as unresolved: where tangents are
  * dependent, as where a curve ends in a pinch (Whitney's umbrella), at creases and singular poles,
  * and where pieces touch or coincide. A curve that ends in a pinch ends within the tolerance of
  * it; the unresolved place is where its pieces are as near to each other as that. No contacts are
