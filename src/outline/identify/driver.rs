@@ -297,8 +297,8 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    /// Withdraws a curve whose control points overflow, though its points do not: near 1e308, and from
-    /// 1e150 on where parameters are as near to each other as that.
+    /// Withdraws a curve whose control points overflow, though its points do not: at any size, as
+    /// they may be as much larger than the outline as its points are near each other.
     fn check_range(&mut self, span: &Range<usize>, base: usize, first: usize, report: &mut Report) -> Result<()> {
         let done = &mut self.done;
         if done.points[base..].iter().all(|p| p.is_finite()) {
