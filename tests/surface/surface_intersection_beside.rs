@@ -64,7 +64,7 @@ fn lines_of_corrugations() {
             [0.6, 1.0, 1.5, 2.0, 2.3, 3.2, 4.0].iter().flat_map(|&width| [(width, 4.0), (width, 10.0)])
         {
             let rows = 2 * WAVES * STEPS + 1;
-            let nodes = (0..rows).flat_map(|i| (0..8).map(move |j| (i as f64 / STEPS as f64, 0.05 * j as f64)));
+            let nodes = (0..rows).flat_map(|i| (0..8).map(move |j| (i as f64 / STEPS as f64, 0.05 * f64::from(j))));
             let wave = |(x, y): (f64, f64)| {
                 [x * width * tolerance, y, height * tolerance * (std::f64::consts::PI * x + 0.5).sin()]
             };
