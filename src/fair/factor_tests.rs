@@ -310,7 +310,7 @@ impl Progress for Patience {
 
 #[test]
 fn the_host_is_asked_as_work_goes_on() {
-    let n = if cfg!(debug_assertions) { 90 } else { 120 };
+    let n = if cfg!(debug_assertions) { 72 } else { 120 };
     let mut columns = vec![BTreeMap::<usize, f64>::new(); n * n];
     grid_terms(n, n).into_iter().for_each(|(i, j, value)| *columns[j].entry(i).or_default() += value);
     let mut a = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };

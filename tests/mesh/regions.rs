@@ -1,7 +1,7 @@
 //! Regions of genus 0 with two to six loops cut out of real closed meshes, and closed again by one
 //! patch. Skipped where the data are not.
 
-use crate::common::{Soup, edge_counts, euler, faces_of, is_exhaustive};
+use crate::common::{Soup, edge_counts, euler, faces_of, is_exhaustive, some_of};
 use glam::DVec3;
 use gusset::Job;
 use gusset::fill::{Fairing, Filled, Options, Refinement, Selection, Together, fill_holes};
@@ -221,7 +221,7 @@ fn regions_of_several_loops_are_closed_as_they_were() {
     for (name, soup) in closed_meshes() {
         let characteristic = euler(soup.faces());
         let mut off = [Vec::new(), Vec::new()];
-        for region in cut_out(&soup) {
+        for region in some_of(2, cut_out(&soup).into_iter()) {
             for (options, off) in [plain, fair].iter().zip(&mut off) {
                 let filled = fill(&region, options);
                 assert_eq!(filled.holes.len(), region.loops);

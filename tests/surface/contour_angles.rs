@@ -1,6 +1,7 @@
 //! Isophotes of many angles at once: each is what it is alone, whatever others are asked for with
 //! it.
 
+use crate::common::some_of;
 use crate::shapes::{Random, SHAPES, grid, rough};
 use glam::DVec3;
 use gusset::Job;
@@ -33,7 +34,7 @@ fn check(surface: &Surface<'_>, axis: DVec3, name: &str) -> usize {
 #[test]
 fn each_angle_is_as_it_is_alone() {
     let mut random = Random(5);
-    for shape in &SHAPES {
+    for shape in some_of(2, SHAPES.iter()) {
         let surface = Surface::new(vec![Sheet::Grid(grid(shape))], None, &Job::default()).unwrap();
         assert!(check(&surface, random.point(1.0), shape.name) > 100);
     }

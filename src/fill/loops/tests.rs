@@ -208,7 +208,7 @@ fn loops_side_by_side_are_zipped_whatever_their_thinned_ones_say() {
 fn loops_of_any_number_and_length_are_closed() {
     let mut random = fastrand::Rng::with_seed(13);
     for (k, n, noise) in
-        [(2, 40, 0.1), (3, 5, 0.5), (3, 40, 0.01), (4, 4, 0.5), (5, 9, 0.1), (6, 12, 0.01), (9, 4, 0.2)]
+        [(2, 40, 0.1), (3, 5, 0.5), (3, 26, 0.01), (4, 4, 0.5), (5, 9, 0.1), (6, 12, 0.01), (7, 4, 0.2)]
     {
         let lengths: Vec<_> = (0..k).map(|_| random.usize(n / 2 + 2..=n + 1)).collect();
         let loops = rough(&lengths, noise, &mut random);
@@ -222,7 +222,7 @@ fn loops_of_any_number_and_length_are_closed() {
 #[test]
 fn taken_chords_are_kept_out() {
     let mut random = fastrand::Rng::with_seed(14);
-    for lengths in [vec![9, 30], vec![12, 7, 8], vec![100, 60], vec![3, 4, 5, 4]] {
+    for lengths in [vec![9, 30], vec![12, 7, 8], vec![60, 40], vec![3, 4, 5, 4]] {
         let loops = rough(&lengths, 0.01, &mut random);
         let mut taken = Vec::new();
         for _ in 0..2 {
@@ -330,7 +330,7 @@ fn costs_tell_whether_loops_belong_together() {
 #[test]
 fn polygons_cost_what_their_surfaces_do() {
     let mut random = fastrand::Rng::with_seed(15);
-    for lengths in [vec![5, 6], vec![70, 61], vec![4, 5, 4], vec![30, 24, 20], vec![6, 4, 5, 7]] {
+    for lengths in [vec![5, 6], vec![40, 35], vec![4, 5, 4], vec![15, 12, 20], vec![6, 4, 5, 7]] {
         let loops = rough(&lengths, 0.1, &mut random);
         let (coarse, kept) = thinned(&loops).unwrap().unwrap();
         let [rims, coarse_rims] = [&loops, &coarse].map(|loops| Rims::new(loops).unwrap());
@@ -373,7 +373,7 @@ fn polygons_cost_what_their_surfaces_do() {
 #[test]
 fn a_long_thin_tunnel_is_found() {
     // The rims of two caps cut off a ball, opposite each other, and a tunnel through it.
-    for n in [8, 20, 40].into_iter().take(if cfg!(debug_assertions) { 2 } else { 3 }) {
+    for n in [8, 20, 40].into_iter().take(if cfg!(debug_assertions) { 1 } else { 3 }) {
         let rim = |sign: f64| {
             let mut polygon = circle(n, 0.34, DVec3::Z * 0.94 * sign, DVec3::Z * sign);
             polygon.normals = polygon.points.iter().map(|p| p.normalize()).collect();

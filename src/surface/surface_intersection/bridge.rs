@@ -20,9 +20,9 @@ const MIN_CHAIN_ARCS: usize = 8;
 const MAX_ENDS: usize = 64;
 /// Ends within this many tolerances may be one point.
 const POINT_TOLERANCES: f64 = 8.0;
-/// Open chains that are shorter than so many tolerances, and as near to a longer one as that many,
+/// Open chains that are shorter than so many resolutions, and as near to a longer one as that many,
 /// are parts of it that were found once more.
-const REPEATED_TOLERANCES: [f64; 2] = [4.0, 2.0];
+const REPEATED_RESOLUTIONS: [f64; 2] = [4.0, 2.0];
 
 /// The surfaces that are intersected.
 pub(super) trait Surroundings {
@@ -57,6 +57,8 @@ pub(super) struct Bridges<'a, S> {
     pub(super) pieces: &'a FoundArcs,
     pub(super) surroundings: &'a S,
     pub(super) tolerance: f64,
+    /// [`OnePoint::resolution`](super::chain::OnePoint::resolution)
+    pub(super) resolution: f64,
 }
 
 /// The tree of some points.
@@ -118,12 +120,12 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
-    /// Leaves out open chains of a few tolerances all of whose ends are on a longer one: beside poles
+    /// Leaves out open chains of a few resolutions all of whose ends are on a longer one: beside poles
     /// lines of parameters are so near together that curves are found from both sides of them, in
     /// arcs too short to be told from those that follow each other.
     pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<()> {
         let arcs = &self.pieces.arcs;
-        let [longest, near] = REPEATED_TOLERANCES.map(|count| count * self.tolerance);
+        let [longest, near] = REPEATED_RESOLUTIONS.map(|count| count * self.resolution);
         let length = |chain: &Chain| -> f64 {
             let all = chain.arcs.iter().map(|&arc| arcs[arc as usize].ends);
             all.map(|[first, last]| first.distance(last)).sum()

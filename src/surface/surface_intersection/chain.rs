@@ -157,7 +157,7 @@ pub(super) fn chains(
     if pieces.balls.is_empty() {
         return Ok(Chained { chains, ..Chained::default() });
     }
-    let bridges = Bridges { pieces, surroundings, tolerance: one.tolerance };
+    let bridges = Bridges { pieces, surroundings, tolerance: one.tolerance, resolution: one.resolution };
     bridges.drop_scraps(&chains, &mut dropped)?;
     bridges.drop_repeated(&chains, &mut dropped)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;

@@ -93,7 +93,7 @@ fn check(name: &str, case: &Case, fair: bool, limit: f64) {
 fn an_edge_of_a_cube_goes_on() {
     let cases =
         [8, 13, 24].into_iter().flat_map(|n| turns().into_iter().zip([0.2, 0.3, 0.33]).map(move |case| (n, case)));
-    for (n, (turn, radius)) in some_of(2, cases) {
+    for (n, (turn, radius)) in some_of(4, cases) {
         let case = block(n, DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.0), radius).turned(turn);
         for fair in [false, true] {
             check(&format!("edge {n} {radius}"), &case, fair, 1e-6);
@@ -105,7 +105,7 @@ fn an_edge_of_a_cube_goes_on() {
 fn a_corner_of_a_cube_goes_on() {
     let cases =
         [8, 13, 24].into_iter().flat_map(|n| turns().into_iter().zip([0.3, 0.4, 0.5]).map(move |case| (n, case)));
-    for (n, (turn, radius)) in some_of(4, cases) {
+    for (n, (turn, radius)) in some_of(5, cases) {
         let case = block(n, DMat3::IDENTITY, DVec3::ZERO, radius).turned(turn);
         check(&format!("corner {n} {radius}"), &case, true, 1e-6);
     }
@@ -113,7 +113,7 @@ fn a_corner_of_a_cube_goes_on() {
 
 #[test]
 fn acute_and_blunt_edges_go_on() {
-    for (n, angle) in [(12, 0.4f64), (16, 0.8), (20, 2.0), (16, 2.4)] {
+    for (n, angle) in some_of(2, [(12, 0.4f64), (16, 0.8), (16, 2.4), (20, 2.0)].into_iter()) {
         // Angles between two sides, at the z axis.
         let map = DMat3::from_cols(DVec3::X, DVec3::from((angle.cos(), angle.sin(), 0.0)), DVec3::Z);
         let case = block(n, map, DVec3::new(0.0, 0.0, 0.5), 0.25).turned(turns()[1]);
@@ -133,7 +133,7 @@ fn the_rim_of_a_cylinder_goes_on() {
 /// The edge is rounded, and only where nothing is refined is it there by chance.
 #[test]
 fn creases_that_are_ignored_end_at_the_rim() {
-    for turn in turns() {
+    for turn in some_of(2, turns().into_iter()) {
         let case = block(16, DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.0), 0.33).turned(turn);
         let (_, kept) = case.filled(&options(true));
         let (filled, ignored) = case.filled(&Options { ignore_creases: true, ..options(true) });
