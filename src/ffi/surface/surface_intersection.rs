@@ -19,7 +19,8 @@ pub struct gusset_intersection_options {
     /// A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
     /// overlap, by no more than that all over touch; branches beside each other are told apart by the
     /// surfaces' own tolerances all the same. 0: the smaller one of the tolerances of the two
-    /// surfaces.
+    /// surfaces. One above about 0.1 % of the sides of the cells may lose parts of longer branches
+    /// too, and leave closed ones open, and nothing says so.
     pub tolerance: f64,
 }
 
@@ -73,8 +74,7 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 /// Points and normals are those of a; the points of b at `others` are the same but for rounding,
 /// and at crossings to the tolerance. Every branch longer than the tolerance, and farther than four
 /// times that from others, is found, relative to the surfaces as declared.
-/// A tolerance of your own must be far below the sides of the cells, to 0.1 % of them: from there
-/// on parts of branches may be left out, closed ones come open, and nothing says so.
+/// (With a tolerance of one's own see gusset_intersection_options.)
 ///
 /// A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
 /// be alone: near it both are graphs over a plane, and the second derivatives of their difference
@@ -132,8 +132,7 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
 /// that ends in a pinch ends within the tolerance of it; the unresolved place is where its pieces
 /// are as near to each other as that. No contacts are looked for. What borders of different sheets
 /// have in common is an intersection.
-/// A tolerance of your own must be far below the sides of the cells, to 0.1 % of them: from there
-/// on parts of branches may be left out, closed ones come open, and nothing says so.
+/// (With a tolerance of one's own see gusset_intersection_options.)
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.

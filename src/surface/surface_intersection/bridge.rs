@@ -120,9 +120,9 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
-    /// Leaves out open chains of a few resolutions all of whose ends are on a longer one: beside poles
-    /// lines of parameters are so near together that curves are found from both sides of them, in
-    /// arcs too short to be told from those that follow each other.
+    /// Leaves out open chains of a few resolutions all of whose ends are on a longer one: beside
+    /// poles lines of parameters are so near together that curves are found from both sides of them,
+    /// in arcs too short to be told from those that follow each other.
     pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<()> {
         let arcs = &self.pieces.arcs;
         let [longest, near] = REPEATED_RESOLUTIONS.map(|count| count * self.resolution);

@@ -80,7 +80,8 @@ pub struct Options {
     pub chord: Option<f64>,
     /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over
     /// are reported as touching; branches beside each other are told apart by the surfaces' own
-    /// tolerances. `None`: the smaller one of these.
+    /// tolerances. One above about 0.1 % of the sides of the cells may lose parts of longer branches
+    /// too, and leave closed ones open, and nothing says so. `None`: the smaller one of these.
     pub tolerance: Option<f64>,
 }
 
