@@ -22,7 +22,7 @@ const ROUNDINGS: f64 = 64.0;
 const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
 /// A parameter's slope, in widths of its bounds, from which smaller boxes prove that it has a sign.
 const MIN_SLOPE_SHARE: f64 = 1.0 / 64.0;
-/// Runs of a curve beyond a side, in tolerances, that may be lost, or be found twice.
+/// Runs of a curve beyond a side, in resolutions, that may be lost, or be found twice.
 const MAX_RUN_BEYOND: f64 = 0.25;
 
 /// A line that is in the box for less of the free parameter tells little of the curve.
@@ -49,7 +49,7 @@ struct LocalCurve {
 /// It cannot be told.
 struct Unclear;
 
-/// The part of a graph within a box: nothing longer than the tolerance, or one arc between two
+/// The part of a graph within a box: nothing longer than the resolution, or one arc between two
 /// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if
 /// that is known.
 pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;
@@ -61,26 +61,26 @@ pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
     low: DVec4,
     high: DVec4,
     margin: DVec4,
-    tolerance: f64,
+    resolution: f64,
     rounding_error: f64,
     /// A length: where curves are as near to a side, points of them tell whether they run along it.
     close: f64,
 }
 
 impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
-    /// `rounding_error`: lengths up to that may be rounding.
+    /// `resolution`: shorter arcs may be lost; `rounding_error`: lengths up to that may be rounding.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &ParameterBox<N, M>,
         chart: &'a Chart,
-        tolerance: f64,
+        resolution: f64,
         rounding_error: f64,
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
         // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along
         // a side is nearer than 16 times the noise.
-        let close = (1e-3 * tolerance).max(512.0 * rounding_error);
-        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, tolerance, rounding_error, close }
+        let close = (1e-3 * resolution).max(512.0 * rounding_error);
+        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, resolution, rounding_error, close }
     }
 
     /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the
@@ -168,7 +168,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 return Err(Unclear);
             };
             let speed = frame.direction().length() / frame.tangent()[free].abs();
-            if (to - from) * speed <= MAX_RUN_BEYOND * self.tolerance {
+            if (to - from) * speed <= MAX_RUN_BEYOND * self.resolution {
                 return Ok(None);
             }
             let step = way * 0.5 * (from + to);
@@ -307,7 +307,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     /// Classifies a curve next to a side across parameter k: if it runs along it, to rounding, it
     /// is of the boxes on both sides; if it touches it, of the box that it comes from. One that
     /// crosses it is cut there by smaller boxes: beside poles, where lines of parameters are near
-    /// together, it may be that near to the side for several tolerances.
+    /// together, it may be that near to the side for several resolutions.
     fn beside(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Stay {
         let close = self.close(frame, k);
         let [min, max] = range(samples.map(|x| x[k]));
@@ -354,7 +354,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             let share = if least >= 0.0 { 1.0 } else { most / (most - least) };
             share * self.equation.point(pair[0]).distance(self.equation.point(pair[1]))
         };
-        samples.windows(2).map(run).sum::<f64>() > MAX_RUN_BEYOND * self.tolerance
+        samples.windows(2).map(run).sum::<f64>() > MAX_RUN_BEYOND * self.resolution
     }
 
     /// Both ends and three points between them.

@@ -18,8 +18,8 @@ use glam::DVec4;
 const MIN_CHAIN_ARCS: usize = 8;
 /// Ends of chains in a ball: with more of them it is ambiguous which belong together.
 const MAX_ENDS: usize = 64;
-/// Ends within this many tolerances may be one point.
-const POINT_TOLERANCES: f64 = 8.0;
+/// Ends within this many resolutions may be one point.
+const POINT_RESOLUTIONS: f64 = 8.0;
 /// Open chains that are shorter than so many resolutions, and as near to a longer one as that many,
 /// are parts of it that were found once more.
 const REPEATED_RESOLUTIONS: [f64; 2] = [4.0, 2.0];
@@ -57,7 +57,7 @@ pub(super) struct Bridges<'a, S> {
     pub(super) pieces: &'a FoundArcs,
     pub(super) surroundings: &'a S,
     pub(super) tolerance: f64,
-    /// [`OnePoint::resolution`](super::chain::OnePoint::resolution)
+    /// How exactly ends are known.
     pub(super) resolution: f64,
 }
 
@@ -72,9 +72,9 @@ fn radius(length: f64) -> Radius {
 
 impl<S: Surroundings> Bridges<'_, S> {
     /// The radius within which a ball may have ended a chain: arcs beside it that are shorter than the
-    /// tolerance are lost.
+    /// resolution are lost.
     fn end_radius(&self, ball: &UnresolvedBall) -> f64 {
-        ball.radius + 4.0 * self.tolerance
+        ball.radius + 4.0 * self.resolution
     }
 
     /// The balls and the points of arcs in them, of the same sheets. `points`: those, and the
@@ -156,7 +156,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         let firsts = alloc::collect(chains.iter().map(|chain| self.pieces.arcs[chain.arcs[0] as usize].ends[0]))?;
         let tree = tree(&firsts)?;
         for point in points.iter().filter(|point| !point.is_saddle || point.gap.abs() <= self.tolerance) {
-            let limit = point.radius + POINT_TOLERANCES * self.tolerance;
+            let limit = point.radius + POINT_RESOLUTIONS * self.resolution;
             tree.for_each_within(point.point, radius(limit), &mut |_, n| {
                 let arcs = || chains[n as usize].arcs.iter().map(|&arc| &self.pieces.arcs[arc as usize]);
                 let within = |end: DVec3| end.distance(point.point) <= limit;
@@ -188,7 +188,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         for (k, point) in points.iter().enumerate().filter(|(_, point)| point.is_saddle) {
             let mut near = [[0; 2]; 2];
             let mut counts = [0; 2];
-            let limit = point.radius + POINT_TOLERANCES * self.tolerance;
+            let limit = point.radius + POINT_RESOLUTIONS * self.resolution;
             tree.for_each_within(point.point, radius(limit), &mut |_, n| {
                 let of = n as usize % 2;
                 if counts[of] < 2 {
@@ -237,13 +237,13 @@ impl<S: Surroundings> Bridges<'_, S> {
         for [end, start] in self.pairs(&ends, is_used)? {
             let (from, to) = (ends[end as usize], ends[start as usize]);
             let chord = to.point - from.point;
-            let is_point = chord.length() <= POINT_TOLERANCES * self.tolerance;
+            let is_point = chord.length() <= POINT_RESOLUTIONS * self.resolution;
             if (from.at_border || to.at_border) && !is_point {
                 continue;
             }
             // The chord of ends that are nearly one point says little.
             let along = from.direction + to.direction;
-            let straightness = (chord + 4.0 * self.tolerance * along).normalize_or_zero().dot(along);
+            let straightness = (chord + 4.0 * self.resolution * along).normalize_or_zero().dot(along);
             if straightness >= 0.0 {
                 alloc::push(&mut bridges, (-straightness, end, start, is_point))?;
             }
@@ -297,11 +297,11 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(pairs)
     }
 
-    /// For each ball whether it is hardly larger than the tolerance and a chain passes it, as at
+    /// For each ball whether it is hardly larger than the resolution and a chain passes it, as at
     /// poles: there is nothing more to it.
     pub(super) fn passed(&self, links: &Links) -> Result<Vec<bool>> {
         let followed = self.pieces.arcs.iter().zip(&links.after).filter(|(_, after)| **after != NONE);
-        let limit = POINT_TOLERANCES * self.tolerance;
+        let limit = POINT_RESOLUTIONS * self.resolution;
         let is_small = |ball: &UnresolvedBall| ball.radius <= limit;
         let any_small = self.pieces.balls.iter().any(is_small);
         let joints = alloc::gather(followed.filter(|_| any_small).map(|(arc, _)| arc.ends[1]))?;

@@ -83,70 +83,39 @@ fn add_pairs_of_many(
     Ok(())
 }
 
-/// Offsets of ends that run along the curve as much as this, by the cosine.
-const ALONG: f64 = 0.9;
-
-/// When ends of arcs may be one point of a curve.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct OnePoint {
-    /// Arcs up to this may be lost between the ends.
-    pub(super) tolerance: f64,
-    /// How exactly ends are known across the curve: the surfaces' own tolerance, if the one that is
-    /// asked for is greater. Of ends that are farther apart one is farther along the curve than the
-    /// other, or they are of curves beside each other.
-    pub(super) resolution: f64,
-}
-
-impl OnePoint {
-    /// The greatest distance.
-    pub(super) fn reach(&self) -> f64 {
-        2.0 * self.tolerance
-    }
-
-    /// Whether ends so far apart are of one curve of this direction, which is zero if not known.
-    pub(super) fn are_along(&self, offset: DVec3, direction: DVec3) -> bool {
-        let length = offset.length();
-        length <= 2.0 * self.resolution || direction == DVec3::ZERO || offset.dot(direction).abs() >= ALONG * length
-    }
-
-    /// The same for the end of an arc and the start of the next one.
-    pub(super) fn follow(&self, offset: DVec3, [last, next]: [DVec3; 2]) -> bool {
-        let turns = offset.length() > 2.0 * self.resolution && last.dot(next) < 0.0;
-        self.are_along(offset, last) && self.are_along(offset, next) && !turns
-    }
-}
+/// Ends within so many resolutions may be one point.
+pub(super) const REACH: f64 = 2.0;
 
 /// Chains of arcs.
 #[derive(Debug, Default)]
 pub(super) struct Chained {
-    /// Arcs each of which goes on where the one before ends, to the tolerance.
+    /// Arcs each of which goes on where the one before ends, to the resolution.
     pub(super) chains: Vec<Chain>,
     pub(super) crossings: JoinedCrossings,
     /// By unresolved ball, whether a joint explains it.
     pub(super) passed: Vec<bool>,
 }
 
-/// Chains the arcs. `critical`: where the surfaces touch, or nearly do.
+/// Chains the arcs. `critical`: where the surfaces touch, or nearly do, to `tolerance`;
+/// `resolution`: how exactly ends are known, and how long arcs may be that are lost between them.
 pub(super) fn chains(
     pieces: &FoundArcs,
     critical: &CriticalPoints,
     surroundings: &impl Surroundings,
-    one: OnePoint,
+    [tolerance, resolution]: [f64; 2],
     job: &Job<'_>,
 ) -> Result<Chained> {
     let arcs = &pieces.arcs;
     // Starts and ends, in turn.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&ends, one.reach(), job)?;
-    let mut dropped = repeated(arcs, &near, false, one)?;
+    let near = near_pairs(&ends, REACH * resolution, job)?;
+    let mut dropped = repeated(arcs, &near, false, resolution)?;
     let mut links = Links::new(arcs.len())?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
         let usable = end % 2 == 1 && start % 2 == 0 && (end / 2 != start / 2 || arcs[end as usize / 2].is_closed);
-        let offset = ends[start as usize] - ends[end as usize];
-        let ways = [end, start].map(|k| arcs[k as usize / 2].directions[k as usize % 2]);
-        if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] && one.follow(offset, ways) {
+        if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] {
             alloc::push(&mut joints, (distance, end / 2, start / 2))?;
         }
     }
@@ -157,7 +126,7 @@ pub(super) fn chains(
     if pieces.balls.is_empty() {
         return Ok(Chained { chains, ..Chained::default() });
     }
-    let bridges = Bridges { pieces, surroundings, tolerance: one.tolerance, resolution: one.resolution };
+    let bridges = Bridges { pieces, surroundings, tolerance, resolution };
     bridges.drop_scraps(&chains, &mut dropped)?;
     bridges.drop_repeated(&chains, &mut dropped)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
@@ -173,18 +142,13 @@ pub(super) fn chains(
 /// of starts and ends that are near each other. Sheets may be turned against each other, so that
 /// such arcs may run in opposite ways over other pairs; `either_way`: over the same, too, as
 /// neither of the surfaces is the first.
-pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, same: OnePoint) -> Result<Vec<bool>> {
-    let tolerance = same.tolerance;
+pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool, resolution: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
     for &(_, p, q) in near {
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
         // Most are arcs that follow each other.
-        let offsets = [other.ends[f] - one.ends[e], other.ends[1 - f] - one.ends[1 - e]];
-        if offsets[1].length() > same.reach()
-            || !same.are_along(offsets[0], one.directions[e])
-            || !same.are_along(offsets[1], one.directions[1 - e])
-        {
+        if other.ends[1 - f].distance(one.ends[1 - e]) > REACH * resolution {
             continue;
         }
         let way = if e == f { 1.0 } else { -1.0 };
@@ -192,9 +156,9 @@ pub(super) fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], either_way: bool,
         let chord = one.ends[1] - one.ends[0];
         let between = 0.5 * (one.ends[0] + one.ends[1] - other.ends[0] - other.ends[1]);
         let is_beside = between.dot(chord).abs() <= 0.25 * chord.length_squared();
-        // Arcs whose ends are one point are one to the tolerance if their directions are that near:
+        // Arcs whose ends are one point are one to the resolution if their directions are that near:
         // beside crossings, where the surfaces are nearly parallel, more is not known of them.
-        let angle = (tolerance / chord.length().max(2.0 * tolerance)).max(1e-5);
+        let angle = (resolution / chord.length().max(2.0 * resolution)).max(1e-5);
         let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= angle);
         let along = one.is_along_side && other.is_along_side;
         let may_be_one = one.pair != other.pair || along && (either_way || e == f) && p / 2 != q / 2;

@@ -81,6 +81,13 @@ pub(super) const APART: u32 = u32::MAX - 1;
 /// Of balls that are not explained.
 pub(super) const UNRESOLVED: u32 = u32::MAX;
 
+/// What Newton's method finds from a ball.
+enum Search {
+    Found(CriticalPoint),
+    /// It leads out of the ball's cells, to about there.
+    Beyond(DVec3),
+}
+
 /// The search for critical points of two surfaces.
 pub(super) struct ContactSearch<'a> {
     pub(super) surfaces: [&'a Surface<'a>; 2],
@@ -89,6 +96,8 @@ pub(super) struct ContactSearch<'a> {
     /// The origin of the balls' coordinates.
     pub(super) origin: DVec3,
     pub(super) tolerance: f64,
+    /// How exactly places are known.
+    pub(super) resolution: f64,
 }
 
 /// An orthonormal frame whose third axis is a normal.
@@ -135,11 +144,11 @@ impl ContactSearch<'_> {
             }
             visits += 1;
             // Smaller balls only, and so all within four times the radius.
-            let limit = 4.0 * ball.radius + 4.0 * self.tolerance;
+            let limit = 4.0 * ball.radius + 4.0 * self.resolution;
             tree.for_each_within(ball.centre, Radius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
                 visits += 1;
                 let other = &balls[n as usize];
-                let touch = 2.0 * (ball.radius + other.radius) + 4.0 * self.tolerance;
+                let touch = 2.0 * (ball.radius + other.radius) + 4.0 * self.resolution;
                 if other.radius <= ball.radius && other.centre.distance(ball.centre) <= touch {
                     sets.union(k as u32, n);
                 }
@@ -166,7 +175,7 @@ impl ContactSearch<'_> {
         }
         let mut order: Vec<&UnresolvedBall> = alloc::collect(cluster.iter().map(ball)).ok()?;
         order.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.pair.cmp(&b.pair)));
-        let found = order.iter().take(MAX_STARTS).find_map(|ball| self.critical_point(ball, &order))?;
+        let found = self.critical_point_among(&order)?;
         let mut forms = cluster.iter().map(|k| self.form(ball(k), &frame_of(found.normal)));
         let form = forms.next()??;
         if form == Form::Unknown || forms.any(|other| other != Some(form)) {
@@ -183,13 +192,32 @@ impl ContactSearch<'_> {
         [Place { sheet: a, cell: p, u: x.x, v: x.y }, Place { sheet: b, cell: q, u: x.z, v: x.w }]
     }
 
+    /// The critical point of some balls: looked for from one that the surfaces are nearest at, and
+    /// from others that are nearest to where the last one says that it is.
+    fn critical_point_among(&self, balls: &[&UnresolvedBall]) -> Option<CriticalPoint> {
+        let mut left = alloc::collect(0..balls.len()).ok()?;
+        let mut towards: Option<DVec3> = None;
+        for _ in 0..MAX_STARTS.min(balls.len()) {
+            let far = |&k: &usize| towards.map_or(0.0, |point| balls[k].centre.distance_squared(point));
+            let (at, &ball) =
+                left.iter().enumerate().min_by(|a, b| far(a.1).total_cmp(&far(b.1)).then(a.1.cmp(b.1)))?;
+            left.swap_remove(at);
+            match self.critical_point(balls[ball], balls) {
+                Some(Search::Found(point)) => return Some(point),
+                Some(Search::Beyond(point)) => towards = Some(point),
+                None => {}
+            }
+        }
+        None
+    }
+
     /// The point near a ball where the normals are parallel and the difference of the two points is
     /// along them, if it is in the ball's cells and in one of the balls.
     ///
     /// With p and q in the tangent plane of the one, slopes g and h, and second derivatives G and H
     /// there, a move by d of the first point and by d + p - q of the second makes the points equal,
     /// and the slopes g + G d and h + H (d + p - q).
-    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<CriticalPoint> {
+    fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<Search> {
         let mut x = ball.x;
         for _ in 0..NEWTON_STEPS {
             let [a, b] = self.places(ball.pair, x);
@@ -203,13 +231,17 @@ impl ContactSearch<'_> {
             };
             let slopes = |graph: &Graph| DVec2::from_array(graph.slopes.map(Interval::middle));
             let (g, h) = (second(&one), second(&other));
-            let step = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
+            let in_plane = (g - h).inverse() * (slopes(&other) - slopes(&one) + h * away);
             let by_parameters =
                 |graph: &Graph, step: DVec2| graph.inverse.map(|[x, y]| x.middle() * step.x + y.middle() * step.y);
-            let ([s, t], [u, v]) = (by_parameters(&one, step), by_parameters(&other, step + away));
+            let ([s, t], [u, v]) = (by_parameters(&one, in_plane), by_parameters(&other, in_plane + away));
             let step = DVec4::new(s, t, u, v);
-            if !step.is_finite() || step.abs().max_element() > 1.0 {
+            if !step.is_finite() {
                 return None;
+            }
+            // Beyond its cells a polynomial says little.
+            if step.abs().max_element() > 1.0 {
+                return Some(Search::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
             }
             x += step;
             if step.abs().max_element() <= 1e-12 {
@@ -218,7 +250,8 @@ impl ContactSearch<'_> {
                 let [a, b] = self.places(ball.pair, x);
                 let [point, other] = [(0, a), (1, b)].map(|(k, place)| self.surfaces[k].jet(place).point - self.origin);
                 let normal = frame.z_axis;
-                let within = |ball: &&UnresolvedBall| ball.centre.distance(point) <= ball.radius + 4.0 * self.tolerance;
+                let within =
+                    |ball: &&UnresolvedBall| ball.centre.distance(point) <= ball.radius + 4.0 * self.resolution;
                 let radius = balls.iter().map(|ball| ball.centre.distance(point) + ball.radius).fold(0.0, f64::max);
                 let gap = (point - other).dot(normal);
                 // D grows by the least curvature at least: lambda r^2 / 2.
@@ -227,11 +260,13 @@ impl ContactSearch<'_> {
                 let rim = (2.0 * (self.tolerance + gap.abs()) / curvature.abs().max(f64::MIN_POSITIVE)).sqrt();
                 let radius =
                     if curvature.is_finite() && form.determinant() > 0.0 { radius.max(1.1 * rim) } else { radius };
-                let is_near = inside && balls.iter().any(within);
+                if !(inside && balls.iter().any(within)) {
+                    return Some(Search::Beyond(point));
+                }
                 let is_opposed = jets[1].normal().dot(normal) < 0.0;
                 let found =
                     CriticalPoint { pair: ball.pair, x, point, normal, gap, radius, is_saddle: false, is_opposed };
-                return is_near.then_some(found);
+                return Some(Search::Found(found));
             }
         }
         None

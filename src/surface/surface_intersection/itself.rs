@@ -74,7 +74,7 @@ impl Surface<'_> {
             },
             tolerance,
             resolution: tolerance.min(self.tolerance()),
-            chord: chord.max(tolerance),
+            chord,
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
         intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
@@ -167,7 +167,7 @@ impl Intersection<'_> {
             let places = self.places.places(arc.pair, pieces.points[at as usize]);
             Ok(places.map(|place| self.places.surfaces[0].normal(place)))
         }))?;
-        let trails = Trails { arcs: &pieces.arcs, normals: &normals, one: self.one_point() };
+        let trails = Trails { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
         let mut trails = trails.run(&job.part(0.5, 1.0))?;
         trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
         Ok(trails)
@@ -179,7 +179,7 @@ impl Intersection<'_> {
             let arc = pieces.arcs[step.arc as usize];
             let first = pieces.balls.partition_point(|ball| ball.pair < arc.pair);
             let mut own = pieces.balls[first..].iter().take_while(|ball| ball.pair == arc.pair);
-            own.any(|ball| arc.ends.iter().all(|end| end.distance(ball.centre) <= ball.radius + 4.0 * self.tolerance))
+            own.any(|ball| arc.ends.iter().all(|end| end.distance(ball.centre) <= ball.radius + 4.0 * self.resolution))
         })
     }
 

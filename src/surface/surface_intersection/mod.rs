@@ -49,7 +49,7 @@ use super::cells::Cells;
 use super::path::{Contact, ContactKind};
 use super::{Paths, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
-use chain::{Chained, OnePoint, chains};
+use chain::{Chained, chains};
 use chart::ParameterBox;
 use contact::{APART, ContactSearch, CriticalPoint, UNRESOLVED};
 use glam::{DVec3, DVec4};
@@ -128,7 +128,7 @@ impl Surface<'_> {
             places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
             resolution: tolerance.min(self.tolerance().min(other.tolerance())),
-            chord: chord.max(tolerance),
+            chord,
         };
         let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
         let pieces = intersection.solve(&all, &job.part(0.2, 0.9))?;
@@ -138,10 +138,12 @@ impl Surface<'_> {
             pairs: &pairs,
             balls: &pieces.balls,
             origin,
-            tolerance: intersection.tolerance,
+            tolerance,
+            resolution: intersection.resolution,
         };
         let critical = search.run(&job.part(0.9, 0.92))?;
-        let chained = chains(&pieces, &critical, &intersection, intersection.one_point(), &job.part(0.92, 0.92))?;
+        let chained =
+            chains(&pieces, &critical, &intersection, [tolerance, intersection.resolution], &job.part(0.92, 0.92))?;
         let mut paths = intersection.paths(&pieces, &chained, &critical.points, &job.part(0.92, 1.0))?;
         for (k, ball) in pieces.balls.iter().enumerate() {
             let is_explained = chained.passed[k]
@@ -169,7 +171,8 @@ impl Surface<'_> {
 struct Intersection<'a> {
     places: PairPlaces<'a>,
     tolerance: f64,
-    /// How exactly ends of arcs are known across them.
+    /// How exactly ends of arcs are known: the surfaces' own tolerance, if the one that is asked for
+    /// is greater.
     resolution: f64,
     chord: f64,
 }
@@ -199,7 +202,9 @@ impl Surroundings for Intersection<'_> {
     }
 
     fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
-        let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
+        let is_near = |point: DVec3, of: &Surface<'_>| {
+            of.closest(self.places.origin + point, self.chord.max(self.tolerance)).is_some()
+        };
         let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }
@@ -263,8 +268,9 @@ impl Intersection<'_> {
         let CellPair { sheets: [a, b], cells: [p, q] } = self.places.pairs[k as usize];
         let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
         let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
-        let tolerance = self.tolerance.max(8.0 * rounding_error);
-        PairTask { pair: k, neighbours: [s, t, u, v], tolerance, chord: self.chord, max_boxes, last, rounding_error }
+        let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
+        let (neighbours, chord) = ([s, t, u, v], self.chord);
+        PairTask { pair: k, neighbours, tolerance, resolution, chord, max_boxes, last, rounding_error }
     }
 
     /// The arcs of pairs of two sheets.
@@ -298,10 +304,6 @@ impl Intersection<'_> {
     fn cut_overlaps(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let (resolution, chord) = (self.resolution, self.chord);
         Overlaps { pieces, places: &self.places, resolution, chord }.cut(job)
-    }
-
-    fn one_point(&self) -> OnePoint {
-        OnePoint { tolerance: self.tolerance, resolution: self.resolution }
     }
 
     fn contact(&self, point: &CriticalPoint) -> Contact {

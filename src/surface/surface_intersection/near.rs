@@ -11,7 +11,7 @@
 //!
 //! Other parts are halved; those that are apart by their parameters are solved as two surfaces.
 //! Where the tangents are dependent, as where a curve of self-intersection ends (Whitney's
-//! umbrella), halving ends where both are as good as a line to the tolerance.
+//! umbrella), halving ends where both are as good as a line to the resolution.
 //!
 //! Cost: O(N^2) a test, and O(N^3) a split; a few parts for each halving round a singular point.
 
@@ -89,15 +89,15 @@ impl NearPair<'_> {
         Ok(())
     }
 
-    /// True if both parts are within half the tolerance of one line: as near to a pinch they are
-    /// all within the tolerance of each other, whatever their size.
+    /// True if both parts are within half the resolution of one line: as near to a pinch they are
+    /// all within the resolution of each other, whatever their size.
     fn is_thin<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
         let [centre, u, v] = part.nets.a.tangents(0.5, 0.5);
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };
         let axis = longer.normalize_or_zero();
         let far = |p: &DVec3| (p - centre - axis * axis.dot(p - centre)).length();
         let nets = [&part.nets.a, &part.nets.b].map(Net::patch);
-        nets.iter().flat_map(|net| net.points.as_flattened()).all(|p| far(p) <= 0.5 * self.task.tolerance)
+        nets.iter().flat_map(|net| net.points.as_flattened()).all(|p| far(p) <= 0.5 * self.task.resolution)
     }
 
     /// Adds the 16 pairs of quarters of both parts; of one part with itself each pair once.

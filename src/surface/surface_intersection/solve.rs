@@ -20,9 +20,10 @@ use std::borrow::Cow;
 const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
 /// Boxes that are shorter than so many tolerances are too small for a contact if the surfaces are
-/// transversal there, and in any case: contacts are as wide as the root of the tolerance times the
-/// radius of curvature.
-const MIN_CONTACT_TOLERANCES: [f64; 2] = [64.0, 4.0];
+/// transversal there, and those of so many resolutions in any case: contacts are as wide as the root
+/// of the tolerance times the radius of curvature.
+const SLENDER_TOLERANCES: f64 = 64.0;
+const TINY_RESOLUTIONS: f64 = 4.0;
 /// How thick pieces are, in tolerances, when they are not halved any more: thinner than the lens
 /// between surfaces that overlap by more than the tolerance, so that its rim is found whole.
 const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
@@ -120,7 +121,10 @@ pub(super) struct PairTask {
     pub(super) pair: u32,
     /// By parameter, whether another cell is below and above.
     pub(super) neighbours: [[bool; 2]; 4],
+    /// Surfaces no farther apart may touch.
     pub(super) tolerance: f64,
+    /// Arcs up to this may be lost: it is no greater than the tolerance.
+    pub(super) resolution: f64,
     /// The greatest distance of a chord from the curve.
     pub(super) chord: f64,
     /// Boxes that may be examined.
@@ -203,7 +207,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     type Stop = Stop;
 
     fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
-        let (PairTask { tolerance, rounding_error, .. }, equation) = (*self.task, self.equation);
+        let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
         if self.examined.is_multiple_of(BOXES_PER_STEP) {
             self.step()?;
@@ -223,7 +227,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
             BoxTest::Empty => return Ok(BoxTest::Empty),
             BoxTest::Unique(chart) => {
-                let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error);
+                let search = ArcSearch::new(equation, part, &chart, resolution, rounding_error);
                 let found = match search.along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
@@ -240,20 +244,19 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         let extents = part.extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
-        let [small, tiny] = MIN_CONTACT_TOLERANCES.map(|factor| extents[longest] <= factor * tolerance);
-        if (tiny || small && frame.is_transversal())
-            && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty)
-        {
+        let is_slender = extents[longest] <= SLENDER_TOLERANCES * tolerance && frame.is_transversal();
+        let is_tiny = extents[longest] <= TINY_RESOLUTIONS * resolution;
+        if (is_tiny || is_slender) && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty) {
             return Ok(BoxTest::Empty);
         }
         let [thickness, reach] = match is_fine {
             true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
             false => [tolerance, -tolerance],
         };
-        // Beside poles pieces that cross may be as thin in both directions.
-        let is_slender = small && frame.is_transversal();
+        // Beside poles, and in cells that are small beside the tolerance, pieces that cross may be as
+        // thin in both directions.
         let unresolved =
-            extents[longest] <= 0.25 * tolerance || !is_slender && part.is_within(&frame, thickness, reach);
+            extents[longest] <= 0.25 * resolution || !is_slender && part.is_within(&frame, thickness, reach);
         let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
         // Near poles pieces are too short in one direction for that to be the longest ever.
         let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
@@ -268,7 +271,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let (equation, points) = (self.equation, &mut self.pieces.points);
         let places = ends.map(|end| equation.point(end.x));
-        let is_near = |point: DVec3| places[0].distance(point) <= 0.5 * self.task.tolerance;
+        let is_near = |point: DVec3| places[0].distance(point) <= 0.5 * self.task.resolution;
         let is_closed = is_near(places[1]);
         // Half way round, if it is no point.
         let half_way = || equation.solve(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
@@ -349,7 +352,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
 
     /// Reports a box by a ball round it: those of the same pair that touch are merged.
     pub(super) fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
-        let (PairTask { pair, tolerance, .. }, equation) = (*self.task, self.equation);
+        let (PairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
         let centre = equation.point(x);
         let from_centre = |corner: &DVec3| corner.distance(centre);
@@ -358,7 +361,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         let (low, high) = (part.low, part.low + part.size);
         let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
         let own = &mut self.pieces.balls[self.before[2]..];
-        let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + tolerance;
+        let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + resolution;
         // Of too many apart from each other, the nearest one takes another.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
         let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));

@@ -6,7 +6,7 @@
 //!
 //! Invariant: an end is joined with one other end at most. Cost: O(n log n) for n arcs.
 
-use super::chain::{OnePoint, near_pairs, repeated};
+use super::chain::{REACH, near_pairs, repeated};
 use super::links::NONE;
 use super::solve::Arc;
 use crate::sort;
@@ -46,7 +46,8 @@ fn unlike(a: &[DVec3; 2], b: &[DVec3; 2]) -> (f64, bool) {
 pub(super) struct Trails<'a> {
     pub(super) arcs: &'a [Arc],
     pub(super) normals: &'a [[DVec3; 2]],
-    pub(super) one: OnePoint,
+    /// How exactly ends are known.
+    pub(super) resolution: f64,
 }
 
 impl Trails<'_> {
@@ -91,10 +92,10 @@ impl Trails<'_> {
     fn mates(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-        let near = near_pairs(&ends, self.one.reach(), job)?;
+        let near = near_pairs(&ends, REACH * self.resolution, job)?;
         let alike = |p: u32, q: u32| unlike(&self.normals[p as usize], &self.normals[q as usize]).0;
         let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= REPEATED_COST))?;
-        let dropped = repeated(arcs, &same, true, self.one)?;
+        let dropped = repeated(arcs, &same, true, self.resolution)?;
         let mut joints = Vec::new();
         // The directions in which arcs go on beyond their ends.
         let outwards = |end: u32| {
@@ -104,10 +105,8 @@ impl Trails<'_> {
         for &(_, p, q) in &near {
             let (one, other) = (p as usize / 2, q as usize / 2);
             let usable = one != other || arcs[one].is_closed;
-            let offset = ends[q as usize] - ends[p as usize];
-            let along = [p, q].into_iter().all(|end| self.one.are_along(offset, outwards(end)));
             let cost = alike(p, q) + 1.0 + outwards(p).dot(outwards(q));
-            if usable && along && !dropped[one] && !dropped[other] && cost <= MAX_COST {
+            if usable && !dropped[one] && !dropped[other] && cost <= MAX_COST {
                 alloc::push(&mut joints, (cost, p, q))?;
             }
         }

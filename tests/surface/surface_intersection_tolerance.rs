@@ -1,0 +1,144 @@
+//! A tolerance of one's own, however wide: branches where the surfaces cross clearly are found as
+//! by default.
+
+use crate::pairs::check;
+use glam::DVec3;
+use gusset::Job;
+use gusset::surface::surface_intersection::Options;
+use gusset::surface::{Grid, Nodes, Patches, Paths, Scheme, Sheet, Surface};
+use std::f64::consts::TAU;
+
+/// From far below the cells to far above them.
+const TOLERANCES: [f64; 8] = [1e-6, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3];
+
+/// A sheet of `cells` cells a side over [0, 1]^2.
+fn sheet(cells: usize, at: impl Fn(f64, f64) -> DVec3) -> Surface<'static> {
+    let count = cells + 1;
+    let share = |k: usize| k as f64 / cells as f64;
+    let data: Vec<f64> = (0..count * count).flat_map(|k| at(share(k / count), share(k % count)).to_array()).collect();
+    let nodes = Nodes::strided(data, count, count, 0, 0).unwrap();
+    Surface::new(vec![Sheet::Grid(Grid::new(nodes, [false, false], Scheme::SixTap).unwrap())], None, &Job::default())
+        .unwrap()
+}
+
+/// One cell of degrees (2, 2): z = f(x, y) = x^2 + y^2 - r^2 over [-1, 1]^2, moved.
+fn bowl(radius: f64, by: DVec3) -> Surface<'static> {
+    let points: Vec<DVec3> = (0..9)
+        .map(|k| {
+            let squares = [1.0, -1.0, 1.0];
+            let (x, y) = ((k / 3) as f64 - 1.0, (k % 3) as f64 - 1.0);
+            DVec3::new(x, y, squares[k / 3] + squares[k % 3] - radius * radius) + by
+        })
+        .collect();
+    Surface::new(vec![Sheet::Cubic(Patches::new(&points, [2, 2], 1, 1).unwrap())], None, &Job::default()).unwrap()
+}
+
+fn options(tolerance: f64) -> Options {
+    Options { tolerance: Some(tolerance), ..Options::default() }
+}
+
+fn meet(a: &Surface<'_>, b: &Surface<'_>, tolerance: f64) -> Paths {
+    let paths = a.meet(b, &options(tolerance), &Job::default()).unwrap();
+    check(&paths, a, b);
+    paths
+}
+
+fn length(paths: &Paths) -> f64 {
+    let of = |k: usize| paths.points_of(k).windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
+    (0..paths.len()).map(of).sum()
+}
+
+/// The length of the chords of closed paths too.
+fn length_round(paths: &Paths) -> f64 {
+    let closing = |k: usize| {
+        let points = paths.points_of(k);
+        points[0].distance(points[points.len() - 1])
+    };
+    length(paths) + (0..paths.len()).filter(|&k| paths.closed[k]).map(closing).sum::<f64>()
+}
+
+/// Planes at several angles: one straight path from border to border.
+#[test]
+fn planes_of_small_cells_meet_in_one_line() {
+    for (cells, slope) in [(1, 1.0), (20, 1.0), (50, 0.1), (200, 1.0)] {
+        let flat = sheet(cells.max(5), |x, y| DVec3::new(x, y, 0.0));
+        let tilted = sheet(7, |x, y| {
+            DVec3::new(2.0 * x - 0.5, 2.0 * y - 0.5, slope * (2.0 * x - 0.5 - 0.31 - 0.37 * (2.0 * y - 0.5)))
+        });
+        // x = 0.31 + 0.37 y.
+        let expected = 1.0f64.hypot(0.37);
+        for tolerance in TOLERANCES {
+            let paths = meet(&flat, &tilted, tolerance);
+            let found = length(&paths);
+            let what =
+                format!("{cells} cells, slope {slope}, {tolerance}: {found} of {expected}, {} paths", paths.len());
+            assert!(paths.len() == 1 && (found - expected).abs() < 1e-9, "{what}");
+            assert!(paths.unresolved.is_empty() && paths.contacts.is_empty(), "{what}");
+        }
+    }
+}
+
+/// A circle over one cell, and beside and through sides of small ones.
+#[test]
+fn circles_are_closed() {
+    let radius = 0.4;
+    for by in [DVec3::ZERO, DVec3::new(0.013, -0.07, 0.0), DVec3::new(0.1, 0.05, 0.0), DVec3::new(0.05, 0.1, 0.0)] {
+        let bowl = bowl(radius, by);
+        for cells in [5, 20, 60] {
+            let flat = sheet(cells, |x, y| DVec3::new(2.0 * x - 1.0, 2.0 * y - 1.0, 0.0));
+            for tolerance in TOLERANCES {
+                let paths = meet(&bowl, &flat, tolerance);
+                let share = length_round(&paths) / (TAU * radius);
+                let what = format!("{by} {cells} {tolerance}: {share}, {} paths", paths.len());
+                assert!(paths.len() == 1 && paths.closed[0] && (share - 1.0).abs() < 5e-3, "{what}");
+                assert!(paths.unresolved.is_empty() && paths.contacts.is_empty(), "{what}");
+            }
+        }
+    }
+}
+
+/// The strip (t^2 - 1, t^3 - t) meets itself in the line over t = 1 and t = -1.
+#[test]
+fn a_strip_meets_itself_in_one_line() {
+    for cells in [24, 100] {
+        let strip = sheet(cells, |x, y| {
+            let t = 3.0 * x - 1.5;
+            DVec3::new(t * t - 1.0, t * t * t - t, y + 0.2 * t)
+        });
+        for tolerance in TOLERANCES {
+            let paths = strip.meet_itself(&options(tolerance), &Job::default()).unwrap();
+            let found = length(&paths);
+            let what =
+                format!("{cells} {tolerance}: {found}, {} paths, {} unresolved", paths.len(), paths.unresolved.len());
+            assert!(paths.len() == 1 && (found - 0.6).abs() < 1e-3 && paths.unresolved.is_empty(), "{what}");
+        }
+    }
+}
+
+/// Balls of small cells that are apart by half a tolerance touch.
+#[test]
+fn balls_of_small_cells_touch() {
+    for (cells, tolerance) in [(40, 1e-3), (40, 1e-2), (120, 1e-3), (120, 1e-2), (120, 3e-2)] {
+        let cap = |x: f64, y: f64| {
+            let [x, y] = [1.2 * x - 0.6, 1.2 * y - 0.6];
+            DVec3::new(x, y, (1.0 - x * x - y * y).sqrt())
+        };
+        // The centres are (0.03, -0.02) apart across z.
+        let nearest = (4.0f64 - 0.0013).sqrt();
+        for gap in [0.5, 0.2, 0.0, -0.2, -0.5] {
+            let lower = sheet(cells, cap);
+            let upper = sheet(cells, |x, y| {
+                let p = cap(x, y);
+                DVec3::new(p.x + 0.03, p.y - 0.02, nearest + gap * tolerance - p.z)
+            });
+            let paths = meet(&lower, &upper, tolerance);
+            let what = format!(
+                "{cells} {tolerance} {gap}: {} paths {} contacts {} unresolved",
+                paths.len(),
+                paths.contacts.len(),
+                paths.unresolved.len()
+            );
+            println!("{what}");
+        }
+    }
+}
