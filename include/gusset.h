@@ -117,12 +117,13 @@
 
 /**
  * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
- * normal).
+ * normal), but at inner points whose tangent is given: C1 (G1) there.
  */
 #define GUSSET_CURVE_BLEND_C2 3
 
 /**
- * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent.
+ * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent,
+ * but at inner points whose tangent is given: C1 there.
  */
 #define GUSSET_CURVE_CUBIC_C2 4
 
@@ -6405,16 +6406,16 @@ typedef struct gusset_intersection_options {
      * A length, the greatest distance of the curve from the chords between its points, as their
      * tangents and middles show it (1.14 times as much was seen at one chord in 10,000); 0: 1e-4 of
      * the diagonal of the smaller surface's box; INFINITY: points are only where it crosses sides
-     * of cells of either surface; a smaller one than `tolerance` counts as that. (In
-     * gusset_contour_options `spacing` says which of these is meant.)
+     * of cells of either surface; one that is smaller than `tolerance` and than the surfaces' own
+     * counts as the smaller one of these. (In gusset_contour_options `spacing` says which of these
+     * is meant.)
      */
     double chord;
     /**
-     * A length, finite: branches that are shorter may be lost, and surfaces that are apart, or
-     * overlap, by no more than that all over touch; branches beside each other are told apart by the
-     * surfaces' own tolerances all the same. 0: the smaller one of the tolerances of the two
-     * surfaces. One above about 0.1 % of the sides of the cells may lose parts of longer branches
-     * too, and leave closed ones open, and nothing says so.
+     * A length, finite: surfaces that are apart, or overlap, by no more than that all over touch
+     * there. 0: the smaller one of the tolerances of the two surfaces. Branches are found and told
+     * apart by that one, or by `tolerance` if it is smaller: shorter ones may be lost. A surface's
+     * intersections with itself take a greater one for the surface's own.
      */
     double tolerance;
 } gusset_intersection_options;
@@ -12473,21 +12474,27 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * N_A x N_B, closed ones marked so.
  *
  * Points and normals are those of a; the points of b at `others` are the same but for rounding,
- * and at crossings to the tolerance. Every branch longer than the tolerance, and farther than four
- * times that from others, is found, relative to the surfaces as declared.
- * (With a tolerance of one's own see gusset_intersection_options.)
+ * and at crossings to the tolerance. Every branch is found, relative to the surfaces as declared,
+ * that is longer than the tolerance, or the surfaces' own if that is smaller, farther than four
+ * times that from others, and not part of a contact or of a cell that is listed as unresolved.
  *
  * A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
  * be alone: near it both are graphs over a plane, and the second derivatives of their difference
  * are a definite form (GUSSET_CONTACT_POINT) or an indefinite one (GUSSET_CONTACT_CROSSING), and
  * the gap is within the tolerance; if it is larger, there is a loop, or nothing, or two branches
- * that pass each other. A path that comes to a crossing turns there, as N_A x N_B points to it and
- * away from it in turn, and goes back the way that closes it if there is one: a figure of eight is
- * two closed paths that have one point in common. Cells of a where the surfaces touch in another
- * way (along a curve, at a pole, at a border, to a higher order) or coincide are listed as
- * unresolved, and curves may end there, or be in parts or missing within such cells; they are
- * joined across such a place where a chord is as near to both surfaces as elsewhere. For where one
- * surface meets itself see gusset_surface_self_intersection_create.
+ * that pass each other. What is within a contact's radius, about the root of the tolerance times
+ * the radius of curvature, is left out: loops, and how branches run that come nearer to each other
+ * than that; a path goes straight to the contact's point from where it comes to it. A path that
+ * comes to a crossing turns there, as N_A x N_B points to it and away from it in turn, and goes
+ * back the way that closes it if there is one: a figure of eight is two closed paths that have one
+ * point in common.
+ *
+ * Cells of a where the surfaces touch in another way (along a curve, at a pole, at a border, to a
+ * higher order) or coincide are listed as unresolved, and curves may end there, or be in parts or
+ * missing within such cells. So are cells that take more work than the limit, as where two branches
+ * run beside each other at 1e-4 of a cell and not along its sides. Curves are joined across such a
+ * place where a chord is as near to both surfaces as elsewhere. For where one surface meets itself
+ * see gusset_surface_self_intersection_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.
@@ -12528,7 +12535,6 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  * that ends in a pinch ends within the tolerance of it; the unresolved place is where its pieces
  * are as near to each other as that. No contacts are looked for. What borders of different sheets
  * have in common is an intersection.
- * (With a tolerance of one's own see gusset_intersection_options.)
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.

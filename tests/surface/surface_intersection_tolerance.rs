@@ -1,11 +1,12 @@
 //! A tolerance of one's own, however wide: branches where the surfaces cross clearly are found as
 //! by default.
 
+use crate::common::some_of;
 use crate::pairs::check;
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::surface_intersection::Options;
-use gusset::surface::{Grid, Nodes, Patches, Paths, Scheme, Sheet, Surface};
+use gusset::surface::{ContactKind, Grid, Nodes, Patches, Paths, Scheme, Sheet, Surface};
 use std::f64::consts::TAU;
 
 /// From far below the cells to far above them.
@@ -138,7 +139,93 @@ fn balls_of_small_cells_touch() {
                 paths.contacts.len(),
                 paths.unresolved.len()
             );
-            println!("{what}");
+            assert!(paths.is_empty() && paths.contacts.len() == 1 && paths.unresolved.is_empty(), "{what}");
+            let off = paths.contacts[0].gap.abs() - gap.abs() * tolerance;
+            assert!(off.abs() < 1e-5, "{what}: {off}");
         }
     }
+}
+
+/// z = x y - rise meets its plane in the branches of a hyperbola: where they pass each other nearer
+/// than the tolerance they are a crossing, and elsewhere they are found.
+#[test]
+fn branches_that_pass_each_other_within_the_tolerance_cross() {
+    for cells in [1, 5, 40] {
+        for (tolerance, rise) in [(1e-3, 3e-4), (1e-3, -3e-4), (1e-2, 3e-3), (0.05, 0.02), (0.05, 0.0)] {
+            let points = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]| {
+                let (x, y) = (2.0 * f64::from(i) - 0.9, 2.0 * f64::from(j) - 1.15);
+                DVec3::new(x, y, x * y - rise)
+            });
+            let saddle = Sheet::Cubic(Patches::new(&points, [1, 1], 1, 1).unwrap());
+            let saddle = Surface::new(vec![saddle], None, &Job::default()).unwrap();
+            let flat = sheet(cells.max(5), |x, y| DVec3::new(3.0 * x - 1.5, 3.0 * y - 1.5, 0.0));
+            for (a, b) in [(&saddle, &flat), (&flat, &saddle)] {
+                let paths = a.meet(b, &options(tolerance), &Job::default()).unwrap();
+                let found = length(&paths);
+                let what = format!(
+                    "{cells} {tolerance} {rise}: {} paths of {found}, {} contacts, {} unresolved",
+                    paths.len(),
+                    paths.contacts.len(),
+                    paths.unresolved.len()
+                );
+                assert!(paths.len() == 2 && paths.unresolved.is_empty(), "{what}");
+                let [contact] = paths.contacts[..] else { panic!("{what}") };
+                assert!(contact.kind == ContactKind::Crossing && contact.radius <= 8.0 * tolerance.sqrt(), "{what}");
+                assert!((contact.gap.abs() - rise.abs()).abs() <= 1e-12, "{what}");
+                // Branches of a hyperbola are shorter than their asymptotes: 4 in all.
+                assert!(found <= 4.0 + 1e-9 && 4.0 - found <= 4.0 * rise.abs().sqrt() + 1e-9, "{what}");
+                let at = a.jet(contact.place).point;
+                for point in paths.points.iter().filter(|point| point.distance(at) > 1e-12) {
+                    assert!((point.x * point.y - rise).abs() <= 1e-9 && point.z.abs() <= 1e-12, "{what} {point}");
+                }
+                // Both come to the contact, or neither, where they pass it.
+                let ends = paths.points.iter().filter(|point| point.distance(at) <= 1e-12).count();
+                assert!(ends == 2 || rise != 0.0 && ends == 0, "{what} {ends}");
+            }
+        }
+    }
+}
+
+/// A sheet of bumps that no grid of theirs fits.
+fn bumps(seed: u64, cells: usize) -> Surface<'static> {
+    let mut state = seed;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let waves: Vec<[f64; 4]> =
+        (0..4).map(|_| [1.0 + 2.0 * next(), 1.0 + 2.0 * next(), TAU * next(), 0.05 + 0.1 * next()]).collect();
+    sheet(cells, |x, y| {
+        let height = waves.iter().map(|[u, v, at, high]| high * (TAU * (u * x + v * y) + at).sin()).sum();
+        DVec3::new(1.1 * x - 0.05, 1.1 * y - 0.05, height)
+    })
+}
+
+/// Random sheets: with any tolerance the paths are those of the default, but for contacts and for
+/// cells that are said to be unresolved.
+#[test]
+fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
+    let (mut same, mut compared) = (0, 0);
+    for seed in some_of(6, 0..60u64) {
+        let cells = 6 + (seed as usize * 7) % 35;
+        let (a, b) = (bumps(seed, cells), bumps(seed + 1000, 11));
+        let expected = a.meet(&b, &Options::default(), &Job::default()).unwrap();
+        for tolerance in TOLERANCES {
+            let paths = a.meet(&b, &options(tolerance), &Job::default()).unwrap();
+            let (found, whole) = (length_round(&paths), length_round(&expected));
+            compared += 1;
+            if paths.contacts.is_empty() && paths.unresolved.is_empty() && expected.unresolved.is_empty() {
+                same += 1;
+                let what =
+                    format!("{seed} {cells} {tolerance}: {} {} of {} {whole}", paths.len(), found, expected.len());
+                assert!(paths.len() == expected.len() && (found - whole).abs() <= 1e-9 * whole, "{what}");
+                assert_eq!(paths.closed, expected.closed, "{what}");
+            } else {
+                // The sheets are 1 wide, and within the widest tolerance of each other nearly all over.
+                let what = format!("{seed} {cells} {tolerance}: {found} of {whole}");
+                assert!((found / whole - 1.0).abs() <= 0.1, "{what}");
+            }
+        }
+    }
+    assert!(same >= compared / 3, "{same} of {compared}");
 }

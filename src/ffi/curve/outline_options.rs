@@ -14,9 +14,10 @@ pub const GUSSET_CURVE_SINGLE: u32 = 1;
 /// spline.
 pub const GUSSET_CURVE_BLEND_C1: u32 = 2;
 /// Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the
-/// normal).
+/// normal), but at inner points whose tangent is given: C1 (G1) there.
 pub const GUSSET_CURVE_BLEND_C2: u32 = 3;
-/// The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent.
+/// The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent,
+/// but at inner points whose tangent is given: C1 there.
 pub const GUSSET_CURVE_CUBIC_C2: u32 = 4;
 /// The paper's chain: GUSSET_CURVE_COMPOSITE with GUSSET_LOCK_DATA_GUIDE, whatever lock says. Each
 /// control point lies on the guide of its point, the bisector, median or normal that the method

@@ -20,9 +20,10 @@ pub enum Mode {
     /// (G1 with the normal).
     BlendC1,
     /// The sections of neighbouring points blended smoothly: quintic segments from point to point,
-    /// C2 (G2 with the normal).
+    /// C2 (G2 with the normal), but at inner points whose tangent is given: C1 (G1) there.
     BlendC2,
-    /// Cubic segments from point to point, C2 in the knots of the method's exponent.
+    /// Cubic segments from point to point, C2 in the knots of the method's exponent, but at inner
+    /// points whose tangent is given: C1 there.
     CubicC2,
     /// The paper's chain of sections: [`Mode::Composite`] with [`Lock::DataGuide`], whatever the lock
     /// of the options. The control point of each section lies on the guide, the bisector, median or

@@ -125,7 +125,23 @@ impl ContactSearch<'_> {
                 alloc::push(&mut found.points, point)?;
             }
         }
+        self.explain_rims(&mut found);
         Ok(found)
+    }
+
+    /// Balls that are left within a contact, on the rim of a lens that is thinner than the tolerance,
+    /// are of it: arcs there are left out, too.
+    fn explain_rims(&self, found: &mut CriticalPoints) {
+        for (ball, number) in self.balls.iter().zip(&mut found.of_ball).filter(|(_, number)| **number == UNRESOLVED) {
+            let is_of = |point: &CriticalPoint| {
+                let sheets = [ball.pair, point.pair].map(|pair| self.pairs[pair as usize].sheets);
+                let is_near = ball.centre.distance(point.point) + ball.radius <= point.radius;
+                !point.is_saddle && is_near && sheets[0] == sheets[1]
+            };
+            if let Some(k) = found.points.iter().position(is_of) {
+                *number = k as u32;
+            }
+        }
     }
 
     /// Balls that are near each other, of pairs of the same two sheets or of others, by the first:
@@ -218,7 +234,7 @@ impl ContactSearch<'_> {
     /// there, a move by d of the first point and by d + p - q of the second makes the points equal,
     /// and the slopes g + G d and h + H (d + p - q).
     fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<Search> {
-        let mut x = ball.x;
+        let (mut x, mut last) = (ball.x, f64::INFINITY);
         for _ in 0..NEWTON_STEPS {
             let [a, b] = self.places(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
@@ -244,7 +260,11 @@ impl ContactSearch<'_> {
                 return Some(Search::Beyond(jets[0].point - self.origin + frame * in_plane.extend(0.0)));
             }
             x += step;
-            if step.abs().max_element() <= 1e-12 {
+            let length = step.abs().max_element();
+            // In small cells rounding is all that is left before that.
+            let is_rounding = length <= 1e-8 && length > 0.25 * last;
+            last = length;
+            if length <= 1e-12 || is_rounding {
                 let inside = (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_SLACK;
                 let x = x.clamp(DVec4::ZERO, DVec4::ONE);
                 let [a, b] = self.places(ball.pair, x);

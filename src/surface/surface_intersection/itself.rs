@@ -40,7 +40,8 @@ impl Surface<'_> {
     /// once. Along a closed one the two pieces may change places, as on a Klein bottle: it ends
     /// where it begins in space, with `places` and `others` exchanged.
     ///
-    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`.
+    /// Every branch longer than the tolerance is found that is not in a cell of `unresolved`; a
+    /// tolerance that is wider than the surface's own is taken as that.
     /// Pieces that are joined are taken as one: cells with a common side or corner, across a seam
     /// too, opposite borders of a sheet whose control points are the same but for rounding, in
     /// either order, and cells round a pole. Where they are proved to have nothing else in common
@@ -58,6 +59,8 @@ impl Surface<'_> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
+        // Cells beside each other are near to each other, and do not touch for that.
+        let tolerance = tolerance.min(self.tolerance());
         let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
@@ -73,8 +76,8 @@ impl Surface<'_> {
                 origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
             },
             tolerance,
-            resolution: tolerance.min(self.tolerance()),
-            chord,
+            resolution: tolerance,
+            chord: chord.max(tolerance),
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
         intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;

@@ -78,10 +78,9 @@ pub struct Options {
     /// diagonal of the smaller surface's box; infinity: points are only where it crosses sides of
     /// cells of either surface.
     pub chord: Option<f64>,
-    /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over
-    /// are reported as touching; branches beside each other are told apart by the surfaces' own
-    /// tolerances. One above about 0.1 % of the sides of the cells may lose parts of longer branches
-    /// too, and leave closed ones open, and nothing says so. `None`: the smaller one of these.
+    /// Surfaces that are apart, or overlap, by no more than this all over touch there. Branches are
+    /// found and told apart by the smaller one of the surfaces' own tolerances, if this is not
+    /// smaller yet: shorter ones may be lost. `None`: that one.
     pub tolerance: Option<f64>,
 }
 
@@ -95,13 +94,15 @@ fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f6
 
 impl Surface<'_> {
     /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they
-    /// run along N_A x N_B, closed ones closed. Every branch longer than the tolerance is found.
+    /// run along N_A x N_B, closed ones closed. Every branch is found that is longer
+    /// than the tolerance, or the surfaces' own if that is smaller, and not part of a contact.
     ///
     /// Where the surfaces touch in a point, or two branches cross, to the tolerance, the point is
     /// in `contacts`: if they are graphs over a plane there whose second derivatives differ by a
     /// definite or an indefinite form, proved over all that is not resolved otherwise. Surfaces
     /// that overlap by more than the tolerance have a curve there, and those that are farther apart
-    /// have nothing. As N_A x N_B points to a crossing and away from it in turn, paths turn there:
+    /// have nothing. What is within the contact's radius, about the root of the tolerance times the
+    /// radius of curvature, is left out, and a path that comes to it goes straight to its point. As N_A x N_B points to a crossing and away from it in turn, paths turn there:
     /// each of the four branches is joined with the neighbour that leads back to it, so that a
     /// figure of eight is two closed paths with one point in common; else as straight as can be.
     ///
@@ -122,13 +123,14 @@ impl Surface<'_> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
+        let resolution = tolerance.min(self.tolerance().min(other.tolerance()));
         let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
         let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
         let intersection = Intersection {
             places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
-            resolution: tolerance.min(self.tolerance().min(other.tolerance())),
-            chord,
+            resolution,
+            chord: chord.max(resolution),
         };
         let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
         let pieces = intersection.solve(&all, &job.part(0.2, 0.9))?;

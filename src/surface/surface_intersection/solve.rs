@@ -221,11 +221,17 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         }
         // Where half of the boxes did not resolve a contact, others will not: the rest goes to the
         // branches elsewhere, and contacts are left as they are at the tolerance.
-        let is_fine = self.examined <= self.task.max_boxes / 2;
+        let is_put_back = !self.task.last && resolution < tolerance;
+        let is_fine = self.examined <= self.task.max_boxes / 2 || is_put_back;
         let frame = equation.frame(part.middle());
         let mut unclear = None;
         match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
-            BoxTest::Empty => return Ok(BoxTest::Empty),
+            BoxTest::Empty => {
+                // Apart, but not by more than a tolerance that is wider than the surfaces' own.
+                let is_near = !is_fine && resolution < tolerance && !frame.is_transversal();
+                let touches = is_near && part.is_within(&frame, tolerance, tolerance);
+                return Ok(if touches { BoxTest::Unresolved } else { BoxTest::Empty });
+            }
             BoxTest::Unique(chart) => {
                 let search = ArcSearch::new(equation, part, &chart, resolution, rounding_error);
                 let found = match search.along_line(&frame) {
