@@ -94,8 +94,8 @@ impl<'a> KdTree<'a> {
 
     /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of
     /// one of the `groups`, all below 2^32 - 1.
-    pub(crate) fn grouped(points: &'a [DVec3], groups: &[u32]) -> Result<Self> {
-        let mut tree = Self::new(points, &Job::default(), "")?;
+    pub(crate) fn grouped(points: &'a [DVec3], groups: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let mut tree = Self::new(points, job, stage)?;
         let mut group = alloc::filled(MIXED, points.len())?;
         tree.find_groups(0..points.len(), groups, &mut group);
         tree.group = group;
@@ -348,7 +348,7 @@ mod tests {
             prop_assert_eq!(boxed.nearest(query, f64::INFINITY, accept), expected);
             // Groups of neighbours, so that whole parts of the tree are of one.
             let groups: Vec<u32> = points.iter().map(|p| p.x as u32 / 2).collect();
-            let tree = KdTree::grouped(&points, &groups).unwrap();
+            let tree = KdTree::grouped(&points, &groups, &Job::default(), "").unwrap();
             for own in 0..4 {
                 let accept = |i: u32| accept(i) && groups[i as usize] != own;
                 prop_assert_eq!(tree.nearest_elsewhere(query, f64::INFINITY, own, accept), nearest(&accept));

@@ -30,6 +30,9 @@ pub(super) struct Clusters {
 /// Claims between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
+/// Candidates of one claim between two progress reports.
+const CANDIDATES_PER_REPORT: usize = 1 << 18;
+
 /// From so many on, sorting them reports progress.
 const MANY_CANDIDATES: usize = 1 << 14;
 
@@ -47,8 +50,10 @@ impl Clusters {
         job: &Job<'_>,
     ) -> Result<Self> {
         let points = alloc::collect(members.iter().map(|&v| mesh.positions().get(v)))?;
+        job.step(0.0, STAGE)?;
         let near = Near::new(&points, reach, &job.part(0.0, 0.4))?;
         let job = job.part(0.4, 1.0);
+        job.step(0.0, STAGE)?;
         let mut guard = Guard::new(mesh, corners)?;
         let mut found =
             Clusters { of: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?, kept_apart: Vec::new() };
@@ -64,7 +69,10 @@ impl Clusters {
             let here = i as f64 / members.len() as f64;
             near.candidates(&points, i, &mut candidates, &job.part(here, here))?;
             guard.admits(representative, representative);
-            for &(_, j) in &candidates {
+            for (k, &(_, j)) in (1..).zip(&candidates) {
+                if k % CANDIDATES_PER_REPORT == 0 {
+                    job.step(here, STAGE)?;
+                }
                 let (j, v) = (j as usize, members[j as usize]);
                 if claimed[j] {
                     continue;
@@ -135,6 +143,9 @@ impl<'a> Near<'a> {
                     let difference = points[j as usize] - points[i];
                     if outcome.is_ok() && (reach[j as usize] >= reach[i] || radius(j as usize).contains(difference)) {
                         outcome = alloc::push(out, (squared, j));
+                        if out.len().is_multiple_of(CANDIDATES_PER_REPORT) && outcome.is_ok() {
+                            outcome = job.step(0.0, STAGE);
+                        }
                     }
                 });
                 outcome?;

@@ -2,6 +2,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::sort::Buckets;
 
@@ -14,14 +15,15 @@ pub(super) struct Corners {
 
 impl Corners {
     /// By a counting sort, O(V + H).
-    pub(super) fn of(mesh: &MeshView<'_>) -> Result<Self> {
+    pub(super) fn of(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         let (faces, vertices) = (mesh.faces(), mesh.positions().len());
         let count = faces.half_edge_count();
         let corners = Buckets::new(vertices, 0, (0..count as u32).map(|h| (faces.corner(h) as usize, h)))?;
         let mut face = alloc::with_capacity(count)?;
-        for f in 0..faces.len() {
-            face.extend(faces.range(f).map(|_| f as u32));
-        }
+        job.ranges("corners", faces.len(), |range| {
+            range.for_each(|f| face.extend(faces.range(f).map(|_| f as u32)));
+            Ok(())
+        })?;
         Ok(Corners { face, corners })
     }
 

@@ -16,7 +16,7 @@
 //! for each time that splits were dropped, [`MAX_PASSES`] at most.
 
 use super::cluster::Clusters;
-use super::seams::{free_edges, free_vertices};
+use super::seams::{free_vertices, is_free};
 use super::split_face::{SplitFace, is_upright};
 use super::tolerance::{Source, Tolerance};
 use crate::alloc;
@@ -25,7 +25,7 @@ use crate::geom::Aabb;
 use crate::geom::box_tree::{BoxTree, spatial_order};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{MeshView, Topology, unordered};
+use crate::mesh::{MeshView, Topology, half_edges, unordered};
 use crate::sort::{sort, sort_distinct};
 use glam::DVec3;
 
@@ -36,7 +36,10 @@ const GROUP: usize = 4;
 const MAX_PASSES: usize = 16;
 
 /// Vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const REPORT_INTERVAL: usize = 1 << 10;
+
+/// Faces between two progress reports.
+const FACES_PER_REPORT: usize = 1 << 18;
 
 const STAGE: &str = "finding T-junctions";
 
@@ -72,18 +75,25 @@ pub(super) struct Junctions {
 impl Junctions {
     /// The splits that make borders match.
     pub(super) fn find(mesh: &MeshView<'_>, topology: &Topology, source: Source, job: &Job<'_>) -> Result<Self> {
+        let faces = mesh.faces().len();
+        let mut edges = Vec::new();
+        for face in 0..faces {
+            job.part(0.0, 0.0).step_every(FACES_PER_REPORT, face, faces, STAGE)?;
+            let free = half_edges(mesh, face).filter(|&(h, ..)| is_free(topology, h));
+            let free = free.map(|(half_edge, u, v)| FreeEdge { half_edge, face: face as u32, ends: [u, v] });
+            alloc::extend(&mut edges, free)?;
+        }
         job.step(0.0, STAGE)?;
-        let edges = alloc::gather(free_edges(mesh, topology).map(|(half_edge, ends)| {
-            let face = mesh.faces().face_of(half_edge);
-            FreeEdge { half_edge, face, ends }
-        }))?;
         let members = free_vertices(mesh, topology)?;
+        job.step(0.0, STAGE)?;
         let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.0, 0.1))?;
         let clusters = Clusters::find(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
         let border = Border { mesh, edges: &edges, members: &members, clusters: &clusters.of };
         let mut splits = border.places(&tolerance.reach, &job.part(0.3, 0.7))?;
+        job.step(0.7, STAGE)?;
         let mut left = alloc::gather(splits.iter().map(|split| split.vertex))?;
         border.keep_useful(&mut splits, &job.part(0.7, 1.0))?;
+        job.step(1.0, STAGE)?;
         let mut used = alloc::gather(splits.iter().map(|split| split.vertex))?;
         sort_distinct(&mut used);
         sort_distinct(&mut left);
@@ -110,14 +120,24 @@ impl Border<'_> {
     /// All places on edges, by edges and along each edge. `reach`: of each member; empty for 0.
     fn places(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<Split>> {
         let points = alloc::collect(self.members.iter().map(|&v| self.mesh.positions().get(v)))?;
+        job.step(0.0, STAGE)?;
         let unit = common_unit(&points);
         let ends = |e: u32| self.edges[e as usize].ends.map(|v| self.mesh.positions().get(v) / unit);
         // No vertex lies inside an edge without a length.
         let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
-        let long = alloc::gather((0..self.edges.len() as u32).filter(has_length))?;
-        let boxes = alloc::collect(long.iter().map(|&e| Aabb::of(ends(e))))?;
+        let mut long = Vec::new();
+        job.part(0.0, 0.0).ranges(STAGE, self.edges.len(), |range| {
+            alloc::extend(&mut long, (range.start as u32..range.end as u32).filter(has_length))
+        })?;
+        let mut boxes = alloc::with_capacity(long.len())?;
+        job.part(0.0, 0.0).ranges(STAGE, long.len(), |range| {
+            boxes.extend(long[range].iter().map(|&e| Aabb::of(ends(e))));
+            Ok(())
+        })?;
         let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
+        job.step(0.2, STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
+        job.step(0.2, STAGE)?;
         let tree = BoxTree::new(order.chunks(GROUP).map(around))?;
         let mut found: Vec<Split> = Vec::new();
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
@@ -143,6 +163,7 @@ impl Border<'_> {
         let by_place = |a: &Split, b: &Split| a.at.total_cmp(&b.at);
         let by_vertex = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(a.vertex.cmp(&b.vertex));
         sort(&mut found, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.part(0.6, 0.8), STAGE)?;
+        job.step(0.8, STAGE)?;
         found.dedup_by_key(|split| (split.edge, split.vertex));
         let along = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(by_place(a, b)).then(a.vertex.cmp(&b.vertex));
         sort(&mut found, along, &job.part(0.8, 1.0), STAGE)?;
@@ -161,7 +182,9 @@ impl Border<'_> {
         for pass in 0..MAX_PASSES {
             let before = splits.len();
             if before > 0 {
-                self.keep_matched(splits, &job.share(pass, MAX_PASSES))?;
+                let job = job.share(pass, MAX_PASSES);
+                self.keep_matched(splits, &job)?;
+                job.step(1.0, STAGE)?;
                 self.keep_upright(splits)?;
             }
             if splits.len() == before {
@@ -178,6 +201,7 @@ impl Border<'_> {
         let mut rest = splits.iter().peekable();
         for (e, edge) in self.edges.iter().enumerate() {
             let [mut from, end] = edge.ends.map(|v| self.cluster(v));
+            job.part(0.0, 0.0).step_every(FACES_PER_REPORT, e, self.edges.len(), STAGE)?;
             while let Some(split) = rest.next_if(|split| split.edge as usize == e) {
                 pieces.push((unordered([from, split.vertex]), pieces.len() as u32));
                 from = split.vertex;
@@ -186,9 +210,13 @@ impl Border<'_> {
         }
         let mut matched = alloc::filled(false, pieces.len())?;
         sort(&mut pieces, Ord::cmp, job, STAGE)?;
-        for together in pieces.chunk_by(|a, b| a.0 == b.0).filter(|together| together.len() == 2) {
+        job.step(1.0, STAGE)?;
+        for (k, together) in pieces.chunk_by(|a, b| a.0 == b.0).enumerate() {
+            job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, pieces.len(), STAGE)?;
+            let [_, _] = together else { continue };
             together.iter().for_each(|&(_, piece)| matched[piece as usize] = true);
         }
+        job.step(1.0, STAGE)?;
         let mut j = 0;
         splits.retain(|split| {
             let piece = j + split.edge as usize;

@@ -58,7 +58,7 @@ pub(super) fn sew(
 ) -> Result<Vec<u32>> {
     let pairs = pairs(mesh, topology, clusters, &job.part(0.0, 0.3))?;
     let job = job.part(0.3, 1.0);
-    let corners = Corners::of(mesh)?;
+    let corners = Corners::of(mesh, &job.part(0.0, 0.0))?;
     job.step(0.0, STAGE)?;
     let degree = alloc::collect((0..clusters.len()).map(|v| corners.at(v as u32).len() as u32))?;
     let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));

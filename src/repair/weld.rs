@@ -21,7 +21,10 @@ use crate::choice::choices;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges, unordered};
-use crate::sort::{sort, sort_distinct};
+use crate::sort::sort;
+
+/// Faces, and edges, between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
 
 const STAGE: &str = "welding";
 
@@ -103,7 +106,7 @@ pub(super) fn weld_within(mesh: &MeshView<'_>, options: &Options, source: Source
     let members = members(mesh, &topology, sewing)?;
     let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
-    let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh)?) };
+    let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh, &job.part(0.3, 0.3))?) };
     let mut clusters = Clusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
     let representative = match sewing {
         true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,
@@ -113,7 +116,7 @@ pub(super) fn weld_within(mesh: &MeshView<'_>, options: &Options, source: Source
     welded.tolerance = tolerance.length;
     let places = [&clusters.of[..], &representative];
     welded.count_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
-    clusters.enter_split(&members, &representative)?;
+    clusters.enter_split(&members, &representative, &job.part(1.0, 1.0))?;
     welded.left_vertices = clusters.kept_apart;
     job.step(1.0, STAGE)?;
     Ok(welded)
@@ -132,15 +135,18 @@ fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<V
 impl Clusters {
     /// Adds the members of clusters that did not become one vertex to those kept apart, and brings
     /// these in order.
-    fn enter_split(&mut self, members: &[u32], representative: &[u32]) -> Result<()> {
+    fn enter_split(&mut self, members: &[u32], representative: &[u32], job: &Job<'_>) -> Result<()> {
+        job.step(0.0, STAGE)?;
         let mut split = alloc::filled(false, self.of.len())?;
         for &v in members {
             let cluster = self.of[v as usize] as usize;
             split[cluster] |= representative[v as usize] != representative[cluster];
         }
+        job.step(0.0, STAGE)?;
         let split = members.iter().filter(|&&v| split[self.of[v as usize] as usize]);
         alloc::extend(&mut self.kept_apart, split.copied())?;
-        sort_distinct(&mut self.kept_apart);
+        sort(&mut self.kept_apart, Ord::cmp, job, STAGE)?;
+        self.kept_apart.dedup();
         Ok(())
     }
 }
@@ -154,6 +160,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     let mut face_corners: Vec<u32> = alloc::with_capacity(faces.half_edge_count())?;
     face_offsets.push(0);
     for f in 0..faces.len() {
+        job.part(0.0, 0.4).step_every(REPORT_INTERVAL, f, faces.len(), STAGE)?;
         let start = face_corners.len();
         face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
         if options.collapse && !close_gaps(&mut face_corners, start) {
@@ -226,27 +233,40 @@ impl Weld {
         job.step(0.0, STAGE)?;
         // Sewing leaves edges with two faces alone; other welding does not.
         let taken = |h| if free_only { is_free(topology, h) } else { !topology.is_ignored(h) };
-        let kept = (0..mesh.faces().len()).filter(|&f| self.face_map[f] != NONE);
         let mut edges = Vec::new();
-        for (h, u, v) in kept.flat_map(|f| half_edges(mesh, f)).filter(|&(h, ..)| taken(h)) {
-            let [now, place] = [representative, clusters].map(|of| [u, v].map(|v| of[v as usize]));
-            if now[0] != now[1] {
-                alloc::push(&mut edges, (unordered(place), unordered(now), h))?;
+        for f in 0..mesh.faces().len() {
+            job.part(0.0, 0.2).step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
+            if self.face_map[f] == NONE {
+                continue;
+            }
+            for (h, u, v) in half_edges(mesh, f).filter(|&(h, ..)| taken(h)) {
+                let [now, place] = [representative, clusters].map(|of| [u, v].map(|v| of[v as usize]));
+                if now[0] != now[1] {
+                    alloc::push(&mut edges, (unordered(place), unordered(now), h))?;
+                }
             }
         }
         sort(&mut edges, Ord::cmp, &job.part(0.2, 0.8), STAGE)?;
-        job.step(0.8, STAGE)?;
+        let (mut done, count, counting) = (0, edges.len(), job.part(0.8, 0.9));
         for together in edges.chunk_by(|a, b| a.0 == b.0) {
             for edge in together.chunk_by(|a, b| a.1 == b.1) {
+                if done / REPORT_INTERVAL < (done + edge.len()) / REPORT_INTERVAL {
+                    counting.step(done as f64 / count as f64, STAGE)?;
+                }
+                done += edge.len();
                 let free = |&&(_, _, h): &&(u64, u64, u32)| is_free(topology, h);
                 if edge.len() == 2 && edge.iter().all(|e| free(&e)) {
                     self.sewn_edges += 1;
                 } else if together.len() > 1 {
-                    alloc::extend(&mut self.left_edges, edge.iter().filter(free).map(|&(_, _, h)| h))?;
+                    for some in edge.chunks(REPORT_INTERVAL) {
+                        if some.len() == REPORT_INTERVAL {
+                            counting.step(done as f64 / count as f64, STAGE)?;
+                        }
+                        alloc::extend(&mut self.left_edges, some.iter().filter(free).map(|&(_, _, h)| h))?;
+                    }
                 }
             }
         }
-        self.left_edges.sort_unstable();
-        Ok(())
+        sort(&mut self.left_edges, Ord::cmp, &job.part(0.9, 1.0), STAGE)
     }
 }

@@ -43,7 +43,7 @@ fn has_segment(paths: &Paths, from: DVec3, to: DVec3) -> bool {
 #[test]
 fn a_crossing_within_a_ring_of_contact() {
     let segments = [(8, 4, -0.7, -0.6, 0.2), (8, 4, 0.3, -0.1, 0.6), (8, 4, -0.2, 0.4, 0.6), (16, 8, -0.497, 0.1, 1.0)];
-    for (cells, planes, x, y, width) in some_of(2, segments.into_iter()) {
+    for (cells, planes, x, y, width) in some_of(4, segments.into_iter()) {
         let (from, to) = (DVec3::new(x, y, 0.0), DVec3::new(x + width, y, 0.0));
         let torus = Sheet::Grid(grid(&lying_torus(cells), Scheme::SixTap, |p| p));
         let both = Surface::new(vec![torus, upright(from, to)], None, &Job::default()).unwrap();

@@ -33,8 +33,10 @@ const MAX_QUERY_DISTANCE: f64 = (1u64 << 26) as f64;
 
 /// Queries that one thread takes at once.
 const QUERIES_PER_BATCH: usize = 256;
-/// Segments that they look at together between two progress reports, if each is equally far from all.
+/// Segments that they look at together, if each is equally far from all.
 const SEGMENTS_PER_BATCH: usize = 1 << 17;
+/// Segments that one query looks at between two progress reports.
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// A bound of the rounding of boxes in a frame of size 1.
 const BOX_ROUNDING: f64 = 1e-14;
@@ -58,7 +60,7 @@ impl CurveView<'_> {
             return Err(Error::EmptyCurve);
         }
         let search = CurveSearch::new(self)?;
-        answers(queries, self.len(), job, |q| search.nearest(q))
+        answers(queries, self.len(), job, |q, job| search.nearest(q, job))
     }
 }
 
@@ -83,14 +85,14 @@ pub(crate) fn nearest_of_any(
     }
     let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
     let segments = curves.iter().map(CurveView::len).sum();
-    answers(queries, segments, &job.part(0.1, 1.0), |q| set.nearest(q))
+    answers(queries, segments, &job.part(0.1, 1.0), |q, job| set.nearest(q, job))
 }
 
 fn answers<A: Send>(
     queries: &[DVec3],
     segments: usize,
     job: &Job<'_>,
-    answer: impl Fn(DVec3) -> A + Sync,
+    answer: impl Fn(DVec3, &Job<'_>) -> Result<A> + Sync,
 ) -> Result<Vec<A>> {
     let at_once = (SEGMENTS_PER_BATCH / segments.max(1)).clamp(1, QUERIES_PER_BATCH);
     queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
@@ -98,12 +100,10 @@ fn answers<A: Send>(
     for some in queries.chunks(QUERIES_PER_BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
         let part = job.part(done / count, (done + some.len() as f64) / count);
-        let batches = par::map_cancellable(&part, STAGE, some.chunks(at_once), |batch| {
-            alloc::collect(batch.iter().map(|&q| answer(q)))
+        let batches = par::map_jobs(&part, STAGE, some.chunks(at_once), |batch, job| {
+            alloc::try_collect::<_, Error>(batch.iter().map(|&q| answer(q, job)))
         })?;
-        for batch in batches {
-            found.extend(batch?);
-        }
+        batches.into_iter().for_each(|batch| found.extend(batch));
     }
     Ok(found)
 }
@@ -133,14 +133,14 @@ impl<'a> CurveSearch<'a> {
     }
 
     /// The nearest point. The curve has one.
-    pub(crate) fn nearest(&self, q: DVec3) -> Nearest {
+    pub(crate) fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<Nearest> {
         if self.curve.is_empty() {
             let point = self.curve.points()[0];
-            return Nearest { place: Place::START, point, distance: distance(point, q) };
+            return Ok(Nearest { place: Place::START, point, distance: distance(point, q) });
         }
-        let place = self.place(self.in_frame(q));
+        let place = self.place(self.in_frame(q), job)?;
         let point = segment::point(self.curve.segment(place.segment as usize), place.t);
-        Nearest { place, point, distance: distance(point, q) }
+        Ok(Nearest { place, point, distance: distance(point, q) })
     }
 
     fn in_frame(&self, q: DVec3) -> DVec3 {
@@ -153,17 +153,26 @@ impl<'a> CurveSearch<'a> {
     }
 
     /// The place nearest to a point of the frame.
-    fn place(&self, q: DVec3) -> Place {
+    fn place(&self, q: DVec3, job: &Job<'_>) -> Result<Place> {
         let local = CurveView::trusted(&self.points, self.curve.ends(), false);
         let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
+        let (mut looked, mut heard) = (0_usize, Ok(()));
         self.tree.nearest(q, best.1, &mut |k| {
+            looked += 1;
+            if looked.is_multiple_of(SEGMENTS_PER_REPORT) {
+                heard = job.step(0.0, STAGE);
+                if heard.is_err() {
+                    // None is nearer than that: the search ends.
+                    return 0.0;
+                }
+            }
             let (t, distance) = nearest_on(local.segment(k), q);
             if distance < best.1 {
                 best = (Place { segment: k as u32, t }, distance);
             }
             best.1
         });
-        best.0
+        heard.map(|()| best.0)
     }
 }
 
@@ -194,14 +203,20 @@ impl<'a> CurveSetSearch<'a> {
         Ok(CurveSetSearch { searches, frame, tree })
     }
 
-    fn nearest(&self, q: DVec3) -> (usize, Nearest) {
+    fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
         // Of queries so far away that squares overflow the boxes say nothing, and every curve is
         // asked.
         let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
-        let mut best: Option<(usize, Nearest)> = None;
+        let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
         self.tree.nearest(local, f64::INFINITY, &mut |k| {
             let (curve, search) = &self.searches[k];
-            let found = search.nearest(q);
+            let found = match search.nearest(q, job) {
+                Ok(found) => found,
+                Err(error) => {
+                    heard = Err(error);
+                    return 0.0;
+                }
+            };
             let nearer = |&(c, nearest): &(usize, Nearest)| (found.distance, *curve) < (nearest.distance, c);
             if best.as_ref().is_none_or(nearer) {
                 best = Some((*curve, found));
@@ -210,8 +225,9 @@ impl<'a> CurveSetSearch<'a> {
                 .map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + DISTANCE_ROUNDING));
             bound * bound + f64::MIN_POSITIVE
         });
+        heard?;
         // The tree has a leaf, and no bound excludes it.
-        best.unwrap_or_else(|| (self.searches[0].0, self.searches[0].1.nearest(q)))
+        best.map_or_else(|| Ok((self.searches[0].0, self.searches[0].1.nearest(q, job)?)), Ok)
     }
 }
 

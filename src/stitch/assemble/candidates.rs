@@ -6,6 +6,8 @@ use crate::stitch::facing::Arc;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
 
+pub(super) const STAGE: &str = "looking for loops that face each other";
+
 /// Two loops, by their numbers, or arcs of them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facing {

@@ -7,7 +7,7 @@
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
-use super::candidates::{Facing, FacingSearch, LoopVertices};
+use super::candidates::{Facing, FacingSearch, LoopVertices, STAGE};
 use super::whole_loops::{Seen, add_shares, conormals};
 use crate::alloc;
 use crate::error::Result;
@@ -78,7 +78,7 @@ impl FacingSearch<'_> {
     fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
         let LoopVertices { points, owners, groups, firsts } = self.all_vertices()?;
         let total = points.len();
-        let tree = KdTree::grouped(&points, &groups)?;
+        let tree = KdTree::grouped(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
         let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
         for (r, rim) in self.rims.iter().enumerate() {
@@ -86,7 +86,7 @@ impl FacingSearch<'_> {
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
-                job.step_every(REPORT_INTERVAL, done, total, "looking for loops that face each other")?;
+                job.part(0.1, 1.0).step_every(REPORT_INTERVAL, done, total, STAGE)?;
                 done += 1;
                 let limit = 4.0 * widest * widest;
                 let accept = |v: u32| owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize);

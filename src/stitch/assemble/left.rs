@@ -3,12 +3,16 @@
 //! The loop that is nearest to most of its vertices is what it might have been joined with, one of
 //! another component before its own; of that it is said why it was not.
 
-use super::candidates::{FacingSearch, Slit};
+use super::candidates::{FacingSearch, STAGE, Slit};
 use super::request::Reason;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
+use crate::job::Job;
 use crate::sort;
+
+/// Loops between two progress reports.
+const LOOPS_PER_REPORT: usize = 1 << 8;
 
 /// What a left loop has nearest to it.
 pub(super) struct Explanation {
@@ -23,12 +27,12 @@ impl FacingSearch<'_> {
     /// Of each loop that `left` marks, why: `used` are the loops that strips hang on.
     ///
     /// O(V log V) for V vertices on loops.
-    pub(super) fn explain(&self, left: &[bool]) -> Result<Vec<Option<Explanation>>> {
+    pub(super) fn explain(&self, left: &[bool], job: &Job<'_>) -> Result<Vec<Option<Explanation>>> {
         if !left.contains(&true) {
             return alloc::collect(left.iter().map(|_| None));
         }
         let loops = self.all_vertices()?;
-        let tree = KdTree::grouped(&loops.points, &loops.owners)?;
+        let tree = KdTree::grouped(&loops.points, &loops.owners, &job.part(0.0, 0.2), STAGE)?;
         let nearest = |r: usize, own: bool| -> Result<Option<(usize, f64)>> {
             let mut seen = alloc::with_capacity(self.rims[r].points.len())?;
             for &p in &self.rims[r].points {
@@ -45,7 +49,9 @@ impl FacingSearch<'_> {
             let most = groups.rev().max_by_key(|group| group.len());
             Ok(most.map(|group| (group[0].0, group.iter().map(|seen| seen.1).sum::<f64>() / group.len() as f64)))
         };
+        let job = job.part(0.2, 1.0);
         alloc::try_collect((0..left.len()).map(|r| {
+            job.step_every(LOOPS_PER_REPORT, r, left.len(), STAGE)?;
             if !left[r] {
                 return Ok(None);
             }

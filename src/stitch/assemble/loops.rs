@@ -1,7 +1,7 @@
 //! The boundary of the pieces put together.
 
 use super::base::Base;
-use super::candidates::{Candidate, Facing, FacingSearch, Slit};
+use super::candidates::{Candidate, Facing, FacingSearch, STAGE, Slit};
 use super::edges::{Edges, entries_of};
 use super::request::{LeftLoop, MaxGap, Options, Reason, Selector};
 use crate::alloc;
@@ -14,6 +14,9 @@ use crate::job::Job;
 use crate::mesh::{Mesh, NONE, vertex_components};
 use crate::sort::sort_distinct;
 use crate::stitch::rim::{Rim, is_usable};
+
+/// Loops between two progress reports.
+const LOOPS_PER_REPORT: usize = 1 << 12;
 
 /// The boundary of the base: loops that can carry a strip, and others.
 pub(super) struct Loops {
@@ -44,8 +47,10 @@ impl Loops {
         }
         let view = mesh.view(&job.part(0.0, 0.3))?;
         let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        job.step(1.0, STAGE)?;
         loops.components = vertex_components(&view)?;
-        for found in boundary.iter() {
+        for (number, found) in boundary.iter().enumerate() {
+            job.part(1.0, 1.0).step_every(LOOPS_PER_REPORT, number, boundary.len(), STAGE)?;
             if is_usable(&found) {
                 alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
             } else {

@@ -100,7 +100,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         }
         base.done.joints.push(joint);
     }
-    base.done.left = left_loops(loops, options, &excluded, [&hangs, &tried])?;
+    base.done.left = left_loops(loops, options, &excluded, [&hangs, &tried], &job.part(0.8, 0.8))?;
     let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
     base.done.near_loops_left = base.done.left.iter().filter(is_near).count() as u32;
     if base.done.near_loops_left > 0 {
@@ -115,9 +115,10 @@ fn left_loops(
     options: &Options<'_>,
     excluded: &[[u32; 2]],
     [hangs, tried]: [&[bool]; 2],
+    job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
     let without = alloc::collect(hangs.iter().map(|&hangs| !hangs))?;
-    let explained = loops.search(options, hangs, excluded).explain(&without)?;
+    let explained = loops.search(options, hangs, excluded).explain(&without, job)?;
     let mut left = loops.others;
     for (r, (rim, found)) in loops.rims.into_iter().zip(explained).enumerate() {
         if let Some(found) = found {

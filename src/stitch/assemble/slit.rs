@@ -10,7 +10,7 @@
 //! One side takes both ends, so that the strip begins and ends at an edge of the other: of M + N
 //! vertices it has M + N - 2 triangles, and nothing is left open. The criteria are ours.
 
-use super::candidates::{Facing, FacingSearch, Slit};
+use super::candidates::{Facing, FacingSearch, STAGE, Slit};
 use super::whole_loops::conormals;
 use crate::alloc;
 use crate::boundary::Loop;
@@ -22,8 +22,6 @@ use crate::stitch::facing::Arc;
 use crate::stitch::polyline::nearest_beside;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
-
-const STAGE: &str = "looking for loops that face each other";
 
 /// The least that the sides look at each other in sum.
 const MIN_SUM_OF_LOOKS: f64 = 0.3;

@@ -20,7 +20,7 @@
 //! above 0.9, and the gap at most 0.19 of the mesh's size; of 124 wrong pairs few look like that.
 
 use super::assignment::{Match, best_matches};
-use super::candidates::{Candidate, Facing, FacingSearch};
+use super::candidates::{Candidate, Facing, FacingSearch, STAGE};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
@@ -117,7 +117,7 @@ impl FacingSearch<'_> {
         sort_distinct(&mut pairs);
         let (mut matches, mut gaps) = (Vec::new(), Vec::new());
         for (number, &[r, k]) in pairs.iter().enumerate() {
-            job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, "looking for loops that face each other")?;
+            job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, STAGE)?;
             let near = share(near, [r, k]).min(share(near, [k, r]));
             let [r, k] = [r as usize, k as usize];
             let hardly_farther = |r: usize, k: usize| share_before(&before[r], &self.rims[r], &trees[k]);
@@ -154,10 +154,10 @@ impl FacingSearch<'_> {
     /// Of some vertices of each loop, the nearest loop before them, where there is any.
     fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<Ahead>>> {
         let loops = self.all_vertices()?;
-        let tree = KdTree::grouped(&loops.points, &loops.groups)?;
+        let tree = KdTree::grouped(&loops.points, &loops.groups, &job.part(0.0, 0.0), STAGE)?;
         let mut before = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
-            job.step(r as f64 / self.rims.len() as f64, "looking for loops that face each other")?;
+            job.step(r as f64 / self.rims.len() as f64, STAGE)?;
             let own = loops.groups[loops.firsts[r] as usize];
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius.max(MAX_PART_OF_SIZE * self.largest()));
             let mut of_loop = Vec::new();

@@ -79,7 +79,7 @@ impl Measure<'_> {
         match self {
             Measure::Object(target) => target.distance(from),
             Measure::Curve { search, size } => {
-                let distance = search.nearest(from).distance;
+                let distance = search.nearest(from, &Job::default()).map_or(0.0, |found| found.distance);
                 (distance - CURVE_ROUNDING * (size + distance)).max(0.0)
             }
             Measure::Surface(surface) => surface.closest(from, f64::INFINITY).map_or(0.0, |found| found.bound),

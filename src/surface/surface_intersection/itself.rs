@@ -26,9 +26,9 @@ const ARCS_PER_STEP: usize = 1 << 12;
 /// Boxes of parameters examined for cells with points in common before they are put back.
 const FIRST_MAX_BOXES: usize = 1 << 11;
 /// Boxes examined for all of these that were put back: shared among them.
-const SECOND_TOTAL_BOXES: usize = 1 << 23;
-/// The least and the most for one of them: a pinch takes some 2^15.
-const SECOND_MAX_BOXES: [usize; 2] = [1 << 15, 1 << 17];
+const SECOND_TOTAL_BOXES: usize = 1 << 22;
+/// The most for one of them: a pinch takes some 2^15.
+const SECOND_MAX_BOXES: usize = 1 << 16;
 /// Shorter trails may be scraps, which are within what is reported as unresolved.
 const MIN_TRAIL_ARCS: usize = 8;
 /// Control points that are this many roundings apart are one.
@@ -108,8 +108,7 @@ impl Intersection<'_> {
         self.solve_all_near(near, joints, FIRST_MAX_BOXES, false, pieces, &job.part(0.0, 0.5))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
-            let [least, most] = SECOND_MAX_BOXES;
-            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(least, most);
+            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
             self.solve_all_near(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
         }
         sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
