@@ -7,10 +7,10 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::job::{Job, Progress};
-use crate::threads::run_beside;
+use crate::threads::{lock, run_beside};
 use std::ops::{ControlFlow, Range};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -197,24 +197,26 @@ pub(crate) fn both<R, S: Send>(
 /// How many other threads are at work.
 #[derive(Default)]
 struct Busy {
-    count: Mutex<usize>,
+    count: AtomicUsize,
+    /// Whoever waits for fewer holds this from its look at the count on.
+    looking: Mutex<()>,
     fewer: Condvar,
 }
 
 impl Busy {
     /// One more, until what is returned is dropped.
     fn begin(&self) -> impl Drop + use<'_> {
-        *lock(&self.count) += 1;
+        self.count.fetch_add(1, Ordering::Relaxed);
         AtWork(self)
     }
 
     /// Waits until there are none; `ask` is called first and now and then.
     fn wait(&self, ask: impl Fn() -> Result<()>) -> Result<()> {
-        while *lock(&self.count) > 0 {
+        while self.count.load(Ordering::Acquire) > 0 {
             ask()?;
-            let count = lock(&self.count);
-            if *count > 0 {
-                drop(self.fewer.wait_timeout(count, BETWEEN_REPORTS));
+            let looking = lock(&self.looking);
+            if self.count.load(Ordering::Acquire) > 0 {
+                drop(self.fewer.wait_timeout(looking, BETWEEN_REPORTS));
             }
         }
         Ok(())
@@ -226,7 +228,8 @@ struct AtWork<'a>(&'a Busy);
 
 impl Drop for AtWork<'_> {
     fn drop(&mut self) {
-        *lock(&self.0.count) -= 1;
+        self.0.count.fetch_sub(1, Ordering::Release);
+        drop(lock(&self.0.looking));
         self.0.fewer.notify_one();
     }
 }
@@ -247,11 +250,6 @@ impl Progress for Unless<'_> {
     fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
         if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
-}
-
-/// What a thread that panicked leaves behind is whole: nothing is changed in two steps.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Consecutive ranges of `size` elements that cover `0..len`, as items.

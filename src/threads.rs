@@ -6,6 +6,9 @@
 
 #![allow(unsafe_code, reason = "POSIX threads, which borrow from the thread that starts them")]
 
+use std::sync::{Mutex, MutexGuard, TryLockError};
+use std::thread;
+
 /// Runs `lead` on this thread, which learns how many others there are, and `help` on `helpers`
 /// others at most; returns when all have returned. A thread that cannot be started is no failure. A
 /// panic of any is passed on.
@@ -16,8 +19,22 @@ pub(crate) fn run_beside(helpers: usize, help: &(dyn Fn() + Sync), lead: &mut dy
     started::run_beside(helpers, help, lead);
 }
 
+/// Locks what is held for a few instructions at a time, and so never slept for: the sanitizer of
+/// threads, too, sees this, and not what the standard library does while it sleeps. What a thread
+/// that panicked leaves behind is whole: nothing is changed in two steps.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    loop {
+        match mutex.try_lock() {
+            Ok(guard) => return guard,
+            Err(TryLockError::Poisoned(panicked)) => return panicked.into_inner(),
+            Err(TryLockError::WouldBlock) => thread::yield_now(),
+        }
+    }
+}
+
 #[cfg(unix)]
 mod started {
+    use super::lock;
     use crate::alloc;
     use libc::{c_void, pthread_attr_t, pthread_t};
     use std::any::Any;
@@ -39,7 +56,7 @@ mod started {
         // SAFETY: the thread that started this one waits for it before it gives `shared` up.
         let shared = unsafe { &*shared.cast::<Shared<'_>>() };
         if let Err(panic) = catch_unwind(AssertUnwindSafe(shared.help)) {
-            *shared.panic.lock().unwrap_or_else(PoisonError::into_inner) = Some(panic);
+            *lock(&shared.panic) = Some(panic);
         }
         ptr::null_mut()
     }

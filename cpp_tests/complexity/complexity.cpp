@@ -101,20 +101,22 @@ int main(int argc, char **argv) {
     CLI::App app("Whether work and memory grow as the header states.");
     std::string prefix, only;
     std::size_t scale = 1, half = 2, number = 0;
-    bool all = false;
+    bool all = false, operations = false;
     app.add_option("--counts", prefix, "The --callgrind-out-file that valgrind was given");
     app.add_option("--half", half, "Every second row, from the first or from the second");
     app.add_option("--only", only, "Rows whose function or family contains this");
     app.add_flag("--all", all, "Slow rows too");
+    app.add_flag("--operations", operations, "The memory of all other operations instead");
     app.add_option("--scale", scale, "A factor of all sizes");
     CLI11_PARSE(app, argc, argv);
     std::printf("%-32s %-24s %7s %12s %5s %4s %12s %5s %4s %8s\n", "function", "family", "n", "instructions", "power", "<=",
                 "bytes", "power", "<=", "each");
     Counter counter(prefix);
     bool good = true;
-    for (const auto &rows : {mesh_rows(), curve_rows(), net_rows(), surface_rows()}) {
+    const std::vector<std::vector<Row>> hostile{mesh_rows(), curve_rows(), net_rows(), surface_rows()};
+    for (const auto &rows : operations ? std::vector<std::vector<Row>>{operation_rows()} : hostile) {
         for (const Row &row : rows) {
-            const bool listed = (all || !row.slow) && (half > 1 || number++ % 2 == half);
+            const bool listed = (all || operations || !row.slow) && (half > 1 || number++ % 2 == half);
             if (listed && (std::string(row.function) + " " + row.family).find(only) != std::string::npos) {
                 good = hold(row, scale, counter) && good;
             }

@@ -45,6 +45,8 @@ std::vector<Row> mesh_rows();
 std::vector<Row> curve_rows();
 std::vector<Row> net_rows();
 std::vector<Row> surface_rows();
+/// Of operations that no hostile input is known for: what they hold.
+std::vector<Row> operation_rows();
 
 } // namespace complexity
 

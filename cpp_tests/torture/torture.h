@@ -173,14 +173,16 @@ static inline void torture_summary(void) {
     if (torture_failures + torture_told->failures) _exit(1);
 }
 
-/* What calls are given instead of the program's own context, so that they can be cancelled and report. */
-static gusset_context *torture_context;
+/* What calls are given instead of the program's own context, so that they can be cancelled and report; and another one, for
+ * arguments that should be none, or another. */
+static gusset_context *torture_context, *torture_alien_context;
 /* Whether the function changes nothing that it is given, so that it does the same each time. */
 static int torture_pure;
 
 static inline void torture_cancel(int signal) {
     (void)signal;
     (gusset_context_cancel)(torture_context);
+    if (torture_alien_context) (gusset_context_cancel)(torture_alien_context);
 }
 
 static inline const gusset_context *torture_own_context(void) {
@@ -225,11 +227,10 @@ static inline int torture_enter(const char *function) {
 
 /* Handles of two kinds, of which one at least is not the kind that is asked for. */
 static inline void *torture_alien(int which) {
-    static gusset_context *context;
     static gusset_scene *scene;
-    if (!context && (gusset_context_create)(&context) != GUSSET_OK) abort();
+    if (!torture_alien_context && (gusset_context_create)(&torture_alien_context) != GUSSET_OK) abort();
     if (!scene && (gusset_scene_create)(NULL, &scene) != GUSSET_OK) abort();
-    return which ? (void *)scene : (void *)context;
+    return which ? (void *)scene : (void *)torture_alien_context;
 }
 
 /* The n-th hostile value of a kind; 0 if there are no more. `was` is what it replaces. */
@@ -476,6 +477,7 @@ static inline int torture_next(void) {
             _exit(TORTURE_AGAIN);
         }
         (gusset_context_reset)(torture_context);
+        if (torture_alien_context) (gusset_context_reset)(torture_alien_context);
         torture_began = torture_clock();
         const struct rlimit seconds = {(rlim_t)torture_began + TORTURE_SECONDS + 1, RLIM_INFINITY};
         setrlimit(RLIMIT_CPU, &seconds);
@@ -576,6 +578,22 @@ static inline uint64_t torture_finite(uint64_t hash, const void *list, size_t co
         }
     if (torture_told->phase < TORTURE_ONE_ALLOCATION) return hash;
     return torture_hash(hash, list, 2 * count * (real ? sizeof(double) : sizeof(float)));
+}
+
+/* The same of a mesh that a result lends: a vertex without faces may be anything, as it was given. */
+static inline uint64_t torture_finite_mesh(uint64_t hash, const gusset_mesh_view *mesh) {
+    const int real = mesh->scalar == GUSSET_F64;
+    const uint32_t *const offsets = mesh->face_offsets, *const corners = mesh->face_corners;
+    const size_t count = mesh->face_count == 0 ? 0 : mesh->face_size ? mesh->face_size * mesh->face_count : offsets[mesh->face_count];
+    for (size_t k = 0; k < 3 * count; ++k) {
+        const size_t at = 3 * (size_t)corners[k / 3] + k % 3;
+        if (!isfinite(real ? ((const double *)mesh->positions)[at] : (double)((const float *)mesh->positions)[at])) {
+            torture_fails("positions");
+            break;
+        }
+    }
+    if (torture_told->phase < TORTURE_ONE_ALLOCATION) return hash;
+    return torture_hash(hash, mesh->positions, 3 * mesh->vertex_count * (real ? sizeof(double) : sizeof(float)));
 }
 
 /* Ends the process of a call: nothing of the program's is to run. */

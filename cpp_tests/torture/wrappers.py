@@ -148,8 +148,11 @@ def finite(header, kind):
         if not re.fullmatch(kind + "_get_(mesh|view|strip)", name) or len(given) != 2 or not header.versioned(given[1].type):
             continue
         view, fields = given[1].type, header.structs[given[1].type]
-        counts = {"gusset_mesh_view": [("positions", "vertex_count")],
-                  "gusset_net_view": [("x", "rows"), ("y", "rows"), ("z", "rows")] if kind != "gusset_net" else []}.get(view)
+        if view == "gusset_mesh_view":
+            lines.append(f"    {{ struct {view} seen = {{.struct_size = sizeof seen}}; if (({name})(made, &seen) == GUSSET_OK) "
+                         "hash = torture_finite_mesh(hash, &seen); }")
+            continue
+        counts = {"gusset_net_view": [("x", "rows"), ("y", "rows"), ("z", "rows")] if kind != "gusset_net" else []}.get(view)
         if counts is None:
             counts = [(one.name, count_after(fields, at, "")) for at, one in enumerate(fields)
                       if one.type == "double" and one.stars == 1 and one.name in ("points", "controls", "normals")]

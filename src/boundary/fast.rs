@@ -35,6 +35,7 @@ use crate::job::Job;
 use crate::mesh::{MeshView, NONE, Visitor};
 use crate::par;
 use crate::sort::sort;
+use crate::threads::lock;
 use std::sync::{Mutex, PoisonError};
 
 /// Faces that one thread looks at at a time.
@@ -133,7 +134,7 @@ impl Sums {
     /// matter who adds what.
     fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<Sums>> = Mutex::new(Vec::new());
-        let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let pool = || lock(&idle);
         let added = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
             let free = pool().pop();
             let mut partial = match free {

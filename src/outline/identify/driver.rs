@@ -19,9 +19,10 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::outline::curve::Place;
 use crate::par;
+use crate::threads::lock;
 use glam::DVec3;
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 /// Points that a thread takes at a time.
 const POINTS_PER_BATCH: usize = 1 << 12;
@@ -62,7 +63,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
         // cancel.
         let idle = Mutex::new(Vec::new());
         let work = |batch: Range<usize>, job: &Job<'_>| -> Result<Worker<'_>> {
-            let free = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let free = lock(&idle).pop();
             let mut worker = free.unwrap_or_else(|| Worker::new(outlines, options));
             worker.identify_all(batch, job)?;
             Ok(worker)
@@ -72,7 +73,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
             let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
             for mut worker in par::map_jobs(&part, STAGE, round.iter().cloned(), work)? {
                 whole.done.append(&mut worker.done)?;
-                idle.lock().unwrap_or_else(PoisonError::into_inner).push(worker);
+                lock(&idle).push(worker);
             }
         }
     }

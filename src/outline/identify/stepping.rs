@@ -16,7 +16,7 @@ use crate::job::Job;
 use glam::DVec3;
 
 /// Steps of some milliseconds.
-const STEPS_PER_REPORT: usize = 1 << 17;
+const STEPS_PER_REPORT: u64 = 1 << 17;
 const STAGE: &str = "stepping along guides";
 
 /// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the
@@ -33,9 +33,11 @@ pub(super) fn step(
     let tolerance = (options.tolerance * 0.125).max(f64::EPSILON) * size;
     let (mut x, mut step) = (0.0f64, options.first_step * size);
     let mut flag = 0.0;
-    let most = options.max_steps as usize;
-    for k in 1..=most {
-        job.step_every(STEPS_PER_REPORT, k, most, STAGE)?;
+    for _ in 0..options.max_steps {
+        // Of all points: each may take fewer.
+        if steps.is_multiple_of(STEPS_PER_REPORT) {
+            job.step(0.0, STAGE)?;
+        }
         let left = deviation(x);
         if left.abs() <= tolerance {
             return Ok(Some(x));

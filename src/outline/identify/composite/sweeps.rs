@@ -107,13 +107,17 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
     let (report, n) = (&mut *out.report, sub.len());
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
     let rounding = 16.0 * f64::EPSILON * sub.size;
-    let mut last = f64::INFINITY;
+    let (mut last, mut placed) = (f64::INFINITY, 0_usize);
     for sweep in 0..count {
         report.iterations += 1;
         solution.remember();
         let (mut farthest, mut all_placed) = (0.0f64, true);
         for i in sub.sections() {
-            out.job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
+            // Of all sweeps: those of a few points may be many.
+            if placed.is_multiple_of(POINTS_PER_REPORT) {
+                out.job.step(i as f64 / n as f64, STAGE)?;
+            }
+            placed += 1;
             let before = solution.controls[i];
             all_placed &= place(sub, solution, (sweep, i), report, out.job)?;
             farthest = farthest.max(solution.controls[i].distance_squared(before));

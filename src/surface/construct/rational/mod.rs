@@ -36,6 +36,9 @@ const MAX_PARTS: f64 = 16.0;
 
 /// Cells that a thread makes at a time: some milliseconds.
 const CELLS_PER_TASK: usize = 64;
+/// Cells that are copied between two progress reports, 1.5 KB each.
+const CELLS_PER_REPORT: usize = 1 << 12;
+const STAGE: &str = "fitting patches";
 
 /// Whether the spline has weights that are not all the same.
 ///
@@ -86,12 +89,6 @@ struct Cell {
     parts: [u8; 2],
 }
 
-impl Default for Cell {
-    fn default() -> Self {
-        Cell { patch: Patch { points: [[DVec3::ZERO; 8]; 8] }, bound: 0.0, parts: [1, 1] }
-    }
-}
-
 /// Patches within the tolerance of the spline over intervals that are all of its spans.
 pub(super) fn patches(
     spline: &Spline<'_>,
@@ -101,8 +98,10 @@ pub(super) fn patches(
 ) -> Result<Patches<8>> {
     let rational = Rational::new(spline, options)?;
     let limit = options.max_cells.unwrap_or(MAX_CELLS) as u64;
-    let mut cells: Vec<Cell> = Vec::new();
-    // Where the cells of a row, and of a column, are among those of the pass before.
+    // All that were made, by tasks so that they are not moved, and the number of each in the grid.
+    let mut tasks: Vec<Vec<Cell>> = Vec::new();
+    let mut grid: Vec<usize> = Vec::new();
+    // Where the cells of a row, and of a column, are in the grid of the pass before.
     let mut kept: [Vec<Option<usize>>; 2] = Default::default();
     let mut width = 0;
     for pass in 0.. {
@@ -111,22 +110,35 @@ pub(super) fn patches(
         // However many passes there are, the progress does not fall.
         let part = job.part(1.0 - 0.5_f64.powi(pass), 1.0 - 0.5_f64.powi(pass + 1));
         let [u, v] = spline.pieces(&intervals)?;
-        let mut made = alloc::filled(Cell::default(), counts[0] * counts[1])?;
-        let known = |k: usize| -> Option<&Cell> {
-            let (row, column) = (*kept[0].get(k / counts[1])?, *kept[1].get(k % counts[1])?);
-            cells.get(row? * width + column?)
+        let known = |i: usize, j: usize| -> Option<usize> {
+            let (row, column) = (*kept[0].get(i)?, *kept[1].get(j)?);
+            grid.get(row? * width + column?).copied()
         };
-        let fill = |(task, part): (usize, &mut [Cell])| {
-            for (place, cell) in part.iter_mut().enumerate() {
-                let k = task * CELLS_PER_TASK + place;
-                *cell = known(k).copied().unwrap_or_else(|| rational.cell(&u[k / counts[1]], &v[k % counts[1]]));
+        let (mut now, mut new) = (alloc::with_capacity(counts[0] * counts[1])?, Vec::new());
+        for i in 0..counts[0] {
+            part.step(0.0, STAGE)?;
+            for j in 0..counts[1] {
+                let next = tasks.len() * CELLS_PER_TASK + new.len();
+                let cell = known(i, j).unwrap_or(next);
+                now.push(cell);
+                if cell == next {
+                    alloc::push(&mut new, [i, j])?;
+                }
             }
-        };
-        par::map_cancellable(&part, "fitting patches", made.chunks_mut(CELLS_PER_TASK).enumerate(), fill)?;
-        (cells, width) = (made, counts[1]);
+        }
+        let made = par::map_cancellable(&part, STAGE, new.chunks(CELLS_PER_TASK), |some| {
+            alloc::collect(some.iter().map(|&[i, j]| rational.cell(&u[i], &v[j])))
+        })?;
+        alloc::reserve(&mut tasks, made.len())?;
+        for made in made {
+            tasks.push(made?);
+        }
+        (grid, width) = (now, counts[1]);
         let mut parts = [alloc::filled(1_u8, counts[0])?, alloc::filled(1_u8, counts[1])?];
-        for (k, cell) in cells.iter().enumerate() {
-            for (parts, (place, wanted)) in parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell.parts)) {
+        for (k, &cell) in grid.iter().enumerate() {
+            for (parts, (place, wanted)) in
+                parts.iter_mut().zip([k / width, k % width].into_iter().zip(cell_of(&tasks, cell).parts))
+            {
                 parts[place] = parts[place].max(wanted);
             }
         }
@@ -137,10 +149,21 @@ pub(super) fn patches(
             (intervals[d], kept[d]) = cut(&intervals[d], &parts[d], d as u32)?;
         }
     }
-    let deviation = cells.iter().fold(0.0, |most: f64, cell| most.max(cell.bound)) + rational.rounding;
-    let origin = Origin { deviation: deviation * rational.unit, knots: knots_of(&intervals)? };
-    let patches = alloc::collect(cells.iter().map(|cell| cell.patch))?;
+    let mut patches = alloc::with_capacity(grid.len())?;
+    let mut deviation = 0.0_f64;
+    for (k, &cell) in grid.iter().enumerate() {
+        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), STAGE)?;
+        let cell = cell_of(&tasks, cell);
+        deviation = deviation.max(cell.bound);
+        patches.push(cell.patch);
+    }
+    let origin = Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: knots_of(&intervals)? };
     Ok(Patches::of(patches, intervals[0].len(), intervals[1].len()).with(origin))
+}
+
+/// A cell by its number.
+fn cell_of(tasks: &[Vec<Cell>], number: usize) -> &Cell {
+    &tasks[number / CELLS_PER_TASK][number % CELLS_PER_TASK]
 }
 
 /// Intervals cut into equal parts, and where those that are whole were before.

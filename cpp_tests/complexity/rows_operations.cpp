@@ -1,0 +1,251 @@
+// What all other operations hold at their peak, on ordinary inputs: docs/guides/guarantees.md states it.
+#include "row.hpp"
+#include "shapes.hpp"
+
+namespace complexity {
+
+namespace {
+using gusset::Context;
+using gusset::Curve;
+using gusset::Net;
+using gusset::Sheet;
+using gusset::Surface;
+
+Net net_of(const Grid &grid) { return Net::from_points(grid.rows, grid.columns, grid.points); }
+Grid rough(std::size_t n, uint32_t seed = 1) { return random_grid(n, seed, 0.8); }
+
+template <class Function>
+Row on_net(const char *name, double bytes, Function function) {
+    return {name, "net", 4096, 0, 1, 1, bytes, [=](std::size_t n) {
+                const auto net = std::make_shared<Net>(net_of(rough(n)));
+                return making([=](const Context &context) { return function(*net, context); });
+            }, true};
+}
+
+/// What changes a net, or tells a number of it.
+template <class Function>
+Row with_net(const char *name, double bytes, Function function) {
+    return on_net(name, bytes, [=](Net &net, const Context &context) {
+        function(net, context);
+        return 0;
+    });
+}
+
+template <class Function>
+Row on_curve(const char *name, double bytes, Function function) {
+    return {name, "circle", 1024, 0, 1, 1, bytes, [=](std::size_t n) {
+                const auto curve = std::make_shared<const Curve>(curve_of(circle(3 * n + 1, 1.0, 0.0), 3));
+                return making([=](const Context &context) { return function(*curve, context); });
+            }, true};
+}
+
+template <class Function>
+Row on_sheet(const char *name, double bytes, Function function) {
+    return {name, "sheet", 1024, 0, 1, 1, bytes, [=](std::size_t n) {
+                const auto sheet = std::make_shared<const Sheet>(sheet_of(rough(n)));
+                return making([=](const Context &context) { return function(*sheet, context); });
+            }, true};
+}
+
+template <class Function>
+Row on_surface(const char *name, std::size_t size, double work, double bytes, Function function) {
+    return {name, "surface", size, 0, work, 1, bytes, [=](std::size_t n) {
+                const auto sheet = std::make_shared<const Sheet>(sheet_of(rough(n)));
+                const auto surface = std::make_shared<const Surface>(*sheet);
+                return making([=](const Context &context) { return function(*surface, context); });
+            }, true};
+}
+
+void add_net_rows(std::vector<Row> &rows) {
+    rows.push_back({"net_create", "nodes", 4096, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto grid = std::make_shared<const Grid>(rough(n));
+                        return making([=](const Context &context) {
+                            return Net::from_points(grid->rows, grid->columns, grid->points, {}, context);
+                        });
+                    }, true});
+    rows.push_back({"net_from_heights_create", "heights", 4096, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto grid = std::make_shared<const Grid>(plane_grid(n));
+                        const auto heights = std::make_shared<std::vector<double>>(grid->rows * grid->columns, 0.5);
+                        return making([=](const Context &context) {
+                            return Net::from_heights(grid->rows, grid->columns, heights->data(), {}, context);
+                        });
+                    }, true});
+    rows.push_back({"net_grid_create", "quads", 4096, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto mesh = std::make_shared<const gusset::NetMesh>(net_of(plane_grid(n)));
+                        return making([=](const Context &context) { return gusset::NetGrid(mesh->mesh(), std::nullopt, context); });
+                    }, true});
+    rows.push_back({"net_triangle_grid_create", "triangles", 4096, 0, 1, 1, 0, [](std::size_t n) {
+                        gusset::NetMeshOptions options;
+                        options.faces = gusset::NetFaces::triangles_fixed;
+                        const auto mesh = std::make_shared<const gusset::NetMesh>(net_of(plane_grid(n)), options);
+                        return making([=](const Context &context) { return gusset::NetGrid::of_triangles(mesh->mesh(), context); });
+                    }, true});
+    rows.push_back(on_net("net_clone_create", 0, [](const Net &net, const Context &) { return Net(net); }));
+    rows.push_back(on_net("net_convert_create", 0, [](const Net &net, const Context &context) {
+        return net.converted(gusset::Scalar::f32, context);
+    }));
+    rows.push_back(on_net("net_part_create", 0, [](const Net &net, const Context &context) {
+        return net.part(0, net.rows(), 0, net.columns(), context);
+    }));
+    rows.push_back(on_net("net_transpose_create", 0, [](const Net &net, const Context &context) { return net.transposed(context); }));
+    rows.push_back(on_net("net_flip_create", 0, [](const Net &net, const Context &context) {
+        return net.flipped(gusset::Direction::right, context);
+    }));
+    rows.push_back(on_net("net_turn_create", 0, [](const Net &net, const Context &context) { return net.turned(1, context); }));
+    rows.push_back(on_net("net_reformat_create", 0, [](const Net &net, const Context &context) {
+        gusset::ReformatOptions options;
+        options.rows = net.rows() + 1;
+        options.columns = net.columns() + 1;
+        return net.reformatted(options, context);
+    }));
+    rows.push_back(on_net("net_compact_create", 0, [](const Net &net, const Context &context) { return net.compacted(context); }));
+    rows.push_back(on_net("net_decimate_create", 0, [](const Net &net, const Context &context) { return net.decimated(0.1, context); }));
+    rows.push_back(on_net("net_pyramid_create", 0, [](const Net &net, const Context &context) {
+        return net.pyramid(gusset::Interpolation::bicubic, context);
+    }));
+    rows.push_back(on_net("net_morph_create", 0, [](const Net &net, const Context &context) {
+        return net.morphed(net, 0.5, gusset::MorphPath::rigid, context);
+    }));
+    rows.push_back(on_net("net_concatenate_create", 0, [](const Net &net, const Context &context) {
+        return concatenate(net, net, {}, context);
+    }));
+    rows.push_back(on_net("net_split_create", 0, [](const Net &net, const Context &context) {
+        return concatenate(net, net, {}, context).split(0, context);
+    }));
+    rows.push_back(on_net("net_analysis_create", 0, [](const Net &net, const Context &context) {
+        return gusset::NetAnalysis(net, net, 0.0, context);
+    }));
+    rows.push_back(on_net("net_complex_create", 0, [](const Net &net, const Context &context) {
+        return gusset::NetComplex(net, gusset::NetCells::all, context);
+    }));
+    rows.push_back(on_net("net_groups_create", 0, [](const Net &net, const Context &context) { return gusset::NetGroups(net, context); }));
+    rows.push_back(with_net("net_saturate", 0, [](Net &net, const Context &context) { net.saturate(context); }));
+    rows.push_back(with_net("net_histogram", 0, [](Net &net, const Context &context) { (void)net.histogram(context); }));
+    rows.push_back(with_net("net_measure", 0, [](Net &net, const Context &context) { (void)net.measure(context); }));
+    rows.push_back(with_net("net_moments", 0, [](Net &net, const Context &context) { (void)net.moments(context); }));
+    rows.push_back(with_net("net_bilinear_area", 0, [](Net &net, const Context &context) { (void)net.bilinear_area(context); }));
+    rows.push_back(with_net("net_transform", 0, [](Net &net, const Context &context) {
+        net.transform(gusset::Operation::translate({1, 2, 3}), context);
+    }));
+    rows.push_back(with_net("net_deform", 0, [](Net &net, const Context &context) {
+        net.deform(gusset::Field::spherify({0, 0, 0}, 1.0), 1.0, context);
+    }));
+    rows.push_back(with_net("net_displace", 0, [](Net &net, const Context &context) { net.displace(0.1, context); }));
+    rows.push_back(with_net("net_planarise", 0, [](Net &net, const Context &context) {
+        gusset::PlanariseOptions options;
+        options.max_iterations = 3;
+        (void)net.planarise(options, context);
+    }));
+}
+
+void add_curve_rows(std::vector<Row> &rows) {
+    rows.push_back({"curve_through_create", "circle", 1024, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto points = std::make_shared<const std::vector<Point3>>(circle(n, 1.0, 0.0));
+                        return making([=](const Context &context) {
+                            return Curve::through(*points, true, gusset::Scheme::six_tap, context);
+                        });
+                    }, true});
+    rows.push_back(on_curve("curve_sample_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.sample(gusset::SampleRule::count, 1000.0, context);
+    }));
+    rows.push_back(on_curve("curve_part_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.part({0, 0, 0.5}, {static_cast<uint32_t>(curve.segment_count() - 1), 0, 0.5}, context);
+    }));
+    rows.push_back(on_curve("curve_split_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.split({static_cast<uint32_t>(curve.segment_count() / 2), 0, 0.5}, context);
+    }));
+    rows.push_back(on_curve("curve_reverse_create", 0, [](const Curve &curve, const Context &context) { return curve.reversed(context); }));
+    rows.push_back(on_curve("curve_elevate_create", 0, [](const Curve &curve, const Context &context) { return curve.elevated_by(1, context); }));
+    rows.push_back(on_curve("curve_reduce_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.reduced(2, 1e-3, context);
+    }));
+    rows.push_back(on_curve("curve_svg_create", 0, [](const Curve &curve, const Context &context) { return curve.svg(context); }));
+    rows.push_back(on_curve("curve_contour_create", 0, [](const Curve &curve, const Context &context) { return curve.contour(1e-3, context); }));
+    rows.push_back(on_curve("curve_spline_create", 0, [](const Curve &curve, const Context &context) { return curve.spline(context); }));
+    rows.push_back(on_curve("curve_tangent_angle_create", 0, [](const Curve &curve, const Context &context) {
+        return curve.tangents_at_angle({1, 0, 0}, 0.3, context);
+    }));
+    rows.push_back(on_curve("curve_lengths_at", 0, [](const Curve &curve, const Context &context) {
+        const gusset::Place at[] = {{0, 0, 0.5}};
+        return curve.lengths_at(at, context);
+    }));
+    rows.push_back(on_curve("curve_places_at", 0, [](const Curve &curve, const Context &context) {
+        const double at[] = {0.5};
+        return curve.places_at(at, context);
+    }));
+    rows.push_back({"sections_create", "circle", 1024, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto points = std::make_shared<const std::vector<Point3>>(circle(n, 1.0, 0.0));
+                        return making([=](const Context &context) {
+                            return gusset::Sections(gusset::Outlines(*points, true), gusset::SectionMethod::bisector, 0.5, context);
+                        });
+                    }, true});
+    const auto two_rims = [](auto function) {
+        return [=](std::size_t n) {
+            const auto a = std::make_shared<const std::vector<Point3>>(circle(n, 1.0, 0.0));
+            const auto b = std::make_shared<const std::vector<Point3>>(circle(n, 1.1, 0.3));
+            return making([=](const Context &context) { return function(*a, *b, context); });
+        };
+    };
+    using Points = std::vector<Point3>;
+    rows.push_back({"strip_create", "circles", 1024, 0, 1, 1, 0, two_rims([](const Points &a, const Points &b, const Context &context) {
+                        return gusset::Strip(a, b, true, {}, context);
+                    }), true});
+}
+
+void add_surface_rows(std::vector<Row> &rows) {
+    rows.push_back({"sheet_from_nodes_create", "nodes", 1024, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto grid = std::make_shared<const Grid>(rough(n));
+                        return making([=](const Context &context) {
+                            return Sheet::from_nodes(gusset::NodesView(grid->rows, grid->columns, grid->points), context);
+                        });
+                    }, true});
+    rows.push_back(on_sheet("sheet_estimates", 0, [](const Sheet &sheet, const Context &context) { return sheet.estimates(context); }));
+    rows.push_back(on_sheet("sheet_diameters", 0, [](const Sheet &sheet, const Context &context) { return sheet.diameters(context); }));
+    rows.push_back(on_sheet("sheet_crease", 0, [](const Sheet &sheet, const Context &context) { return sheet.crease(context); }));
+    rows.push_back(on_sheet("sheet_curvature_bound", 0, [](const Sheet &sheet, const Context &context) { return sheet.curvature_bound(context); }));
+    rows.push_back(on_sheet("sheet_curve_create", 0, [](const Sheet &sheet, const Context &context) {
+        return sheet.curve(gusset::SheetDirection::rows, 1.5, context);
+    }));
+    rows.push_back(on_sheet("sheet_reference_mask", 0, [](const Sheet &sheet, const Context &context) {
+        return sheet.reference_mask(gusset::ReferenceTask::at({0, 0, 5}), context);
+    }));
+    const auto line = gusset::Line::line({0, 0.3, 2}, {1, 0.2, 0});
+    rows.push_back(on_surface("surface_region_create", 1024, 1, 0, [](const Surface &surface, const Context &context) {
+        return surface.region({0, 0, 0}, 1e9, context);
+    }));
+    rows.push_back(on_surface("surface_line_distance", 256, 1, 0, [=](const Surface &surface, const Context &context) {
+        return surface.distance(line, 0.0, context);
+    }));
+    rows.push_back(on_surface("surface_first_hits", 256, 1, 0, [=](const Surface &surface, const Context &context) {
+        return surface.first_hits({&line, 1}, context);
+    }));
+    rows.push_back(on_surface("surface_nearest_angle", 256, 1, 0, [](const Surface &surface, const Context &context) {
+        return surface.nearest_angle({0, 0, 1}, 0.3, gusset::NormalSide::one, context);
+    }));
+    rows.push_back(on_surface("surface_contours_create", 256, 1, 0, [](const Surface &surface, const Context &context) {
+        const auto sheet = surface.sheet(0);
+        std::vector<double> values((sheet.rows + 1) * (sheet.columns + 1));
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            values[k] = static_cast<double>(k % (sheet.columns + 1));
+        }
+        const double level[] = {1.5};
+        return surface.contours(values, level, {}, context);
+    }));
+    rows.push_back(on_surface("surface_cell_pairs_create", 256, 1, 0, [](const Surface &surface, const Context &context) {
+        return surface.cell_pairs(surface, 0.0, context);
+    }));
+    rows.push_back(on_surface("surface_curve_distance", 64, 1, 0, [](const Surface &surface, const Context &context) {
+        return surface.distance(curve_of(circle(31, 1.0, 4.0), 3), 0.0, context);
+    }));
+}
+} // namespace
+
+std::vector<Row> operation_rows() {
+    std::vector<Row> rows;
+    add_net_rows(rows);
+    add_curve_rows(rows);
+    add_surface_rows(rows);
+    return rows;
+}
+
+} // namespace complexity
