@@ -12482,12 +12482,12 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * be alone: near it both are graphs over a plane, and the second derivatives of their difference
  * are a definite form (GUSSET_CONTACT_POINT) or an indefinite one (GUSSET_CONTACT_CROSSING), and
  * the gap is within the tolerance; if it is larger, there is a loop, or nothing, or two branches
- * that pass each other. What is within a contact's radius, about the root of the tolerance times
- * the radius of curvature, is left out: loops, and how branches run that come nearer to each other
- * than that; a path goes straight to the contact's point from where it comes to it. A path that
- * comes to a crossing turns there, as N_A x N_B points to it and away from it in turn, and goes
- * back the way that closes it if there is one: a figure of eight is two closed paths that have one
- * point in common.
+ * that pass each other. What is within a contact's radius, at most some four times the root of
+ * twice the tolerance over the least curvature of that difference, is left out: loops, and how
+ * branches run that come nearer to each other than that; a path goes straight to the contact's
+ * point from where it comes to it. A path that comes to a crossing turns there, as N_A x N_B
+ * points to it and away from it in turn, and goes back the way that closes it if there is one: a
+ * figure of eight is two closed paths that have one point in common.
  *
  * Cells of a where the surfaces touch in another way (along a curve, at a pole, at a border, to a
  * higher order) or coincide are listed as unresolved, and curves may end there, or be in parts or
@@ -12504,8 +12504,10 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
  *     OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY,
  *     CANCELLED.
- * @complexity In proportion to the pairs of cells that may meet, with a limit for each; threads;
- *     the same bits for any number of them.
+ * @complexity In proportion to the pairs of cells that may be within the tolerance of each other,
+ *     with a limit for each, and to the points, as 1 / sqrt(chord); more where cells are within
+ *     the tolerance of hundreds of others. Threads; the same bits for any number of them. With a
+ *     and b exchanged bits may differ, and which contacts are proved.
  * @source Leus, "Carcasses on smooth surfaces", task e; the proofs are ours.
  * @since 0.1
  */
@@ -12527,14 +12529,15 @@ gusset_status gusset_surface_intersection_create(const struct gusset_context *co
  * seam, as a Möbius band is, the direction turns too.
  *
  * Cells with a side or a corner in common, across a seam too, opposite borders of a sheet whose
- * control points are the same but for rounding, in either order, and cells round a pole are
- * joined: what they have in common so is no intersection, and that they have nothing else is
- * proved, or they are divided. Every branch longer than the tolerance is found, but for cells that
- * are listed as unresolved: where tangents are dependent, as where a curve ends in a pinch
- * (Whitney's umbrella), at creases and singular poles, and where pieces touch or coincide. A curve
- * that ends in a pinch ends within the tolerance of it; the unresolved place is where its pieces
- * are as near to each other as that. No contacts are looked for. What borders of different sheets
- * have in common is an intersection.
+ * control points are the same to 64 units of rounding of the largest coordinate, in either order,
+ * and cells round a pole are joined: what they have in common so is no intersection, and that they
+ * have nothing else is proved, or they are divided. Every branch longer than the tolerance is
+ * found, but for cells that are listed as unresolved: where tangents are dependent, as where a
+ * curve ends in a pinch (Whitney's umbrella), at creases and singular poles, and where pieces
+ * touch or coincide. A curve that ends in a pinch ends within the tolerance of it; the unresolved
+ * place is where its pieces are as near to each other as that. A curve that runs along sides of
+ * cells all its way may come in many parts. No contacts are looked for. What borders of different
+ * sheets have in common is an intersection.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param surface the surface.

@@ -50,7 +50,8 @@ struct IntersectionOptions {
     /// The largest distance from chords; 0: 1e-4 of the diagonal of the smaller surface's box;
     /// infinite: only the crossings of cell edges.
     double chord = 0.0;
-    /// Shorter branches may be lost; 0: the smaller tolerance of the two.
+    /// Surfaces no farther apart touch, or no deeper in each other; 0: the smaller tolerance of the
+    /// two, by which branches are found anyway.
     double tolerance = 0.0;
 };
 

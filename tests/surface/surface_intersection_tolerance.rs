@@ -229,3 +229,28 @@ fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
     }
     assert!(same >= compared / 3, "{same} of {compared}");
 }
+
+/// z = 0.05 sin sin meets a plane in loops that are within the tolerance of each other in corridors
+/// from saddle to saddle: what is not told apart is said, and no path is lost without a word, in
+/// either order.
+#[test]
+fn contacts_are_no_wider_than_their_curvature_allows() {
+    let waves = sheet(16, |x, y| {
+        let [x, y] = [2.0 * x - 1.0, 2.0 * y - 1.0];
+        DVec3::new(x, y, 0.05 * (5.0 * x + 0.3).sin() * (5.0 * y + 0.2).sin())
+    });
+    for cells in [5, 8] {
+        let flat = sheet(cells, |x, y| DVec3::new(2.0 * x - 1.0, 2.0 * y - 1.0, 0.005));
+        let expected = length_round(&meet(&waves, &flat, 1e-6));
+        for tolerance in [1e-3, 0.0075, 0.015, 0.025, 0.035] {
+            for (a, b) in [(&waves, &flat), (&flat, &waves)] {
+                let paths = a.meet(b, &options(tolerance), &Job::default()).unwrap();
+                let widest = paths.contacts.iter().map(|contact| contact.radius).fold(0.0, f64::max);
+                let what = format!("{cells} {tolerance}: {} of {expected}, widest {widest}", length_round(&paths));
+                // The difference curves by 1.25 at the saddles and more at the bumps.
+                assert!(widest <= 4.5 * (2.0 * (tolerance + 0.005) / 1.2f64).sqrt(), "{what}");
+                assert!(!paths.unresolved.is_empty() || length_round(&paths) >= 0.85 * expected, "{what}");
+            }
+        }
+    }
+}

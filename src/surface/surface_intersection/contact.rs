@@ -32,6 +32,9 @@ const MAX_CLUSTER: usize = 4096;
 const MAX_STARTS: usize = 32;
 /// Neighbours of balls that are looked at between two progress reports.
 const VISITS_PER_REPORT: usize = 1 << 18;
+/// How many times as large as its rim, the root of twice the tolerance over the least curvature, a
+/// contact may be: boxes are halved no further than that.
+const MAX_RIMS: f64 = 4.0;
 /// Steps of Newton's method.
 const NEWTON_STEPS: usize = 32;
 /// How far outside its cells a critical point may be, by parameters: those on sides are of the
@@ -270,16 +273,22 @@ impl ContactSearch<'_> {
                 let [a, b] = self.places(ball.pair, x);
                 let [point, other] = [(0, a), (1, b)].map(|(k, place)| self.surfaces[k].jet(place).point - self.origin);
                 let normal = frame.z_axis;
-                let within =
-                    |ball: &&UnresolvedBall| ball.centre.distance(point) <= ball.radius + 4.0 * self.resolution;
                 let radius = balls.iter().map(|ball| ball.centre.distance(point) + ball.radius).fold(0.0, f64::max);
                 let gap = (point - other).dot(normal);
+                // A ball is about a point of either surface.
+                let reach = gap.abs() + 4.0 * self.resolution;
+                let within = |ball: &&UnresolvedBall| ball.centre.distance(point) <= ball.radius + reach;
                 // D grows by the least curvature at least: lambda r^2 / 2.
                 let form = g - h;
-                let curvature = form.determinant() / (form.x_axis.x + form.y_axis.y);
-                let rim = (2.0 * (self.tolerance + gap.abs()) / curvature.abs().max(f64::MIN_POSITIVE)).sqrt();
-                let radius =
-                    if curvature.is_finite() && form.determinant() > 0.0 { radius.max(1.1 * rim) } else { radius };
+                let [trace, determinant] = [form.x_axis.x + form.y_axis.y, form.determinant()];
+                let greatest = 0.5 * (trace.abs() + (trace * trace - 4.0 * determinant).max(0.0).sqrt());
+                let least = (determinant / greatest).abs().max(f64::MIN_POSITIVE);
+                let rim = (2.0 * (self.tolerance + gap.abs()) / least).sqrt();
+                // Elsewhere the surfaces are as near to each other for another reason.
+                if self.resolution < self.tolerance && radius > MAX_RIMS * rim {
+                    return None;
+                }
+                let radius = if rim.is_finite() && determinant > 0.0 { radius.max(1.1 * rim) } else { radius };
                 if !(inside && balls.iter().any(within)) {
                     return Some(Search::Beyond(point));
                 }

@@ -5,8 +5,10 @@
 //! solved as two surfaces are, and the arcs are joined without regard to which of the two pieces is
 //! the first (`trails`).
 
+use super::bridge::Bridges;
 use super::chart::ParameterBox;
 use super::joints::Joints;
+use super::links::Chain;
 use super::near::NearPair;
 use super::net::Net;
 use super::pairs::CellPair;
@@ -60,7 +62,8 @@ impl Surface<'_> {
         let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         // Cells beside each other are near to each other, and do not touch for that.
-        let tolerance = tolerance.min(self.tolerance());
+        let rounding = rounding_error(self.diagonal());
+        let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);
         let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
@@ -172,6 +175,15 @@ impl Intersection<'_> {
         let trails = Trails { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
         let mut trails = trails.run(&job.part(0.5, 1.0))?;
         trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
+        // What was found once more is left out.
+        let chains = alloc::try_collect::<_, Error>(trails.iter().map(|trail| {
+            let arcs = alloc::collect(trail.steps.iter().map(|step| step.arc))?;
+            Ok(Chain { arcs, closed: trail.closed })
+        }))?;
+        let mut dropped = alloc::filled(false, pieces.arcs.len())?;
+        let bridges = Bridges { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
+        bridges.drop_repeated(&chains, &mut dropped)?;
+        trails.retain(|trail| !dropped[trail.steps[0].arc as usize]);
         Ok(trails)
     }
 

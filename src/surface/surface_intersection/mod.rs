@@ -112,8 +112,8 @@ impl Surface<'_> {
     /// points are those of this surface; the other one's are the same but for rounding, and but for
     /// the tolerance at crossings.
     ///
-    /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each;
-    /// where surfaces coincide there are many. For where one surface meets itself see
+    /// Work and memory in proportion to the pairs of cells that may be within the tolerance of each
+    /// other, with a limit for each; where surfaces coincide there are many. For where one surface meets itself see
     /// [`Surface::meet_itself`]: each surface is taken as it is here.
     ///
     /// # Errors
@@ -123,7 +123,8 @@ impl Surface<'_> {
         let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
-        let resolution = tolerance.min(self.tolerance().min(other.tolerance()));
+        let rounding = rounding_error(self.diagonal().max(other.diagonal()));
+        let resolution = tolerance.min(self.tolerance().min(other.tolerance())).max(8.0 * rounding);
         let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
         let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
         let intersection = Intersection {
@@ -204,9 +205,7 @@ impl Surroundings for Intersection<'_> {
     }
 
     fn contain(&self, [from, to]: [DVec3; 2]) -> bool {
-        let is_near = |point: DVec3, of: &Surface<'_>| {
-            of.closest(self.places.origin + point, self.chord.max(self.tolerance)).is_some()
-        };
+        let is_near = |point: DVec3, of: &Surface<'_>| of.closest(self.places.origin + point, self.chord).is_some();
         let near = |point: DVec3| self.places.surfaces.iter().all(|surface| is_near(point, surface));
         [0.5, 0.25, 0.75].into_iter().all(|part| near(from.lerp(to, part)))
     }

@@ -11,6 +11,7 @@ use super::chart::ParameterBox;
 use super::equation::Equation;
 use super::refine::ArcRefinement;
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use crate::surface::Patch;
 use crate::surface::prelude::*;
 use glam::{DVec3, DVec4};
 use std::borrow::Cow;
@@ -169,6 +170,11 @@ impl PairTask {
     ) -> PairSearch<'a, N, M> {
         PairSearch { task: self, equation, before: pieces.counts(), examined: 0, is_near: false, pieces, job }
     }
+}
+
+/// The greatest distance of control points from a point.
+fn radius_about<const N: usize>(centre: DVec3, patch: &Patch<N>) -> f64 {
+    patch.points.as_flattened().iter().map(|corner| corner.distance(centre)).fold(0.0, f64::max)
 }
 
 /// The search of one pair of cells.
@@ -360,10 +366,12 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     pub(super) fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
         let (PairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
-        let centre = equation.point(x);
-        let from_centre = |corner: &DVec3| corner.distance(centre);
-        let radius = part.nets.a.patch().points.as_flattened().iter().map(from_centre).fold(0.0, f64::max);
-        let gap = equation.frame(x).miss.length();
+        let frame = equation.frame(x);
+        // What both have in common is in either piece; where one is far smaller, that says more.
+        let (a, b) = (equation.point(x), equation.point(x) - frame.miss);
+        let (of_a, of_b) = (radius_about(a, &part.nets.a.patch()), radius_about(b, &part.nets.b.patch()));
+        let (centre, radius) = if of_a <= 2.0 * of_b { (a, of_a) } else { (b, of_b) };
+        let gap = frame.miss.length();
         let (low, high) = (part.low, part.low + part.size);
         let ball = UnresolvedBall { pair, x, centre, radius, gap, low, high, is_whole };
         let own = &mut self.pieces.balls[self.before[2]..];
