@@ -153,6 +153,7 @@ complexity: stage
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target complexity --parallel 2
 	build/cpp/complexity/complexity --scale 16
+	build/cpp/complexity/complexity --operations --scale 4
 
 # Both kinds, one after the other, unless KIND says which.
 sanitize:
