@@ -24,9 +24,9 @@ pub(crate) fn sort<T>(
     let whole = items.len().max(1) as f64;
     // What is in order is left so; else this ends soon.
     let in_order = |k: usize| k == 0 || compare(&items[k - 1], &items[k]).is_le();
-    let mut ordered = 0;
+    let (mut ordered, looking) = (0, job.part(0.0, 0.0));
     while ordered < items.len() && in_order(ordered) {
-        job.part(0.0, 0.0).step_every(ELEMENTS_PER_REPORT, ordered, items.len(), stage)?;
+        looking.step_every(ELEMENTS_PER_REPORT, ordered, items.len(), stage)?;
         ordered += 1;
     }
     if ordered == items.len() {

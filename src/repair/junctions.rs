@@ -135,7 +135,6 @@ impl Border<'_> {
             Ok(())
         })?;
         let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
-        job.step(0.2, STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
         job.step(0.2, STAGE)?;
         let tree = BoxTree::new(order.chunks(GROUP).map(around))?;

@@ -10,11 +10,11 @@
 //!    (`bridge`).
 //!
 //! Proved: every point that the declared surfaces have in common lies in a pair of cells of step 1,
-//! and in a box that has an arc through it, or is shorter than the tolerance, or is within the
+//! and in a box that has an arc through it, or is shorter than the resolution, or is within the
 //! radius of a contact, or is reported as unresolved. Bounds are computed in double precision, with
 //! room for rounding (`rounding_error`).
 //! One thing is judged by points and not proved: whether a curve that is nearer than a thousandth
-//! of the tolerance to a side of a box runs along it, touches it or crosses it, which decides
+//! of the resolution to a side of a box runs along it, touches it or crosses it, which decides
 //! between the boxes on both sides. One that runs along a side is found from both, and kept once
 //! (`overlap`).
 //!
@@ -101,10 +101,12 @@ impl Surface<'_> {
     /// in `contacts`: if they are graphs over a plane there whose second derivatives differ by a
     /// definite or an indefinite form, proved over all that is not resolved otherwise. Surfaces
     /// that overlap by more than the tolerance have a curve there, and those that are farther apart
-    /// have nothing. What is within the contact's radius, about the root of the tolerance times the
-    /// radius of curvature, is left out, and a path that comes to it goes straight to its point. As N_A x N_B points to a crossing and away from it in turn, paths turn there:
-    /// each of the four branches is joined with the neighbour that leads back to it, so that a
-    /// figure of eight is two closed paths with one point in common; else as straight as can be.
+    /// have nothing. What is within the contact's radius, at most some four times the root of twice
+    /// the tolerance over the least curvature of that difference, is left out, and a path that
+    /// comes to it goes straight to its point. As N_A x N_B points to a crossing and away from it
+    /// in turn, paths turn there: each of the four branches is joined with the neighbour that leads
+    /// back to it, so that a figure of eight is two closed paths with one point in common; else as
+    /// straight as can be.
     ///
     /// Cells of this surface where the two touch along a curve, at a pole, at the border of a
     /// sheet, or to a higher order, or coincide, are in `unresolved`, and curves may end there; they are
@@ -113,8 +115,8 @@ impl Surface<'_> {
     /// the tolerance at crossings.
     ///
     /// Work and memory in proportion to the pairs of cells that may be within the tolerance of each
-    /// other, with a limit for each; where surfaces coincide there are many. For where one surface meets itself see
-    /// [`Surface::meet_itself`]: each surface is taken as it is here.
+    /// other, with a limit for each; where surfaces coincide there are many. For where one surface
+    /// meets itself see [`Surface::meet_itself`]: each surface is taken as it is here.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
