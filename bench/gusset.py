@@ -50,11 +50,8 @@ class StitchOptions(Structure):
 
 class StripOptions(Structure):
     _fields_ = [
-        ("struct_size", c_size_t), ("meridians", c_uint32), ("search", c_uint32), ("start", c_uint32), ("closed", c_uint32)]
-
-
-class StripParts(Structure):
-    _fields_ = [("struct_size", c_size_t), ("start", c_uint32 * 2), ("meridians", Indices), ("triangles", Indices)]
+        ("struct_size", c_size_t), ("meridians", c_uint32), ("search", c_uint32), ("start", c_uint32), ("closed", c_uint32),
+        ("rows", c_uint32), ("row_count", c_uint32), ("cells", c_uint32), ("reserved", c_uint32)]
 
 
 class Parts(Structure):
@@ -247,9 +244,9 @@ class Library:
 
     def strip_area(self, strip, rim_a, rim_b):
         """What the choice of least area makes least."""
-        parts = sized(StripParts)
-        self._check(self.c.gusset_strip_get_view(strip.address, byref(parts)))
-        corners = np.concatenate([rim_a, rim_b])[array(parts.triangles.data, parts.triangles.count, np.uint32).reshape(-1, 3)]
+        view = sized(View)
+        self._check(self.c.gusset_strip_get_mesh(strip.address, byref(view)))
+        corners = np.concatenate([rim_a, rim_b])[array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)]
         sides = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         return float(np.linalg.norm(np.cross(*sides), axis=1).sum() / 2)
 

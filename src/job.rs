@@ -101,6 +101,13 @@ impl<'a> Job<'a> {
         if k.is_multiple_of(interval) { self.step(k as f64 / count as f64, stage) } else { Ok(()) }
     }
 
+    /// Reports within work on element `k` of a list that is short as a rule: not at the first, so
+    /// that many short lists report nothing.
+    #[inline]
+    pub(crate) fn step_within(&self, k: usize, stage: &'static str) -> Result<()> {
+        if k % ELEMENTS_PER_REPORT == ELEMENTS_PER_REPORT - 1 { self.step(0.0, stage) } else { Ok(()) }
+    }
+
     /// Does work of `len` elements, so many at a time that no host waits, and reports before each
     /// time.
     pub(crate) fn ranges(

@@ -31,6 +31,8 @@ struct Row {
     std::function<Call(std::size_t)> prepare;
     /// Left to `make torture`, as it takes seconds.
     bool slow = false;
+    /// For how many milliseconds the call may be silent, as docs/guides/guarantees.md states.
+    double silence = 100;
 };
 
 /// A call that makes a handle, which is kept.

@@ -95,10 +95,12 @@ std::vector<Row> net_rows() {
         {"net_validation_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, validate)},
         {"net_normals", "rough", 4096, 4000000, 1, 1, 0, on(rough, normals)},
         {"net_resample_create", "rough", 1024, 4000000, 1, 1, 0, on(rough, resample)},
+        // Many calls, each of which is short.
         {"scene_remove_child", "all, first to last", 128, 20000, 2, 1, 0,
-         emptied([](gusset::Scene &scene, uint32_t group, uint32_t child, const Context &context) { scene.remove_child(group, child, context); })},
+         emptied([](gusset::Scene &scene, uint32_t group, uint32_t child, const Context &context) { scene.remove_child(group, child, context); }),
+         false, 1000},
         {"scene_remove", "all, first to last", 128, 20000, 2, 1, 0,
-         emptied([](gusset::Scene &scene, uint32_t, uint32_t child, const Context &context) { scene.remove(child, context); })},
+         emptied([](gusset::Scene &scene, uint32_t, uint32_t child, const Context &context) { scene.remove(child, context); }), false, 1000},
         {"scene_world_transforms", "deep", 128, 100000, 1, 1, 0,
          [](std::size_t n) {
              const auto scene = deep(n);

@@ -138,6 +138,38 @@ void add_net_rows(std::vector<Row> &rows) {
     }));
 }
 
+/// Bridges that settle, scenes, and streams that arrive in pieces.
+void add_joined_rows(std::vector<Row> &rows) {
+    const auto bridged = [](const Net &net, std::size_t n) {
+        gusset::JoinOptions options;
+        options.rows = static_cast<uint32_t>(n / net.columns());
+        options.properties.tension = 1;
+        return concatenate(net, net, options);
+    };
+    rows.push_back({"net_settle", "bridge", 4096, 0, 1, 1, 0, [=](std::size_t n) {
+                        const auto net = std::make_shared<Net>(bridged(net_of(plane_grid(n)), n));
+                        return making([=](const Context &context) {
+                            gusset::SettleOptions options;
+                            options.max_iterations = 3;
+                            return net->settle(options, context).iterations;
+                        });
+                    }, true});
+    rows.push_back(on_net("scene_unflatten_create", 0, [](const Net &net, const Context &context) {
+        return gusset::Scene::unflatten(net, gusset::Direction::down, context);
+    }));
+    rows.push_back({"stream_decoder_push", "pieces", 4096, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto stream = std::make_shared<const gusset::Stream>(net_of(rough(n)));
+                        return making([=](const Context &context) {
+                            gusset::StreamDecoder decoder(0, context);
+                            const auto bytes = stream->bytes();
+                            for (std::size_t at = 0; at < bytes.size(); at += 1000) {
+                                decoder.push({bytes.data() + at, std::min<std::size_t>(1000, bytes.size() - at)}, context);
+                            }
+                            return decoder.finish(context);
+                        });
+                    }, true});
+}
+
 void add_curve_rows(std::vector<Row> &rows) {
     rows.push_back({"curve_through_create", "circle", 1024, 0, 1, 1, 0, [](std::size_t n) {
                         const auto points = std::make_shared<const std::vector<Point3>>(circle(n, 1.0, 0.0));
@@ -199,6 +231,32 @@ void add_surface_rows(std::vector<Row> &rows) {
                             return Sheet::from_nodes(gusset::NodesView(grid->rows, grid->columns, grid->points), context);
                         });
                     }, true});
+    rows.push_back({"sheet_from_frame_create", "circles", 1024, 0, 1, 1, 0, [](std::size_t n) {
+                        std::vector<Point3> points;
+                        std::vector<uint32_t> offsets{0};
+                        for (std::size_t k = 0; k < 8; ++k) {
+                            const auto section = circle(n / 8, 1.0, static_cast<double>(k));
+                            points.insert(points.end(), section.begin(), section.end());
+                            offsets.push_back(static_cast<uint32_t>(points.size()));
+                        }
+                        gusset::Outlines sections(points, true);
+                        sections.offsets(offsets);
+                        const auto frame = std::make_shared<const gusset::Frame>(sections);
+                        return making([=](const Context &context) {
+                            return Sheet::from_frame(*frame, gusset::FrameSurface::nodes, context);
+                        });
+                    }, true});
+    rows.push_back({"sheet_from_curves_create", "circles", 256, 0, 1, 1, 0, [](std::size_t n) {
+                        const auto curves = std::make_shared<std::vector<Curve>>();
+                        for (std::size_t k = 0; k < 8; ++k) {
+                            curves->push_back(curve_of(circle(3 * (n / 8) + 1, 1.0, static_cast<double>(k)), 3));
+                        }
+                        return making([=](const Context &context) {
+                            gusset::CurveNet net;
+                            net.rows = *curves;
+                            return Sheet::from_curves(net, context);
+                        });
+                    }, true});
     rows.push_back(on_sheet("sheet_estimates", 0, [](const Sheet &sheet, const Context &context) { return sheet.estimates(context); }));
     rows.push_back(on_sheet("sheet_diameters", 0, [](const Sheet &sheet, const Context &context) { return sheet.diameters(context); }));
     rows.push_back(on_sheet("sheet_crease", 0, [](const Sheet &sheet, const Context &context) { return sheet.crease(context); }));
@@ -243,6 +301,7 @@ void add_surface_rows(std::vector<Row> &rows) {
 std::vector<Row> operation_rows() {
     std::vector<Row> rows;
     add_net_rows(rows);
+    add_joined_rows(rows);
     add_curve_rows(rows);
     add_surface_rows(rows);
     return rows;

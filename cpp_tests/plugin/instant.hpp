@@ -37,16 +37,20 @@ struct Silence {
     Instant start, last;
     Milliseconds longest{0};
     std::string stage = "start", after, before;
+    /// The part of the work that was done before it.
+    double done = 0, fraction = 0;
 
     void begin() { start = last = Instant::now(); }
 
-    void heard(const char *next) {
+    void heard(const char *next, double reached = 1) {
         const Instant now = Instant::now();
         if (between(last, now) > longest) {
             longest = between(last, now);
             after = stage;
             before = next;
+            done = fraction;
         }
+        fraction = reached;
         last = now;
         stage = next;
     }

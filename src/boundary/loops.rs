@@ -143,7 +143,7 @@ impl Boundary {
     }
 }
 
-const STAGE: &str = "walking along the boundary";
+pub(super) const STAGE: &str = "walking along the boundary";
 
 /// Walks between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
@@ -168,7 +168,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         for (number, darts) in walks.iter().enumerate() {
             walking.step_every(REPORT_INTERVAL, number, walks.len(), STAGE)?;
             let piece = Piece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
-            boundary.add(mesh, &piece, None)?;
+            boundary.add(mesh, &piece, None, &walking.share(number, walks.len()))?;
         }
         job.step(1.0, STAGE)?;
         return Ok(boundary);
@@ -176,19 +176,23 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     let done = if options.survey == Survey::BoundaryOnly { 0.5 } else { 0.0 };
     let job = &job.part(done, 1.0);
     let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
+    job.step(0.9, STAGE)?;
     let mut boundary = Boundary { defects: alloc::copied(topology.defects())?, ..Boundary::default() };
     let mut walker = Walker::new(mesh, &topology, options.non_manifold, job)?;
+    job.step(0.9, STAGE)?;
     let mut place = alloc::filled(NONE, mesh.positions().len())?;
     let mut walk = Vec::new();
-    while let Some(walk_closed) = walker.next_walk(&mut walk)? {
-        job.step(0.9 + 0.1 * walker.fraction(), STAGE)?;
+    let mut walking = job.part(0.9, 1.0);
+    while let Some(walk_closed) = walker.next_walk(&mut walk, &walking)? {
+        walking = job.part(0.9 + 0.1 * walker.fraction(), 1.0);
+        walking.step(0.0, STAGE)?;
         let number = boundary.walks;
         boundary.walks += 1;
         let add = |darts: &[Dart], closed: bool| {
             let piece = Piece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
-            boundary.add(mesh, &piece, Some(&walker))
+            boundary.add(mesh, &piece, Some(&walker), &walking)
         };
-        split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, add)?;
+        split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
     }
     // In place: a stable sort would ask for memory that may not be there.
     boundary.records.sort_unstable_by_key(|r| r.smallest);
@@ -228,7 +232,13 @@ impl Piece<'_> {
 impl Boundary {
     /// Appends a piece. `walker`: what is known of the edges and vertices that it passes; `None` if
     /// they are ordinary.
-    fn add(&mut self, mesh: &MeshView<'_>, piece: &Piece<'_>, walker: Option<&Walker<'_, '_>>) -> Result<()> {
+    fn add(
+        &mut self,
+        mesh: &MeshView<'_>,
+        piece: &Piece<'_>,
+        walker: Option<&Walker<'_, '_>>,
+        job: &Job<'_>,
+    ) -> Result<()> {
         let count = piece.darts.len();
         let against = piece.darts.iter().filter(|dart| !dart.forward).count();
         let mut flags = (u32::from(!piece.closed) * LoopFlags::OPEN)
@@ -243,7 +253,8 @@ impl Boundary {
         alloc::reserve(&mut self.faces, count)?;
         alloc::reserve(&mut self.edge_flags, count)?;
         let (mut length, mut end) = (0.0, NONE);
-        for dart in piece.edges(2 * against > count) {
+        for (k, dart) in piece.edges(2 * against > count).enumerate() {
+            job.step_within(k, STAGE)?;
             let (tail, head) = (dart.tail(mesh), dart.head(mesh));
             let (from, to) = (mesh.positions().get(tail), mesh.positions().get(head));
             length += distance(from, to);

@@ -1,7 +1,9 @@
 //! Division of a walk that visits a vertex twice into simple loops.
 
+use super::loops::STAGE;
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::NONE;
 
 /// Cuts `walk`, whose steps lead from `tail` to `head`, at every vertex that it passes again, and
@@ -15,11 +17,13 @@ pub(crate) fn split_simple<Step: Copy>(
     tail: impl Fn(Step) -> u32,
     head: impl Fn(Step) -> u32,
     place: &mut [u32],
+    job: &Job<'_>,
     mut emit: impl FnMut(&[Step], bool) -> Result<()>,
 ) -> Result<()> {
     // place[v] = position on the stack of the step that leaves v.
     let mut stack: Vec<Step> = alloc::with_capacity(walk.len())?;
-    for &step in walk {
+    for (k, &step) in walk.iter().enumerate() {
+        job.step_within(k, STAGE)?;
         place[tail(step) as usize] = stack.len() as u32;
         stack.push(step);
         let at = place[head(step) as usize];

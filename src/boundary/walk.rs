@@ -4,6 +4,7 @@
 //! one successor and one predecessor, so the walk is a permutation of the free edges and visits
 //! each once. O(faces of the fans).
 
+use super::loops::STAGE;
 use super::options::NonManifold;
 use crate::alloc;
 use crate::error::Result;
@@ -87,7 +88,7 @@ impl<'m, 'a> Walker<'m, 'a> {
     /// Writes the next walk to `walk` and tells whether it is closed; `None` when every free edge
     /// has been visited. Walks start from free edges only: one that would consist of non-manifold
     /// edges alone bounds no hole.
-    pub(super) fn next_walk(&mut self, walk: &mut Vec<Dart>) -> Result<Option<bool>> {
+    pub(super) fn next_walk(&mut self, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<Option<bool>> {
         walk.clear();
         let start = loop {
             let Some(&h) = self.border.get(self.next) else {
@@ -98,12 +99,12 @@ impl<'m, 'a> Walker<'m, 'a> {
                 break Dart { half_edge: h, forward: true };
             }
         };
-        if self.follow(start, walk)? {
+        if self.follow(start, walk, job)? {
             return Ok(Some(true));
         }
         // An open chain: go back from the start as well, and put the two parts together.
         let mut back = Vec::new();
-        self.follow(start.turned(), &mut back)?;
+        self.follow(start.turned(), &mut back, job)?;
         alloc::reserve(walk, back.len())?;
         let ahead = walk.len();
         walk.extend(back[1..].iter().map(|dart| dart.turned()).rev());
@@ -112,9 +113,10 @@ impl<'m, 'a> Walker<'m, 'a> {
     }
 
     /// Appends the walk from `start` on; true if it came back to it.
-    fn follow(&mut self, start: Dart, walk: &mut Vec<Dart>) -> Result<bool> {
+    fn follow(&mut self, start: Dart, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<bool> {
         let mut dart = start;
         loop {
+            job.step_within(walk.len(), STAGE)?;
             alloc::push(walk, dart)?;
             if let Ok(i) = self.border.binary_search(&dart.half_edge) {
                 self.visited[i] = true;

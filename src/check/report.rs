@@ -11,7 +11,7 @@ use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Across, Defect, MeshView, Topology, unordered};
-use crate::sort::sort_distinct;
+use crate::sort::sort;
 use glam::DVec3;
 
 /// What [`check`] found. Lists are ascending.
@@ -68,6 +68,9 @@ pub struct Check {
 /// Faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
+/// Half-edges between two progress reports.
+const HALF_EDGES_PER_REPORT: usize = 1 << 20;
+
 /// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about
 /// 40 bytes a half-edge.
 ///
@@ -81,14 +84,13 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     found.enter_defects(&topology)?;
     found.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
     found.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
-    found.enter_non_manifold_vertices(mesh)?;
+    found.enter_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
     found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces, &job.part(0.8, 0.85))?;
-    job.step(0.85, "checking faces")?;
-    found.enter_edges(mesh, &topology)?;
+    found.enter_edges(mesh, &topology, &job.part(0.85, 0.85))?;
     found.enter_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
     found.enter_unused_vertices(mesh)?;
-    found.enter_zero_areas(mesh)?;
+    found.enter_zero_areas(mesh, &job.part(0.9, 1.0))?;
 
     found.manifold = found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty();
     found.oriented = found.orientation_conflicts.is_empty();
@@ -119,18 +121,20 @@ impl Check {
         Ok(())
     }
 
-    fn enter_non_manifold_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+    fn enter_non_manifold_vertices(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
         let ends = self.non_manifold_edges.iter().flat_map(|&h| [h, mesh.faces().next(h)]);
         let vertices = self.bow_ties.iter().copied().chain(ends.map(|h| mesh.faces().corner(h)));
         self.non_manifold_vertices = alloc::gather(vertices)?;
-        sort_distinct(&mut self.non_manifold_vertices);
+        sort(&mut self.non_manifold_vertices, Ord::cmp, job, "checking faces")?;
+        self.non_manifold_vertices.dedup();
         Ok(())
     }
 
     /// Counts edges by what lies across their half-edges, and lists free ones.
-    fn enter_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology) -> Result<()> {
-        let mut halves = 0;
-        for h in 0..mesh.faces().half_edge_count() as u32 {
+    fn enter_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+        let (mut halves, count) = (0, mesh.faces().half_edge_count());
+        for h in 0..count as u32 {
+            job.step_every(HALF_EDGES_PER_REPORT, h as usize, count, "checking faces")?;
             if topology.is_ignored(h) {
                 continue;
             }
@@ -192,9 +196,10 @@ impl Check {
 
     /// Lists faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
     /// rounding of its terms.
-    fn enter_zero_areas(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+    fn enter_zero_areas(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
         let mut points: Vec<DVec3> = Vec::new();
         for f in 0..mesh.faces().len() {
+            job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "checking areas")?;
             points.clear();
             alloc::reserve(&mut points, mesh.faces().range(f).len())?;
             points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));

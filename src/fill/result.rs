@@ -45,7 +45,7 @@ pub(super) fn result(made: Made<'_>, candidates: &[Candidate], options: &Options
     let counts = made.patches.iter().map(|patch| [patch.vertices.len(), patch.triangles.len()]);
     let [points, faces] = counts.fold([0, 0], |sum, count| [sum[0] + count[0], sum[1] + count[1]]);
     let mut whole = concat::empty(std::iter::once(mesh), [points, faces, 3 * faces])?;
-    concat::append(&mut whole, mesh, |_| false)?;
+    concat::append(&mut whole, mesh, job, |_| false)?;
     let (mut parents, mut weights) = (alloc::with_capacity(points)?, alloc::with_capacity(points)?);
     for patch in &made.patches {
         parents.extend(patch.parents.iter().map(|&(of, _)| of));

@@ -119,7 +119,9 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut
         split_small(boxes, order, group);
     } else if order.len() > group {
         report(0)?;
-        let (first, second) = halves(boxes, order, group);
+        let along = longest_axis(boxes, order);
+        report(0)?;
+        let (first, second) = halves(boxes, order, group, along);
         split(boxes, first, group, report)?;
         split(boxes, second, group, report)?;
     }
@@ -128,18 +130,30 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut
 
 fn split_small(boxes: &[Aabb], order: &mut [u32], group: usize) {
     if order.len() > group {
-        let (first, second) = halves(boxes, order, group);
+        let along = longest_axis(boxes, order);
+        let (first, second) = halves(boxes, order, group, along);
         split_small(boxes, first, group);
         split_small(boxes, second, group);
     }
 }
 
-fn halves<'o>(boxes: &[Aabb], order: &'o mut [u32], group: usize) -> (&'o mut [u32], &'o mut [u32]) {
+/// An end of boxes and an axis along which these ends are spread most.
+type Along = (fn(&Aabb) -> DVec3, usize);
+
+fn longest_axis(boxes: &[Aabb], order: &[u32]) -> Along {
     let spread = |end: fn(&Aabb) -> DVec3| Aabb::of(order.iter().map(|&i| end(&boxes[i as usize]))).size();
     let ends: [fn(&Aabb) -> DVec3; 2] = [|b| b.low, |b| b.high];
     let [low, high] = ends.map(spread);
     let (end, spread) = if low.max_element() > high.max_element() { (ends[0], low) } else { (ends[1], high) };
-    let axis = spread.max_position();
+    (end, spread.max_position())
+}
+
+fn halves<'o>(
+    boxes: &[Aabb],
+    order: &'o mut [u32],
+    group: usize,
+    (end, axis): Along,
+) -> (&'o mut [u32], &'o mut [u32]) {
     let middle = group * (order.len().div_ceil(group).next_power_of_two() / 2);
     select(order, middle, |i| end(&boxes[i as usize])[axis]);
     order.split_at_mut(middle)

@@ -297,20 +297,32 @@ fn split_reported(
         return Ok(());
     }
     report(1)?;
-    let [(left, left_axes), (right, right_axes)] = split_once(points, order, axes);
+    let axis = longest_axis(points, order);
+    report(0)?;
+    let [(left, left_axes), (right, right_axes)] = split_once(points, order, axes, axis);
     split_reported(points, left, left_axes, report)?;
     split_reported(points, right, right_axes, report)
 }
 
 fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     if order.len() > MAX_LEAF_POINTS {
-        split_once(points, order, axes).into_iter().for_each(|(order, axes)| split(points, order, axes));
+        let axis = longest_axis(points, order);
+        split_once(points, order, axes, axis).into_iter().for_each(|(order, axes)| split(points, order, axes));
     }
 }
 
-/// Brings the middle of a range to its place, and returns the halves on either side.
-fn split_once<'a>(points: &[DVec3], order: &'a mut [u32], axes: &'a mut [u8]) -> [(&'a mut [u32], &'a mut [u8]); 2] {
-    let axis = Aabb::of(order.iter().map(|&i| points[i as usize])).size().max_position();
+/// The axis along which the points of a range are spread most.
+fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
+    Aabb::of(order.iter().map(|&i| points[i as usize])).size().max_position()
+}
+
+/// Brings the middle of a range along an axis to its place, and returns the halves on either side.
+fn split_once<'a>(
+    points: &[DVec3],
+    order: &'a mut [u32],
+    axes: &'a mut [u8],
+    axis: usize,
+) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let middle = order.len() / 2;
     select(order, middle, |i| points[i as usize][axis]);
     axes[middle] = axis as u8;

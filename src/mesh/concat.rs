@@ -5,6 +5,9 @@ use super::owned::{Mesh, PositionBuffer};
 use super::view::{MeshView, Scalar, check_size};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
+
+const STAGE: &str = "putting the pieces together";
 
 /// Where a piece lies in the whole: its vertex v is `first_vertex + v` there, its face f is
 /// `first_face + f`.
@@ -22,12 +25,12 @@ pub struct Piece {
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`] if the first piece has `f32` and a
-/// later one `f64` positions, [`Error::TooLarge`], [`Error::OutOfMemory`].
-pub fn concatenate(pieces: &[MeshView<'_>]) -> Result<(Mesh, Vec<Piece>)> {
+/// later one `f64` positions, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn concatenate(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
     let mut whole = empty(pieces.iter(), [0; 3])?;
     let mut places = alloc::with_capacity(pieces.len())?;
     for piece in pieces {
-        places.push(append(&mut whole, piece, |_| false)?);
+        places.push(append(&mut whole, piece, job, |_| false)?);
     }
     Ok((whole, places))
 }
@@ -63,10 +66,17 @@ pub(crate) fn empty<'m, 'a: 'm>(
 
 /// Appends a piece to a mesh that has room for it; the faces that `turn` names are turned over,
 /// each from its own first corner.
-pub(crate) fn append(whole: &mut Mesh, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<Piece> {
+pub(crate) fn append(
+    whole: &mut Mesh,
+    piece: &MeshView<'_>,
+    job: &Job<'_>,
+    mut turn: impl FnMut(usize) -> bool,
+) -> Result<Piece> {
     let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
     whole.positions.append(piece.positions())?;
+    job.step(0.0, STAGE)?;
     for f in 0..piece.faces().len() {
+        job.step_within(f, STAGE)?;
         let start = whole.face_corners.len();
         whole.face_corners.extend(piece.face(f).map(|v| v + place.first_vertex));
         if turn(f) {

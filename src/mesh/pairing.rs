@@ -17,6 +17,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::par;
+use crate::sort::sort;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
@@ -26,7 +27,7 @@ pub(super) const FREE: u32 = u32::MAX;
 pub(super) const SINGULAR: u32 = u32::MAX - 1;
 
 /// Faces, or vertices, that one thread takes between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 20;
+const REPORT_INTERVAL: usize = 1 << 18;
 /// Vertices whose buckets one thread looks through at a time.
 const CHUNK: usize = 1 << 13;
 /// The most threads that fill buckets, as each counts in arrays of its own.
@@ -35,6 +36,8 @@ const MAX_PARTS: usize = 8;
 const MIN_FACES_PER_PART: usize = 1 << 11;
 /// The longest bucket that is not sorted.
 const MAX_UNSORTED_BUCKET: usize = 32;
+/// The longest that is sorted without a report.
+const MAX_UNREPORTED_BUCKET: usize = 1 << 16;
 
 /// The pairing of half-edges.
 pub struct Topology {
@@ -45,6 +48,8 @@ pub struct Topology {
     /// Sorted.
     pub(super) defects: Vec<Defect>,
 }
+
+const STAGE: &str = "pairing half-edges";
 
 impl Topology {
     /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra
@@ -58,8 +63,10 @@ impl Topology {
         let faces = mesh.faces();
         let mut parts = parts(mesh, job.threads())?;
         each_part(&mut parts, &job.part(0.0, 0.3), |part, range| faces.visit(range, &mut Count { faces, part }))?;
+        job.step(0.3, STAGE)?;
         let (corner_count, mut defects) = accumulate(&mut parts)?;
-        let count = places(&mut parts, mesh.positions().len());
+        job.step(0.3, STAGE)?;
+        let count = places(&mut parts, mesh.positions().len(), &job.part(0.3, 0.3))?;
 
         // (Other end, half-edge) in one word. No two threads write to the same one.
         let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
@@ -67,6 +74,7 @@ impl Topology {
             faces.visit(range, &mut Distribute { part, entries: &entries })
         })?;
         let threads = parts.len();
+        job.step(0.6, STAGE)?;
         // Now the last part's places are where the buckets end. Memory that is used again costs less
         // than new memory: the parts give theirs up first.
         let (mut ends, mut ignored) = (Vec::new(), Vec::new());
@@ -78,9 +86,9 @@ impl Topology {
         ignored.iter().for_each(|&h| mate[h as usize].store(h, Ordering::Relaxed));
 
         let mut entries: Vec<u64> = entries.into_iter().map(AtomicU64::into_inner).collect();
-        let (mut rest, mut first) = (entries.as_mut_slice(), 0);
+        let (mut rest, mut first, mut long) = (entries.as_mut_slice(), 0, Vec::new());
         for block in blocks(0..mesh.positions().len(), REPORT_INTERVAL * threads) {
-            job.step(0.6 + 0.4 * block.start as f64 / mesh.positions().len() as f64, "pairing half-edges")?;
+            job.step(0.6 + 0.4 * block.start as f64 / mesh.positions().len() as f64, STAGE)?;
             let mut work = Vec::new();
             for range in blocks(block, CHUNK) {
                 let ends = &ends[2 * range.start..2 * range.end];
@@ -91,9 +99,22 @@ impl Topology {
             }
             let found =
                 par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries))?;
-            alloc::append_all(&mut defects, found)?;
+            for found in found {
+                let found = found?;
+                alloc::append(&mut defects, &found.defects)?;
+                alloc::extend(&mut long, found.long)?;
+            }
         }
-        defects.sort_unstable();
+        let job = job.part(1.0, 1.0);
+        for bucket in long {
+            let bucket = &mut entries[bucket];
+            sort(bucket, Ord::cmp, &job, STAGE)?;
+            for (k, edge) in bucket.chunk_by(same_edge).enumerate() {
+                job.step_every(REPORT_INTERVAL, k, faces.half_edge_count(), STAGE)?;
+                join(faces, &mate, edge, &mut defects)?;
+            }
+        }
+        sort(&mut defects, Ord::cmp, &job, STAGE)?;
         let mate = mate.into_iter().map(AtomicU32::into_inner).collect();
         Ok(Topology { mate, corner_count, defects })
     }
@@ -136,7 +157,7 @@ fn each_part(
 ) -> Result<()> {
     let longest = parts.iter().map(|part| part.faces.len()).max().unwrap_or(0);
     for block in blocks(0..longest, REPORT_INTERVAL) {
-        job.step(block.start as f64 / longest as f64, "pairing half-edges")?;
+        job.step(block.start as f64 / longest as f64, STAGE)?;
         let done = par::map(parts.len(), parts.iter_mut(), |part| {
             let at = |i: usize| part.faces.end.min(part.faces.start + i);
             let range = at(block.start)..at(block.end);
@@ -164,15 +185,18 @@ fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
 
 /// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns how
 /// many half-edges there are.
-fn places(parts: &mut [Part], vertices: usize) -> u32 {
+fn places(parts: &mut [Part], vertices: usize, job: &Job<'_>) -> Result<u32> {
     let mut next = 0;
-    for bucket in 0..2 * vertices {
-        for part in parts.iter_mut() {
-            let place = &mut part.places[bucket];
-            next += std::mem::replace(place, next);
+    job.ranges(STAGE, 2 * vertices, |buckets| {
+        for bucket in buckets {
+            for part in parts.iter_mut() {
+                let place = &mut part.places[bucket];
+                next += std::mem::replace(place, next);
+            }
         }
-    }
-    next
+        Ok(())
+    })?;
+    Ok(next)
 }
 
 /// The bucket of a half-edge from `u` to `v`.
@@ -259,30 +283,48 @@ impl Distribute<'_> {
     }
 }
 
-/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`. Returns
-/// what is odd.
+/// What making pairs leaves.
+#[derive(Default)]
+struct Unpaired {
+    defects: Vec<Defect>,
+    /// The buckets of vertices with so many half-edges that a host would wait.
+    long: Vec<Range<usize>>,
+}
+
+/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`.
 fn pair(
     faces: &Faces<'_>,
     mate: &[AtomicU32],
     mut first: u32,
     ends: &[u32],
     mut entries: &mut [u64],
-) -> Result<Vec<Defect>> {
-    let mut defects = Vec::new();
+) -> Result<Unpaired> {
+    let mut found = Unpaired::default();
     for end in ends.chunks_exact(2) {
         let (up, both) = (end[0] - first, end[1] - first);
+        let bucket = first as usize..end[1] as usize;
         first = end[1];
         let (own, others) = std::mem::take(&mut entries).split_at_mut(both as usize);
         entries = others;
         let (ups, downs) = own.split_at_mut(up as usize);
-        if !pair_by_scan(mate, ups, downs) {
-            own.sort_unstable();
-            for edge in own.chunk_by(|x, y| x >> 32 == y >> 32) {
-                join(faces, mate, edge, &mut defects)?;
-            }
+        if pair_by_scan(mate, ups, downs) {
+            continue;
+        }
+        if own.len() > MAX_UNREPORTED_BUCKET {
+            alloc::push(&mut found.long, bucket)?;
+            continue;
+        }
+        own.sort_unstable();
+        for edge in own.chunk_by(same_edge) {
+            join(faces, mate, edge, &mut found.defects)?;
         }
     }
-    Ok(defects)
+    Ok(found)
+}
+
+/// True of two half-edges of one vertex's buckets that have the same other end.
+fn same_edge(x: &u64, y: &u64) -> bool {
+    x >> 32 == y >> 32
 }
 
 /// Pairs each half-edge that runs up with the one that runs down from the same end. False if there

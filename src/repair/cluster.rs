@@ -49,7 +49,8 @@ impl Clusters {
         corners: Option<&Corners>,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let points = alloc::collect(members.iter().map(|&v| mesh.positions().get(v)))?;
+        let positions = members.iter().map(|&v| mesh.positions().get(v));
+        let points = alloc::collect_cancellable(positions, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
         let near = Near::new(&points, reach, &job.part(0.0, 0.4))?;
         let job = job.part(0.4, 1.0);
@@ -57,6 +58,7 @@ impl Clusters {
         let mut guard = Guard::new(mesh, corners)?;
         let mut found =
             Clusters { of: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?, kept_apart: Vec::new() };
+        job.step(0.0, STAGE)?;
         let mut claimed = alloc::filled(false, members.len())?;
         let mut candidates = Vec::new();
         for (i, &representative) in members.iter().enumerate() {

@@ -38,6 +38,9 @@ const MAX_PASSES: usize = 16;
 /// Vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
+/// Leaves that vertices look into between two progress reports.
+const LEAVES_PER_REPORT: usize = 1 << 16;
+
 /// Faces between two progress reports.
 const FACES_PER_REPORT: usize = 1 << 18;
 
@@ -136,11 +139,15 @@ impl Border<'_> {
         })?;
         let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
-        job.step(0.2, STAGE)?;
-        let tree = BoxTree::new(order.chunks(GROUP).map(around))?;
+        let groups = alloc::collect_cancellable(order.chunks(GROUP).map(around), &job.part(0.2, 0.2), STAGE)?;
+        let tree = BoxTree::new(groups.into_iter())?;
         let mut found: Vec<Split> = Vec::new();
+        let mut leaves = 0;
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
-            job.part(0.2, 0.6).step_every(REPORT_INTERVAL, i, points.len(), STAGE)?;
+            let here = job.part(0.2, 0.6).share(i, points.len());
+            if i % REPORT_INTERVAL == 0 {
+                here.step(0.0, STAGE)?;
+            }
             // What lies in the very place of the vertex that stands for it finds the same places.
             let first = self.members.binary_search(&self.cluster(v)).unwrap_or(i);
             if first < i && points[first] == p && reach.get(first) == reach.get(i) {
@@ -148,6 +155,10 @@ impl Border<'_> {
             }
             let (point, reach) = (p / unit, reach.get(i).map_or(0.0, |reach| reach / unit));
             tree.overlapping(&Aabb::of([point]), reach, |leaf| {
+                leaves += 1;
+                if leaves % LEAVES_PER_REPORT == 0 {
+                    here.step(0.0, STAGE)?;
+                }
                 for &place in &order[GROUP * leaf..order.len().min(GROUP * (leaf + 1))] {
                     let e = long[place as usize];
                     if let Some(at) = place_on(ends(e), point, reach)
@@ -184,7 +195,7 @@ impl Border<'_> {
                 let job = job.share(pass, MAX_PASSES);
                 self.keep_matched(splits, &job)?;
                 job.step(1.0, STAGE)?;
-                self.keep_upright(splits)?;
+                self.keep_upright(splits, &job)?;
             }
             if splits.len() == before {
                 break;
@@ -226,11 +237,12 @@ impl Border<'_> {
     }
 
     /// Drops the splits of triangles parts of which would be turned over.
-    fn keep_upright(&self, splits: &mut Vec<Split>) -> Result<()> {
+    fn keep_upright(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
         let face = |split: &Split| self.edges[split.edge as usize].face;
         let mut upright = alloc::with_capacity(splits.len())?;
         let mut split_face = SplitFace::default();
-        for of_face in splits.chunk_by(|a, b| face(a) == face(b)) {
+        for (k, of_face) in splits.chunk_by(|a, b| face(a) == face(b)).enumerate() {
+            job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, splits.len(), STAGE)?;
             let f = face(&of_face[0]) as usize;
             let places = of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.vertex));
             split_face.set(self.mesh, f, places)?;

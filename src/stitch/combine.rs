@@ -16,9 +16,10 @@ use std::ops::Range;
 pub(super) fn append_piece(
     whole: &mut Mesh,
     piece: &MeshView<'_>,
+    job: &Job<'_>,
     turn: impl FnMut(usize) -> bool,
 ) -> Result<IndexMap> {
-    let place = concat::append(whole, piece, turn)?;
+    let place = concat::append(whole, piece, job, turn)?;
     Ok(IndexMap {
         vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + place.first_vertex))?,
         faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + place.first_face))?,

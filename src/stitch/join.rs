@@ -83,8 +83,11 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         components.as_mut().is_some_and(|sets| of_face(sets) == root)
     };
     let maps = match request.b {
-        Some(second) => [append_piece(&mut whole, request.a, |_| false)?, append_piece(&mut whole, second, is_turned)?],
-        None => [append_piece(&mut whole, request.a, is_turned)?, IndexMap::default()],
+        Some(second) => {
+            let first = append_piece(&mut whole, request.a, &job.part(0.4, 0.4), |_| false)?;
+            [first, append_piece(&mut whole, second, &job.part(0.4, 0.4), is_turned)?]
+        }
+        None => [append_piece(&mut whole, request.a, &job.part(0.4, 0.4), is_turned)?, IndexMap::default()],
     };
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
     a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);

@@ -11,8 +11,14 @@ use super::tables::{EdgeMarks, WingedEdge, WingedEdges};
 use crate::alloc;
 use crate::boundary::split_simple;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort;
+
+/// Edges between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
+
+const STAGE: &str = "walking along the boundary";
 
 /// Simple closed loops of free edges, surface on the left.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -51,8 +57,9 @@ struct Step {
 /// faces disagree in orientation. Walks start from edges without such marks.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-pub fn free_loops(tables: &WingedEdges) -> Result<FreeLoops> {
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+/// [`Error::Cancelled`](crate::Error::Cancelled).
+pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
     let edge = |step: Step| &tables.edges()[step.edge as usize];
     let tail = |step: Step| if step.forward { edge(step).m } else { edge(step).n };
     let head = |step: Step| if step.forward { edge(step).n } else { edge(step).m };
@@ -69,6 +76,7 @@ pub fn free_loops(tables: &WingedEdges) -> Result<FreeLoops> {
         let mut step = first;
         walk.clear();
         loop {
+            job.step_every(REPORT_INTERVAL, walk.len(), tables.edges().len(), STAGE)?;
             seen[step.edge as usize] = true;
             alloc::push(&mut walk, step)?;
             step = next_free(tables, step, head(step));
@@ -76,14 +84,18 @@ pub fn free_loops(tables: &WingedEdges) -> Result<FreeLoops> {
                 break;
             }
         }
-        split_simple(&walk, tail, head, &mut place, |piece, _| alloc::push(&mut loops, alloc::copied(piece)?))?;
+        job.step(0.0, STAGE)?;
+        let keep = |piece: &[Step], _| alloc::push(&mut loops, alloc::copied(piece)?);
+        split_simple(&walk, tail, head, &mut place, job, keep)?;
     }
+    job.step(0.0, STAGE)?;
     for steps in &mut loops {
         let smallest = (0..steps.len()).min_by_key(|&k| steps[k].edge).unwrap_or(0);
         steps.rotate_left(smallest);
     }
     sort::stable(&mut loops, &|a, b| a[0].edge.cmp(&b[0].edge));
 
+    job.step(0.0, STAGE)?;
     let total = loops.iter().map(Vec::len).sum();
     let mut found = FreeLoops {
         vertices: alloc::with_capacity(total)?,
@@ -96,6 +108,7 @@ pub fn free_loops(tables: &WingedEdges) -> Result<FreeLoops> {
         found.edges.extend(steps.iter().map(|step| step.edge));
         found.offsets.push(found.edges.len() as u32);
     }
+    job.step(1.0, STAGE)?;
     Ok(found)
 }
 

@@ -83,7 +83,7 @@ fn e03_the_initial_vertex_leaves_the_direction_open() {
     for s in [&soup, &turned] {
         let found = loops(s);
         assert!(runs_own_face(s, &found[0]));
-        let by_tables = free_loops(&tables(s)).unwrap();
+        let by_tables = free_loops(&tables(s), &Job::default()).unwrap();
         assert_eq!(by_tables.vertices, found[0]);
     }
 }

@@ -17,7 +17,7 @@ fn volume_of(mesh: &Mesh) -> f64 {
 }
 
 fn mesh_of(soup: &Soup) -> Mesh {
-    gusset::mesh::concatenate(&[soup.view()]).unwrap().0
+    gusset::mesh::concatenate(&[soup.view()], &Job::default()).unwrap().0
 }
 
 fn from_second_corner(face: &[u32]) -> Vec<u32> {

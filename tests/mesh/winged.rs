@@ -103,7 +103,7 @@ fn read(edges: &[WingedEdge], vertices: usize, first: Option<&[u32]>, winding: W
 /// Both ways to the loops give the same ones.
 fn check_loops(soup: &Soup, tables: &WingedEdges) {
     let fast = boundary_loops(&soup.view(), &Options::default(), &Job::default()).unwrap();
-    let slow = free_loops(tables).unwrap();
+    let slow = free_loops(tables, &Job::default()).unwrap();
     let by_tables: Vec<_> = slow.iter().map(|(vertices, _)| vertices.to_vec()).collect();
     let by_fans: Vec<_> = fast.iter().map(|l| l.vertices.to_vec()).collect();
     assert_eq!(by_tables, by_fans);
@@ -166,7 +166,7 @@ fn a_flipped_face_makes_marked_records() {
 #[test]
 fn stored_clockwise_is_the_turned_mesh() {
     let soup = cap(9, 4, 0.3, 1.0);
-    let free = |tables: &WingedEdges| free_loops(tables).unwrap().vertices.len();
+    let free = |tables: &WingedEdges| free_loops(tables, &Job::default()).unwrap().vertices.len();
     let (a, b) = (tables(&soup, Winding::CounterClockwise), tables(&soup.turned(), Winding::Clockwise));
     assert_eq!((a.edges().len(), free(&a)), (b.edges().len(), free(&b)));
     // The same faces clockwise from outside: the same face on the right of the same directed edge.

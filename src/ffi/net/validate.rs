@@ -96,7 +96,9 @@ pub unsafe extern "C" fn gusset_net_validation_create(
             nodes,
             distance,
         };
-        Ok(gusset_net_validation(alloc::collect(read(net)?.validate(tolerance, job)?.into_iter().map(finding))?))
+        let findings = read(net)?.validate(tolerance, &job.part(0.0, 0.9))?;
+        let findings = findings.into_iter().map(finding);
+        Ok(gusset_net_validation(alloc::collect_cancellable(findings, &job.part(0.9, 1.0), "findings")?))
     })
 }
 

@@ -144,7 +144,7 @@ pub fn decode_within(bytes: &[u8], node_limit: u64, job: &Job<'_>) -> Result<Net
 /// Decodes all blocks, some at a time so that the host can cancel.
 fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'_, T>, job: &Job<'_>) -> Result<()> {
     let info = &prelude.info;
-    let at_once = 4 * par::at_most(info.block_count(), job.threads());
+    let at_once = 2 * par::at_most(info.block_count(), job.threads());
     let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
     for matrices in zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block))) {
         job.step(start as f64 / info.block_count() as f64, "decoding")?;

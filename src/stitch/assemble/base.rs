@@ -23,7 +23,7 @@ pub(super) struct Base {
 
 impl Base {
     pub(super) fn new(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Self> {
-        let (mut mesh, places) = concat::concatenate(pieces)?;
+        let (mut mesh, places) = concat::concatenate(pieces, &job.part(0.0, 0.0))?;
         let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
         let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
         let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;

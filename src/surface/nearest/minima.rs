@@ -34,8 +34,8 @@ pub struct Minima {
 
 /// Cells left undecided before a search gives up.
 const MAX_UNDECIDED: usize = 512;
-/// Blocks between two chances to cancel.
-const BLOCKS_PER_STEP: usize = 1 << 8;
+/// Blocks and cells between two chances to cancel.
+const REPORT_INTERVAL: usize = 1 << 8;
 /// Points no farther apart than this many tolerances are one.
 const SAME_POINT: f64 = 16.0;
 
@@ -69,7 +69,7 @@ impl Surface<'_> {
             found: Vec::new(),
             undecided: Vec::new(),
             frontier: Frontier::default(),
-            blocks: 0,
+            looked_at: 0,
             job,
         };
         for sheet in 0..self.len() {
@@ -91,7 +91,8 @@ struct MinimaSearch<'a> {
     /// Among equal bounds by sheet, level, row and column: so the answer does not depend on the
     /// queue.
     frontier: Frontier<(usize, Block), [usize; 4]>,
-    blocks: usize,
+    /// The blocks and cells so far.
+    looked_at: usize,
     job: &'a Job<'a>,
 }
 
@@ -109,10 +110,7 @@ impl BranchAndBound for MinimaSearch<'_> {
     }
 
     fn branch(&mut self, _: f64, (sheet, block): (usize, Block)) -> Result<()> {
-        self.blocks += 1;
-        if self.blocks.is_multiple_of(BLOCKS_PER_STEP) {
-            self.job.step(0.0, "minima")?;
-        }
+        self.tick()?;
         let (cells, index) = self.surface.indexed(sheet);
         if block.level == 0 {
             return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
@@ -123,6 +121,12 @@ impl BranchAndBound for MinimaSearch<'_> {
 }
 
 impl MinimaSearch<'_> {
+    /// Counts a block or a cell.
+    fn tick(&mut self) -> Result<()> {
+        self.looked_at += 1;
+        if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, "minima") } else { Ok(()) }
+    }
+
     fn wait(&mut self, sheet: usize, block: Block) -> Result<()> {
         self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
@@ -139,6 +143,7 @@ impl MinimaSearch<'_> {
 
     fn search_block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
         for cell in block.cells(cells) {
+            self.tick()?;
             let patch = cells.patch(cell[0], cell[1]);
             if patch.box_distance(self.query) > self.limit {
                 continue;
