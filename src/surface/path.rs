@@ -75,6 +75,34 @@ impl Paths {
         self.ends[k] as usize..self.ends[k + 1] as usize
     }
 
+    /// Leaves out points of paths of intersections that are no farther than `least` from the one
+    /// before, but for first and last ones: at a pole parameters move and the point does not.
+    pub(super) fn drop_repeats(&mut self, least: f64) {
+        let mut kept = 0;
+        for path in 0..self.len() {
+            let (range, first) = (self.range(path), kept);
+            self.ends[path] = first as u32;
+            for n in range.clone() {
+                let is_repeat = n > range.start && self.points[n].distance(self.points[kept - 1]) <= least;
+                if is_repeat && n + 1 < range.end {
+                    continue;
+                }
+                // The last one stays, in place of the one before.
+                kept -= usize::from(is_repeat && kept > first + 1);
+                self.places[kept] = self.places[n];
+                self.others[kept] = self.others[n];
+                self.points[kept] = self.points[n];
+                self.normals[kept] = self.normals[n];
+                kept += 1;
+            }
+        }
+        self.ends[self.closed.len()] = kept as u32;
+        self.places.truncate(kept);
+        self.others.truncate(kept);
+        self.points.truncate(kept);
+        self.normals.truncate(kept);
+    }
+
     /// Makes room for `count` more points.
     pub(super) fn reserve(&mut self, count: usize) -> Result<()> {
         alloc::reserve(&mut self.places, count)?;

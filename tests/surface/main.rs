@@ -40,5 +40,6 @@ mod surface_intersection_along;
 mod surface_intersection_beside;
 mod surface_intersection_contact;
 mod surface_intersection_degenerate;
+mod surface_intersection_poles;
 mod surface_intersection_tolerance;
 mod surface_tangency;

@@ -22,8 +22,9 @@ const ROUNDINGS: f64 = 64.0;
 const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
 /// A parameter's slope, in widths of its bounds, from which smaller boxes prove that it has a sign.
 const MIN_SLOPE_SHARE: f64 = 1.0 / 64.0;
-/// Runs of a curve beyond a side, in resolutions, that may be lost, or be found twice.
-const MAX_RUN_BEYOND: f64 = 0.25;
+
+/// Curves that are farther from the sides than this part of a box are in the middle of it.
+const MIN_ROOM: f64 = 1.0 / 16.0;
 
 /// A line that is in the box for less of the free parameter tells little of the curve.
 const MIN_LINE_SHARE: f64 = 1.0 / 64.0;
@@ -49,7 +50,7 @@ struct LocalCurve {
 /// It cannot be told.
 struct Unclear;
 
-/// The part of a graph within a box: nothing longer than the resolution, or one arc between two
+/// The part of a graph within a box: nothing worth the while, or one arc between two
 /// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if
 /// that is known.
 pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;
@@ -61,26 +62,27 @@ pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
     low: DVec4,
     high: DVec4,
     margin: DVec4,
-    resolution: f64,
+    /// Runs of a curve beyond a side up to this may be lost, or be found twice.
+    shortest: f64,
     rounding_error: f64,
     /// A length: where curves are as near to a side, points of them tell whether they run along it.
     close: f64,
 }
 
 impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
-    /// `resolution`: shorter arcs may be lost; `rounding_error`: lengths up to that may be rounding.
+    /// `shortest`: arcs up to this may be lost; `rounding_error`: lengths up to that may be rounding.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &ParameterBox<N, M>,
         chart: &'a Chart,
-        resolution: f64,
+        [resolution, shortest]: [f64; 2],
         rounding_error: f64,
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
         // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along
         // a side is nearer than 16 times the noise.
         let close = (1e-3 * resolution).max(512.0 * rounding_error);
-        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, resolution, rounding_error, close }
+        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, shortest, rounding_error, close }
     }
 
     /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the
@@ -168,7 +170,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
                 return Err(Unclear);
             };
             let speed = frame.direction().length() / frame.tangent()[free].abs();
-            if (to - from) * speed <= MAX_RUN_BEYOND * self.resolution {
+            if (to - from) * speed <= self.shortest {
                 return Ok(None);
             }
             let step = way * 0.5 * (from + to);
@@ -311,7 +313,11 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     fn beside(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Stay {
         let close = self.close(frame, k);
         let [min, max] = range(samples.map(|x| x[k]));
-        let mut all = Stay::Unknown(Some(k));
+        // Halved across k, a curve that is in the middle, and hardly moves that way, comes no farther
+        // from the sides: shorter pieces of it have narrower bounds.
+        let room = (min - self.low[k]).min(self.high[k] - max);
+        let is_central = room >= MIN_ROOM * (self.high[k] - self.low[k]);
+        let mut all = Stay::Unknown(if is_central { None } else { Some(k) });
         for (side, is_high) in [(self.low[k], false), (self.high[k], true)] {
             if min < side - close || max > side + close {
                 continue;
@@ -354,7 +360,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             let share = if least >= 0.0 { 1.0 } else { most / (most - least) };
             share * self.equation.point(pair[0]).distance(self.equation.point(pair[1]))
         };
-        samples.windows(2).map(run).sum::<f64>() > MAX_RUN_BEYOND * self.resolution
+        samples.windows(2).map(run).sum::<f64>() > self.shortest
     }
 
     /// Both ends and three points between them.

@@ -8,7 +8,7 @@
 
 use super::contact::CriticalPoint;
 use super::links::{Chain, Links, NONE};
-use super::solve::{FoundArcs, UnresolvedBall};
+use super::solve::{Arc, FoundArcs, UnresolvedBall};
 use crate::geom::kd_tree::{KdTree, Radius};
 use crate::sort;
 use crate::surface::prelude::*;
@@ -16,13 +16,15 @@ use glam::DVec4;
 
 /// Shorter chains may be scraps.
 const MIN_CHAIN_ARCS: usize = 8;
+/// And those that are shorter than so many resolutions.
+const SCRAP_RESOLUTIONS: f64 = 64.0;
 /// Ends of chains in a ball: with more of them it is ambiguous which belong together.
 const MAX_ENDS: usize = 64;
 /// Ends within this many resolutions may be one point.
 const POINT_RESOLUTIONS: f64 = 8.0;
-/// Open chains that are shorter than so many resolutions, and as near to a longer one as that many,
+/// Chains that are shorter than so many resolutions, and as near to a longer one as that many,
 /// are parts of it that were found once more.
-const REPEATED_RESOLUTIONS: [f64; 2] = [4.0, 2.0];
+const REPEATED_RESOLUTIONS: [f64; 2] = [8.0, 2.0];
 
 /// The surfaces that are intersected.
 pub(super) trait Surroundings {
@@ -40,7 +42,8 @@ struct LooseEnd {
     arc: u32,
     point: DVec3,
     direction: DVec3,
-    at_border: bool,
+    /// At the border of a sheet, or where an arc was cut.
+    is_bound: bool,
 }
 
 /// Branches that are joined where they cross, or pass each other.
@@ -98,13 +101,15 @@ impl<S: Surroundings> Bridges<'_, S> {
     /// Leaves out scraps: short chains all of whose points are in balls, which are reported.
     pub(super) fn drop_scraps(&self, chains: &[Chain], dropped: &mut [bool]) -> Result<()> {
         let arcs = &self.pieces.arcs;
-        let short = || chains.iter().filter(|chain| !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS);
+        let is_scrap = |chain: &Chain| {
+            !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS
+                || self.length(chain) <= SCRAP_RESOLUTIONS * self.resolution
+        };
+        let short = || chains.iter().filter(|chain| is_scrap(chain));
         let mut points = Vec::new();
         for &arc in short().flat_map(|chain| &chain.arcs) {
-            let arc = arcs[arc as usize];
-            for &x in &self.pieces.points[arc.from as usize..arc.to as usize] {
-                alloc::push(&mut points, (self.surroundings.point(arc.pair, x), arc.pair))?;
-            }
+            let arc = &arcs[arc as usize];
+            alloc::extend(&mut points, self.points(arc).map(|point| (point, arc.pair)))?;
         }
         let mut within = alloc::filled(false, points.len())?;
         self.members(&points)?.into_iter().for_each(|(_, point)| within[point as usize] = true);
@@ -120,29 +125,49 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(())
     }
 
-    /// Leaves out open chains of a few resolutions all of whose ends are on a longer one: beside
+    /// Leaves out chains that are no longer than the resolution; whether there are any.
+    pub(super) fn drop_short(&self, chains: &[Chain], dropped: &mut [bool]) -> bool {
+        let short = || chains.iter().filter(|chain| self.length(chain) <= self.resolution);
+        short().flat_map(|chain| &chain.arcs).for_each(|&arc| dropped[arc as usize] = true);
+        short().next().is_some()
+    }
+
+    /// The length of a chain: of the chords of its arcs, or of one that is closed.
+    fn length(&self, chain: &Chain) -> f64 {
+        let length = |arc: &Arc| match arc.is_closed {
+            true => self.points(arc).zip(self.points(arc).skip(1)).map(|(p, q)| p.distance(q)).sum(),
+            false => arc.ends[0].distance(arc.ends[1]),
+        };
+        chain.arcs.iter().map(|&arc| length(&self.pieces.arcs[arc as usize])).sum()
+    }
+
+    /// The points of an arc.
+    fn points(&self, arc: &Arc) -> impl Iterator<Item = DVec3> {
+        let all = &self.pieces.points[arc.from as usize..arc.to as usize];
+        all.iter().map(|&x| self.surroundings.point(arc.pair, x))
+    }
+
+    /// Leaves out chains of a few resolutions all of whose ends are on a longer one: beside
     /// poles lines of parameters are so near together that curves are found from both sides of them,
-    /// in arcs too short to be told from those that follow each other.
-    pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<()> {
+    /// in arcs too short to be told from those that follow each other. Whether there are any.
+    pub(super) fn drop_repeated<'a>(&'a self, chains: &'a [Chain], dropped: &mut [bool]) -> Result<bool> {
         let arcs = &self.pieces.arcs;
         let [longest, near] = REPEATED_RESOLUTIONS.map(|count| count * self.resolution);
-        let length = |chain: &Chain| -> f64 {
-            let all = chain.arcs.iter().map(|&arc| arcs[arc as usize].ends);
-            all.map(|[first, last]| first.distance(last)).sum()
-        };
-        let is_short = |chain: &Chain| !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS && length(chain) <= longest;
+        let is_short = |chain: &Chain| chain.arcs.len() < MIN_CHAIN_ARCS && self.length(chain) <= longest;
         if !chains.iter().any(is_short) {
-            return Ok(());
+            return Ok(false);
         }
         let ends = |chain: &'a Chain| chain.arcs.iter().flat_map(|&arc| arcs[arc as usize].ends);
         let others = alloc::gather(chains.iter().filter(|chain| !is_short(chain)).flat_map(ends))?;
         let tree = tree(&others)?;
+        let mut any = false;
         for chain in chains.iter().filter(|chain| is_short(chain)) {
             if ends(chain).all(|end| tree.nearest(end, near * near, |_| true).is_some()) {
                 chain.arcs.iter().for_each(|&arc| dropped[arc as usize] = true);
+                any = true;
             }
         }
-        Ok(())
+        Ok(any)
     }
 
     /// Leaves out chains that are within a contact: rims of lenses that are thinner than the
@@ -238,7 +263,7 @@ impl<S: Surroundings> Bridges<'_, S> {
             let (from, to) = (ends[end as usize], ends[start as usize]);
             let chord = to.point - from.point;
             let is_point = chord.length() <= POINT_RESOLUTIONS * self.resolution;
-            if (from.at_border || to.at_border) && !is_point {
+            if (from.is_bound || to.is_bound) && !is_point {
                 continue;
             }
             // The chord of ends that are nearly one point says little.
@@ -265,7 +290,8 @@ impl<S: Surroundings> Bridges<'_, S> {
             let ends = [chain.arcs.first(), chain.arcs.last()].into_iter().flatten().enumerate();
             ends.map(|(k, &arc)| {
                 let found = &self.pieces.arcs[arc as usize];
-                LooseEnd { arc, point: found.ends[k], direction: found.directions[k], at_border: found.at_border[k] }
+                let is_bound = found.at_border[k] || found.is_cut[k];
+                LooseEnd { arc, point: found.ends[k], direction: found.directions[k], is_bound }
             })
         }))
     }

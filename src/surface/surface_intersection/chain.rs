@@ -110,7 +110,6 @@ pub(super) fn chains(
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
     let near = near_pairs(&ends, REACH * resolution, job)?;
     let mut dropped = repeated(arcs, &near, false, resolution)?;
-    let mut links = Links::new(arcs.len())?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
@@ -121,14 +120,18 @@ pub(super) fn chains(
     }
     // The nearest first.
     sort::stable(&mut joints, &|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    joints.iter().for_each(|&(_, end, start)| links.join(end, start));
-    let chains = links.chains(&dropped)?;
-    if pieces.balls.is_empty() {
-        return Ok(Chained { chains, ..Chained::default() });
-    }
     let bridges = Bridges { pieces, surroundings, tolerance, resolution };
+    let mut links = Links::of(&joints, &dropped)?;
+    let mut chains = links.chains(&dropped)?;
+    // What is left out may have been in the way of others.
+    if bridges.drop_short(&chains, &mut dropped) | bridges.drop_repeated(&chains, &mut dropped)? {
+        links = Links::of(&joints, &dropped)?;
+        chains = links.chains(&dropped)?;
+    }
+    if pieces.balls.is_empty() {
+        return Ok(Chained { chains: links.chains(&dropped)?, ..Chained::default() });
+    }
     bridges.drop_scraps(&chains, &mut dropped)?;
-    bridges.drop_repeated(&chains, &mut dropped)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
     // Branches that cross are joined when each is whole elsewhere.
     let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;

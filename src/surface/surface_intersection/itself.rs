@@ -80,6 +80,8 @@ impl Surface<'_> {
             },
             tolerance,
             resolution: tolerance,
+            // Pinches are found to that, and what is nearer to them is of them.
+            shortest: 0.5 * tolerance,
             chord: chord.max(tolerance),
         };
         let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;

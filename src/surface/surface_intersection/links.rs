@@ -23,6 +23,16 @@ impl Links {
         Ok(Links { before: alloc::filled(NONE, count)?, after: alloc::filled(NONE, count)? })
     }
 
+    /// Of arcs some of which are dropped, by (distance, end, start) of those that may be joined, the
+    /// nearest first.
+    pub(super) fn of(joints: &[(f64, u32, u32)], dropped: &[bool]) -> Result<Self> {
+        let mut links = Self::new(dropped.len())?;
+        let is_kept = |arc: u32| !dropped[arc as usize];
+        let kept = joints.iter().filter(|&&(_, end, start)| is_kept(end) && is_kept(start));
+        kept.for_each(|&(_, end, start)| links.join(end, start));
+        Ok(links)
+    }
+
     /// Joins two arcs, if neither has a neighbour there.
     pub(super) fn join(&mut self, end: u32, start: u32) {
         if self.are_free(end, start) {

@@ -47,7 +47,7 @@ pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
 use super::path::{Contact, ContactKind};
-use super::{Paths, Sheet, Surface, each_sheet};
+use super::{Paths, Place, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
 use chain::{Chained, chains};
 use chart::ParameterBox;
@@ -56,7 +56,7 @@ use glam::{DVec3, DVec4};
 use net::Net;
 use overlap::Overlaps;
 use places::PairPlaces;
-use solve::{FoundArcs, PairTask};
+use solve::{Arc, FoundArcs, PairTask};
 use std::ops::Range;
 
 /// Pairs of cells that one thread takes at a time.
@@ -70,6 +70,10 @@ const FIRST_MAX_BOXES: usize = 256;
 const SECOND_TOTAL_BOXES: usize = 1 << 22;
 /// The most for one of them.
 const SECOND_MAX_BOXES: usize = 1 << 17;
+
+/// Arcs that may be lost, in resolutions: those of many boxes in a row, as at poles, are less than
+/// that together.
+const SHORTEST_ARC_SHARE: f64 = 1.0 / 32.0;
 
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -133,6 +137,7 @@ impl Surface<'_> {
             places: PairPlaces { surfaces: [self, other], pairs: &pairs, origin },
             tolerance,
             resolution,
+            shortest: SHORTEST_ARC_SHARE * resolution,
             chord: chord.max(resolution),
         };
         let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
@@ -161,10 +166,12 @@ impl Surface<'_> {
                 continue;
             }
             let [place, _] = intersection.places.places(ball.pair, ball.x);
-            if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
-                alloc::push(&mut paths.unresolved, place)?;
-            }
+            alloc::push(&mut paths.unresolved, place)?;
         }
+        alloc::extend(&mut paths.unresolved, intersection.loose_ends(&pieces, &chained))?;
+        let cell = |place: &Place| (place.sheet, place.cell);
+        sort::stable(&mut paths.unresolved, &|a, b| cell(a).cmp(&cell(b)));
+        paths.unresolved.dedup_by_key(|place| cell(place));
         for point in critical.points.iter().filter(|point| point.gap.abs() <= tolerance) {
             alloc::push(&mut paths.contacts, intersection.contact(point))?;
         }
@@ -179,6 +186,8 @@ struct Intersection<'a> {
     /// How exactly ends of arcs are known: the surfaces' own tolerance, if the one that is asked for
     /// is greater.
     resolution: f64,
+    /// Arcs up to this may be lost.
+    shortest: f64,
     chord: f64,
 }
 
@@ -272,8 +281,8 @@ impl Intersection<'_> {
         let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
         let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
-        let (neighbours, chord) = ([s, t, u, v], self.chord);
-        PairTask { pair: k, neighbours, tolerance, resolution, chord, max_boxes, last, rounding_error }
+        let (neighbours, chord, shortest) = ([s, t, u, v], self.chord, self.shortest.max(4.0 * rounding_error));
+        PairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
     }
 
     /// The arcs of pairs of two sheets.
@@ -307,6 +316,27 @@ impl Intersection<'_> {
     fn cut_overlaps(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let (resolution, chord) = (self.resolution, self.chord);
         Overlaps { pieces, places: &self.places, resolution, chord }.cut(job)
+    }
+
+    /// Where paths end, but not at the border of a sheet: something is not resolved there.
+    fn loose_ends(&self, pieces: &FoundArcs, chained: &Chained) -> impl Iterator<Item = Place> {
+        let open = chained.chains.iter().filter(|chain| !chain.closed);
+        let ends = open.flat_map(|chain| [(chain.arcs[0], 0), (chain.arcs[chain.arcs.len() - 1], 1)]);
+        ends.filter_map(|(arc, k)| {
+            let Arc { pair, from, to, at_border, .. } = pieces.arcs[arc as usize];
+            let x = pieces.points[[from, to - 1][k] as usize];
+            (!at_border[k] && !self.is_near_border(pair, x)).then(|| self.places.places(pair, x)[0])
+        })
+    }
+
+    /// Whether a curve that ends there may have been lost on the way to the border of a sheet.
+    fn is_near_border(&self, pair: u32, x: DVec4) -> bool {
+        let neighbours = self.task(pair, 0.0, 0, true).neighbours;
+        let columns = self.places.frame(pair, x).1.columns;
+        (0..4).any(|k| {
+            let near = |away: f64, side: usize| !neighbours[k][side] && away * columns[k].length() <= self.resolution;
+            near(x[k], 0) || near(1.0 - x[k], 1)
+        })
     }
 
     fn contact(&self, point: &CriticalPoint) -> Contact {
@@ -360,6 +390,8 @@ impl Intersection<'_> {
             alloc::push(&mut paths.closed, chain.closed)?;
         }
         self.evaluate(&mut paths)?;
+        let size = self.places.surfaces.map(Surface::diagonal);
+        paths.drop_repeats(rounding_error(size[0].max(size[1])));
         Ok(paths)
     }
 

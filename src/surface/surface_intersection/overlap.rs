@@ -16,6 +16,11 @@ use crate::surface::prelude::*;
 /// Arcs between two steps of the job, if they are along sides.
 const ARCS_PER_STEP: usize = 1 << 6;
 
+/// Ends of others as near as this part of an arc's length, between so many resolutions, to its own
+/// are these.
+const OWN_SHARE: f64 = 0.25;
+const OWN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
+
 /// A cut through an arc, behind one of its points.
 struct Cut {
     arc: u32,
@@ -53,10 +58,17 @@ impl Overlaps<'_> {
         if cuts.is_empty() { Ok(None) } else { self.apply(&cuts).map(Some) }
     }
 
+    /// The distance up to which an end of another arc is one of its own: of short arcs, as there are
+    /// beside poles, a part of their length.
+    fn reach(&self, arc: &Arc) -> f64 {
+        let length = arc.ends[0].distance(arc.ends[1]);
+        self.resolution * (OWN_SHARE * length / self.resolution).clamp(OWN_RESOLUTIONS[0], OWN_RESOLUTIONS[1])
+    }
+
     /// Adds the cuts of one arc: at ends of others on it that are not its own.
     fn add_cuts(&self, k: u32, arc: &Arc, ends: &[DVec3], tree: &KdTree<'_>, cuts: &mut Vec<Cut>) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
-        let within = 2.0 * self.resolution;
+        let within = self.reach(arc);
         let mut from = self.places.point(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
             let to = self.places.point(arc.pair, pair[1]);
@@ -99,7 +111,7 @@ impl Overlaps<'_> {
             for cut in own {
                 // Ends of several others are nearly one point.
                 let before = last.map_or(arc.ends[0], |cut: &Cut| cut.at.point);
-                if before.distance(cut.at.point) > 2.0 * self.resolution {
+                if before.distance(cut.at.point) > self.reach(arc) {
                     self.add_part(arc, [last, Some(cut)], &mut made)?;
                     last = Some(cut);
                 }
@@ -121,7 +133,7 @@ impl Overlaps<'_> {
         part.to = made.points.len() as u32;
         for (k, cut) in cuts.into_iter().enumerate() {
             if let Some(CurvePoint { point, direction, .. }) = cut.map(|cut| cut.at) {
-                (part.ends[k], part.directions[k], part.at_border[k]) = (point, direction, true);
+                (part.ends[k], part.directions[k], part.is_cut[k]) = (point, direction, true);
             }
         }
         made.arcs.push(part);

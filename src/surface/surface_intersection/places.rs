@@ -46,7 +46,7 @@ impl PairPlaces<'_> {
         self.surfaces[0].jet(self.places(pair, x)[0]).point - self.origin
     }
 
-    fn frame(&self, pair: u32, x: DVec4) -> (DVec3, Frame) {
+    pub(super) fn frame(&self, pair: u32, x: DVec4) -> (DVec3, Frame) {
         let [place, other] = self.places(pair, x);
         let (a, b) = (self.surfaces[0].jet(place), self.surfaces[1].jet(other));
         (a.point - self.origin, Frame { miss: a.point - b.point, columns: [a.u, a.v, -b.u, -b.v] })

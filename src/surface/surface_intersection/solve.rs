@@ -33,6 +33,8 @@ const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
 const MIN_SPLIT_SIZE: f64 = 1e-8;
 /// Curves whose ends are as near as this to a side, by parameters, may run along it.
 const SIDE_SLACK: f64 = 1e-6;
+/// And if they are no steeper to it than this, by parameters.
+const SIDE_SLOPE: f64 = 1e-2;
 
 /// Boxes of a pair between two steps of the job.
 const BOXES_PER_STEP: usize = 1 << 10;
@@ -53,6 +55,8 @@ pub(super) struct Arc {
     pub(super) directions: [DVec3; 2],
     /// Whether they are on the border of a sheet.
     pub(super) at_border: [bool; 2],
+    /// Whether the arc was cut there.
+    pub(super) is_cut: [bool; 2],
     /// Whether it ends where it begins: it goes round a cell that is closed.
     pub(super) is_closed: bool,
     /// Whether both ends are on one side of its box, so that the box beyond may have it too.
@@ -124,8 +128,10 @@ pub(super) struct PairTask {
     pub(super) neighbours: [[bool; 2]; 4],
     /// Surfaces no farther apart may touch.
     pub(super) tolerance: f64,
-    /// Arcs up to this may be lost: it is no greater than the tolerance.
+    /// How exactly ends are known: it is no greater than the tolerance.
     pub(super) resolution: f64,
+    /// Arcs up to this may be lost.
+    pub(super) shortest: f64,
     /// The greatest distance of a chord from the curve.
     pub(super) chord: f64,
     /// Boxes that may be examined.
@@ -141,7 +147,11 @@ impl PairTask {
     /// does not end it.
     fn are_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
         let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
-        let runs_along = |k: usize, side: usize| is_along_side && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
+        // A short arc that ends there has both ends near to it too.
+        let run = (ends[1] - ends[0]).abs();
+        let is_level = |k: usize| run[k] <= SIDE_SLOPE * run.max_element();
+        let runs_along =
+            |k: usize, side: usize| is_along_side && is_level(k) && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
         let ends_at = |x: DVec4, k: usize, side: usize| {
             sides(x[k], PARAMETER_ROUNDING)[side] && !self.neighbours[k][side] && !runs_along(k, side)
         };
@@ -239,7 +249,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
                 return Ok(if touches { BoxTest::Unresolved } else { BoxTest::Empty });
             }
             BoxTest::Unique(chart) => {
-                let search = ArcSearch::new(equation, part, &chart, resolution, rounding_error);
+                let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
                 let found = match search.along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
@@ -283,7 +293,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let (equation, points) = (self.equation, &mut self.pieces.points);
         let places = ends.map(|end| equation.point(end.x));
-        let is_near = |point: DVec3| places[0].distance(point) <= 0.5 * self.task.resolution;
+        let is_near = |point: DVec3| places[0].distance(point) <= self.task.shortest;
         let is_closed = is_near(places[1]);
         // Half way round, if it is no point.
         let half_way = || equation.solve(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
@@ -308,7 +318,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         let exact = |end: End| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
         let directions = ends.map(|end| exact(end).normalize_or_zero());
         let ends = places;
-        let arc = Arc { pair, from, to, ends, directions, at_border, is_closed, is_along_side };
+        let arc = Arc { pair, from, to, ends, directions, at_border, is_cut: [false; 2], is_closed, is_along_side };
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 
