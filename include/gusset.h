@@ -12475,8 +12475,10 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  *
  * Points and normals are those of a; the points of b at `others` are the same but for rounding,
  * and at crossings to the tolerance. Every branch is found, relative to the surfaces as declared,
- * that is longer than the tolerance, or the surfaces' own if that is smaller, farther than four
- * times that from others, and not part of a contact or of a cell that is listed as unresolved.
+ * that is longer than the tolerance, or the surfaces' own if that is smaller, or, next to a pole,
+ * than four times that; farther than four times that from others; and not part of a contact or of
+ * a cell that is listed as unresolved. A path that is not closed ends at the border of a sheet, or
+ * in such a cell.
  *
  * A point where the surfaces touch, or where two branches cross, is a contact if it is proved to
  * be alone: near it both are graphs over a plane, and the second derivatives of their difference
@@ -12492,9 +12494,10 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * Cells of a where the surfaces touch in another way (along a curve, at a pole, at a border, to a
  * higher order) or coincide are listed as unresolved, and curves may end there, or be in parts or
  * missing within such cells. So are cells that take more work than the limit, as where two branches
- * run beside each other at 1e-4 of a cell and not along its sides. Curves are joined across such a
- * place where a chord is as near to both surfaces as elsewhere. For where one surface meets itself
- * see gusset_surface_self_intersection_create.
+ * run beside each other at 1e-4 of a cell and not along its sides, or one runs nearly along the
+ * sides of cells of both surfaces, as where coaxial surfaces of revolution meet. Curves are joined
+ * across such a place where a chord is as near to both surfaces as elsewhere. For where one surface
+ * meets itself see gusset_surface_self_intersection_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.

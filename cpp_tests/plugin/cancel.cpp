@@ -1,5 +1,5 @@
 // How long after a request to stop a run returns, for each filter on large shapes. Prints a table, and fails above a
-// tenth of a second. No test of `make test`, which has none that look at clocks.
+// tenth of a second, or the limit of its own that a filter has. No test of `make test`, which has none that look at clocks.
 #include "instant.hpp"
 #include "shapes.h"
 
@@ -25,6 +25,8 @@ using cancel::Instant;
 using cancel::Milliseconds;
 
 constexpr double limit = 100;
+/// Those that may be later, as docs/guides/guarantees.md states.
+const std::map<std::string, double> limits{{"strip", 150}};
 /// Longer runs are not waited for: requests come within that time.
 constexpr Milliseconds patience{20000};
 
@@ -164,7 +166,8 @@ bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t 
     std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  from \"%s\" to \"%s\"\n", filter.id, cut ? ">" : " ", time.count(),
                 median, worst, late.size(), whole.longest.count(), whole.after.c_str(), whole.before.c_str());
     std::fflush(stdout);
-    return worst <= limit;
+    const auto own = limits.find(filter.id);
+    return worst <= (own == limits.end() ? limit : own->second);
 }
 } // namespace
 
@@ -209,6 +212,6 @@ int main(int argc, char **argv) {
             good = measure(*plugin, filter, size, threads, cancels, numbers) && good;
         }
     }
-    std::printf(good ? "all within %.0f ms\n" : "not all within %.0f ms\n", limit);
+    std::puts(good ? "all within their limits" : "not all within their limits");
     return good ? 0 : 1;
 }

@@ -6,7 +6,7 @@
 
 use super::fast::ordinary_walks;
 use super::options::{Options, Survey};
-use super::split::split_simple;
+use super::split::{STAGE, split_simple};
 use super::walk::{Dart, Walker};
 use crate::alloc;
 use crate::error::Result;
@@ -142,8 +142,6 @@ impl Boundary {
         &self.defects
     }
 }
-
-pub(super) const STAGE: &str = "walking along the boundary";
 
 /// Walks between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;

@@ -1,10 +1,12 @@
 //! Division of a walk that visits a vertex twice into simple loops.
 
-use super::loops::STAGE;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::NONE;
+
+/// What a host reads of walks and their parts.
+pub(super) const STAGE: &str = "walking along the boundary";
 
 /// Cuts `walk`, whose steps lead from `tail` to `head`, at every vertex that it passes again, and
 /// gives each simple piece to `emit`, with whether it is closed.

@@ -4,8 +4,8 @@
 //! one successor and one predecessor, so the walk is a permutation of the free edges and visits
 //! each once. O(faces of the fans).
 
-use super::loops::STAGE;
 use super::options::NonManifold;
+use super::split::STAGE;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

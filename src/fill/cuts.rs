@@ -94,7 +94,9 @@ struct Boxes {
 impl Boxes {
     fn new(boxes: &[Aabb], job: &Job<'_>) -> Result<Self> {
         let order = spatial_order(boxes, 1, job, "looking for intersections")?;
-        let tree = BoxTree::new(order.iter().map(|&k| boxes[k as usize]))?;
+        let leaves = order.iter().map(|&k| boxes[k as usize]);
+        let leaves = alloc::collect_cancellable(leaves, &job.part(1.0, 1.0), "looking for intersections")?;
+        let tree = BoxTree::new(leaves.into_iter())?;
         Ok(Boxes { tree, order })
     }
 
@@ -108,7 +110,8 @@ impl<'a> Trials<'a> {
     /// `rooms`: of each patch, what it stays in, whichever way it is made. O(n log n) for n old
     /// triangles and patches.
     pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
-        let boxes = alloc::collect(old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v)))))?;
+        let boxes = old.corners.iter().map(|triangle| Aabb::of(triangle.map(|v| pool.at(v))));
+        let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
         Ok(Trials {
             old,
             triangles: Boxes::new(&boxes, &job.part(0.0, 0.5))?,

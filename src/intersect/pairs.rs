@@ -36,14 +36,16 @@ pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
 /// For each node of the tree over groups of triangles in this order, a box turned with them: the
 /// triangles of strips between dense rims are needles, and a box along the axes of one holds
 /// thousands of others.
-fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3]) -> Result<Vec<OrientedBox>> {
+fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<'_>) -> Result<Vec<OrientedBox>> {
     let groups = order.chunks(LEAF_TRIANGLES);
     let leaves = groups.len().next_power_of_two();
     let mut boxes = alloc::filled(OrientedBox::EMPTY, 2 * leaves)?;
-    for (turned, group) in boxes[leaves..].iter_mut().zip(groups) {
+    for (k, (turned, group)) in boxes[leaves..].iter_mut().zip(groups).enumerate() {
+        job.step_within(k, STAGE)?;
         *turned = OrientedBox::of(group.iter().map(|&i| corners(i)));
     }
     for node in (1..leaves).rev() {
+        job.step_within(node, STAGE)?;
         boxes[node] = boxes[2 * node].union(&boxes[2 * node + 1]);
     }
     Ok(boxes)
@@ -64,12 +66,14 @@ pub(crate) fn intersecting_pairs(
     }
     job.step(0.0, STAGE)?;
     let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
-    let boxes = alloc::collect(soup.new.iter().map(around))?;
+    let boxes = alloc::collect_cancellable(soup.new.iter().map(around), &job.part(0.0, 0.0), STAGE)?;
     let order = spatial_order(&boxes, LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
     let tree = BoxTree::new(order.chunks(LEAF_TRIANGLES).map(leaf_box))?;
-    let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at))?;
+    job.step(0.0, STAGE)?;
+    let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at), &job.part(0.0, 0.0))?;
+    job.step(0.0, STAGE)?;
     let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at)?;
     let n = soup.new.len();
     let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {

@@ -104,7 +104,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         let mut invert = 2 * against > found.len();
         if options.outward == Outward::Closed && search.closed {
             // What faces inwards as the search left it is to be inverted.
-            let inward = faces_inward(mesh, found, &turned).unwrap_or(invert);
+            let inward = faces_inward(mesh, found, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
             inverted_components += u32::from(inward != invert);
             invert = inward;
         }
@@ -136,6 +136,7 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
         return Ok(Outwards::default());
     }
     let mut found = inward_components(&mesh.view(&job.part(0.0, 0.1))?, &job.part(0.1, 0.95))?;
+    job.step(0.95, STAGE)?;
     sort(&mut found.turned, Ord::cmp, &job.part(0.95, 1.0), STAGE)?;
     for &f in &found.turned {
         mesh.turn_face(f as usize);
@@ -169,7 +170,7 @@ fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
         let found = &search.found;
         let consistent = search.half_edge == NONE && !found.iter().any(|&g| against[g as usize]);
         if search.closed && consistent {
-            match faces_inward(mesh, found, &against) {
+            match faces_inward(mesh, found, &against, &job.part(1.0, 1.0))? {
                 Some(true) => alloc::append(&mut outwards.turned, found)?,
                 Some(false) => {}
                 None => alloc::push(&mut outwards.zero_volume, f)?,
@@ -246,16 +247,18 @@ impl<'m> Search<'m> {
 ///
 /// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with
 /// coordinates from a vertex of the set in a power-of-two unit of its size.
-fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool]) -> Option<bool> {
+fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || found.iter().flat_map(|&f| mesh.face(f as usize));
     // Halves, so that differences of the largest numbers do not overflow.
-    let origin = point(corners().next()?) * 0.5;
+    let Some(first) = corners().next() else { return Ok(None) };
+    let origin = point(first) * 0.5;
     let relative = |v: u32| point(v) * 0.5 - origin;
     let unit = common_unit(&[corners().map(relative).fold(DVec3::ZERO, |most, p| most.max(p.abs()))]);
     let at = |v: u32| relative(v) / unit;
     let (mut sum, mut size) = (0.0, 0.0);
-    for &f in found {
+    for (k, &f) in found.iter().enumerate() {
+        job.step_within(k, STAGE)?;
         let mut corners = mesh.face(f as usize).map(at);
         let (Some(first), Some(second)) = (corners.next(), corners.next()) else { continue };
         let mut before: DVec3 = second - first;
@@ -268,5 +271,5 @@ fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool]) -> Option<b
         }
     }
     let rounding = f64::EPSILON * (16.0 + found.len() as f64) * size;
-    (f64::abs(sum) > rounding).then_some(sum < 0.0)
+    Ok((f64::abs(sum) > rounding).then_some(sum < 0.0))
 }

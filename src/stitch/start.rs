@@ -28,6 +28,9 @@ pub enum Start {
 /// Vertices between two progress reports: where all are about equally far, each takes long.
 const REPORT_INTERVAL: usize = 1 << 7;
 
+/// The same where places along the other rim are looked up.
+const LENGTHS_PER_REPORT: usize = 1 << 18;
+
 const STAGE: &str = "looking for the closest pair";
 
 /// Samples of each rim for the rotation.
@@ -56,12 +59,14 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
 /// when rim B is turned along rim A so that the sum of squared distances between points at equal
 /// arc lengths is least. The rims run side by side. O(N log M), and a Fourier transform of
 /// [`SAMPLES`] samples.
-pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges) -> Result<Option<(usize, usize)>> {
+pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
     let shift = best_shift(&samples(&a.points, true, SAMPLES)?, &samples(&b.points, true, SAMPLES)?);
+    job.step(0.0, STAGE)?;
     let (along_a, along_b) = (parts(&a.points)?, parts(&b.points)?);
     let m = b.points.len();
     let mut best = (f64::INFINITY, None);
     for (i, &t) in along_a.iter().enumerate() {
+        job.step_every(LENGTHS_PER_REPORT, i, along_a.len(), STAGE)?;
         let t = t + shift;
         let t = if t < 1.0 { t } else { t - 1.0 };
         let after = along_b.partition_point(|&s| s < t);

@@ -118,7 +118,9 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     let (i, j) = closest_pair(a, b, bridges, &job.part(0.0, 0.2))?.ok_or(none)?;
     let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
     let second = match options.start {
-        Start::Auto if options.twist == 0 => by_rotation(a, b, bridges)?.filter(|&other| other != (i, j)),
+        Start::Auto if options.twist == 0 => {
+            by_rotation(a, b, bridges, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
+        }
         _ => None,
     };
     a.start_at(i);

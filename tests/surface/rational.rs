@@ -16,8 +16,8 @@ use std::ops::ControlFlow;
 
 /// A rational spline with what it owns.
 #[derive(Clone)]
-pub struct Nurbs {
-    pub points: Vec<DVec3>,
+pub(crate) struct Nurbs {
+    pub(crate) points: Vec<DVec3>,
     weights: Vec<f64>,
     counts: [usize; 2],
     degrees: [usize; 2],
@@ -33,7 +33,7 @@ impl Nurbs {
         Sheet::from_spline(&spline, options, job)
     }
 
-    pub fn sheet(&self, tolerance: Option<f64>) -> Sheet<'static> {
+    pub(crate) fn sheet(&self, tolerance: Option<f64>) -> Sheet<'static> {
         self.sheet_with(&SplineOptions { tolerance, max_cells: None }, &Job::default()).unwrap()
     }
 
@@ -68,7 +68,7 @@ impl Nurbs {
 
 /// What a section drawn in a half-plane, (radius, height), makes when it turns round the z axis once
 /// in four quarters of degree 2.
-pub fn revolved(section: &[(f64, f64, f64)], degree: usize, knots: Vec<f64>) -> Nurbs {
+pub(crate) fn revolved(section: &[(f64, f64, f64)], degree: usize, knots: Vec<f64>) -> Nurbs {
     let ring = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0)];
     let (mut points, mut weights) = (Vec::new(), Vec::new());
     for &(radius, height, weight) in section {
@@ -89,7 +89,7 @@ pub fn revolved(section: &[(f64, f64, f64)], degree: usize, knots: Vec<f64>) -> 
 }
 
 /// A half circle from pole to pole, turned.
-pub fn sphere() -> Nurbs {
+pub(crate) fn sphere() -> Nurbs {
     let s = FRAC_1_SQRT_2;
     let arc = [(0.0, -1.0, 1.0), (1.0, -1.0, s), (1.0, 0.0, 1.0), (1.0, 1.0, s), (0.0, 1.0, 1.0)];
     revolved(&arc, 2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0])
