@@ -12496,8 +12496,8 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
  * missing within such cells. So are cells that take more work than the limit, as where two branches
  * run beside each other at 1e-4 of a cell and not along its sides, or one runs nearly along the
  * sides of cells of both surfaces, as where coaxial surfaces of revolution meet. Curves are joined
- * across such a place where a chord is as near to both surfaces as elsewhere. For where one surface
- * meets itself see gusset_surface_self_intersection_create.
+ * across such a place where a chord is as near to both surfaces as elsewhere. For where one
+ * surface meets itself see gusset_surface_self_intersection_create.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param a the one surface.

@@ -1,5 +1,6 @@
 // How long after a request to stop a run returns, for each filter on large shapes. Prints a table, and fails above a
-// tenth of a second, or the limit of its own that a filter has. No test of `make test`, which has none that look at clocks.
+// tenth of a second, or the limit of its own that a filter has. No test of `make test`, which has none that look at
+// clocks.
 #include "instant.hpp"
 #include "shapes.h"
 

@@ -70,7 +70,8 @@ pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
 }
 
 impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
-    /// `shortest`: arcs up to this may be lost; `rounding_error`: lengths up to that may be rounding.
+    /// `shortest`: arcs up to this may be lost; `rounding_error`: lengths up to that may be
+    /// rounding.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &ParameterBox<N, M>,
@@ -313,8 +314,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
     fn beside(&self, k: usize, samples: &[DVec4; 5], frame: &Frame) -> Stay {
         let close = self.close(frame, k);
         let [min, max] = range(samples.map(|x| x[k]));
-        // Halved across k, a curve that is in the middle, and hardly moves that way, comes no farther
-        // from the sides: shorter pieces of it have narrower bounds.
+        // Halved across k, a curve that is in the middle, and hardly moves that way, comes no
+        // farther from the sides: shorter pieces of it have narrower bounds.
         let room = (min - self.low[k]).min(self.high[k] - max);
         let is_central = room >= MIN_ROOM * (self.high[k] - self.low[k]);
         let mut all = Stay::Unknown(if is_central { None } else { Some(k) });

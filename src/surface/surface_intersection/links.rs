@@ -23,8 +23,8 @@ impl Links {
         Ok(Links { before: alloc::filled(NONE, count)?, after: alloc::filled(NONE, count)? })
     }
 
-    /// Of arcs some of which are dropped, by (distance, end, start) of those that may be joined, the
-    /// nearest first.
+    /// Of arcs some of which are dropped, by (distance, end, start) of those that may be joined,
+    /// the nearest first.
     pub(super) fn of(joints: &[(f64, u32, u32)], dropped: &[bool]) -> Result<Self> {
         let mut links = Self::new(dropped.len())?;
         let is_kept = |arc: u32| !dropped[arc as usize];

@@ -58,8 +58,8 @@ impl Overlaps<'_> {
         if cuts.is_empty() { Ok(None) } else { self.apply(&cuts).map(Some) }
     }
 
-    /// The distance up to which an end of another arc is one of its own: of short arcs, as there are
-    /// beside poles, a part of their length.
+    /// The distance up to which an end of another arc is one of its own: of short arcs, as there
+    /// are beside poles, a part of their length.
     fn reach(&self, arc: &Arc) -> f64 {
         let length = arc.ends[0].distance(arc.ends[1]);
         self.resolution * (OWN_SHARE * length / self.resolution).clamp(OWN_RESOLUTIONS[0], OWN_RESOLUTIONS[1])
