@@ -68,6 +68,7 @@ impl<'a> Job<'a> {
 
     /// Reports progress; [`Error::Cancelled`] if the host wants to stop, and in the libraries for C
     /// [`Error::OutOfMemory`] if memory was refused that could not be asked for.
+    #[inline(never)]
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
         self.memory()?;
         self.report(fraction, stage)

@@ -122,6 +122,7 @@ impl BranchAndBound for MinimaSearch<'_> {
 
 impl MinimaSearch<'_> {
     /// Counts a block or a cell.
+    #[inline(never)]
     fn tick(&mut self) -> Result<()> {
         self.looked_at += 1;
         if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, "minima") } else { Ok(()) }
