@@ -15,8 +15,8 @@ use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
-/// Steps of some milliseconds.
-const STEPS_PER_REPORT: u64 = 1 << 17;
+/// Steps of a tenth of a second, where each takes a whole curve of some points.
+const STEPS_PER_REPORT: u64 = 1 << 11;
 const STAGE: &str = "stepping along guides";
 
 /// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the
