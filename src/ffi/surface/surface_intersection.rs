@@ -140,10 +140,11 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
 /// have nothing else is proved, or they are divided. Every branch longer than the tolerance is
 /// found, but for cells that are listed as unresolved: where tangents are dependent, as where a
 /// curve ends in a pinch (Whitney's umbrella), at creases and singular poles, and where pieces
-/// touch or coincide. A curve that ends in a pinch ends within the tolerance of it; the unresolved
-/// place is where its pieces are as near to each other as that. A curve that runs along sides of
-/// cells all its way may come in many parts. No contacts are looked for. What borders of different
-/// sheets have in common is an intersection.
+/// touch or coincide. A curve that ends in a pinch ends where its pieces are as near to each other
+/// as the tolerance, some tens of tolerances from the pinch where the surface is rough; the
+/// unresolved place is there. A curve that runs along sides of cells all its way may come in many
+/// parts. No contacts are looked for. What borders of different sheets have in common is an
+/// intersection.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param surface the surface.
