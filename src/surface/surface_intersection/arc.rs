@@ -50,7 +50,7 @@ struct LocalCurve {
 /// It cannot be told.
 struct Unclear;
 
-/// The part of a graph within a box: nothing worth the while, or one arc between two
+/// The part of a graph within a box: nothing but runs that may be lost, or one arc between two
 /// ends, by rising free parameter; undecided, the parameter that the box is to be halved by, if
 /// that is known.
 pub(super) type ArcTest = BoxTest<[End; 2], Option<usize>>;

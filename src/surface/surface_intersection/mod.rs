@@ -275,13 +275,18 @@ impl Intersection<'_> {
         Ok(pieces)
     }
 
-    /// How pair k is to be solved.
-    fn task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
+    /// For the parameters of pair k, whether another cell is below and above.
+    fn neighbours(&self, k: u32) -> [[bool; 2]; 4] {
         let CellPair { sheets: [a, b], cells: [p, q] } = self.places.pairs[k as usize];
         let [one, other] = [self.places.surfaces[0].sheet(a as usize), self.places.surfaces[1].sheet(b as usize)];
         let ([s, t], [u, v]) = (neighbours(one, p), neighbours(other, q));
+        [s, t, u, v]
+    }
+
+    /// How pair k is to be solved.
+    fn task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
-        let (neighbours, chord, shortest) = ([s, t, u, v], self.chord, self.shortest.max(4.0 * rounding_error));
+        let (neighbours, chord, shortest) = (self.neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
         PairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
     }
 
@@ -331,7 +336,7 @@ impl Intersection<'_> {
 
     /// Whether a curve that ends there may have been lost on the way to the border of a sheet.
     fn is_near_border(&self, pair: u32, x: DVec4) -> bool {
-        let neighbours = self.task(pair, 0.0, 0, true).neighbours;
+        let neighbours = self.neighbours(pair);
         let columns = self.places.frame(pair, x).1.columns;
         (0..4).any(|k| {
             let near = |away: f64, side: usize| !neighbours[k][side] && away * columns[k].length() <= self.resolution;
