@@ -563,6 +563,22 @@ static inline void torture_results(gusset_status status, uint64_t changed, uint6
     }
 }
 
+/* An output before a call: nothing that it may hold after a failure. */
+static inline void torture_soil(void *output, size_t from, size_t to) {
+    if (from < to) memset((char *)output + from, 0x5A, to - from);
+}
+
+/* The same output after it: 0 if the call failed, or all ones, which is no type and no index. */
+static inline void torture_cleared(gusset_status status, const void *output, size_t from, size_t to, const char *name) {
+    const unsigned char *const bytes = output;
+    for (size_t i = from; status != GUSSET_OK && i < to; ++i)
+        if (bytes[i] != 0 && bytes[i] != 0xFF) {
+            printf("%s: %s is not cleared\n", torture_told->now, name);
+            ++torture_told->failures;
+            return;
+        }
+}
+
 /* A result: there if the call succeeded, NULL if not. */
 static inline void torture_made(gusset_status status, const void *made) {
     if (status == GUSSET_OK && (made == NULL || (uintptr_t)made == TORTURE_UNTOUCHED)) torture_fails("no result");

@@ -21,6 +21,10 @@ UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "val
            "z": "SCALARS", "face_offsets": "OFFSET", "face_corners": "U32"}
 # Arrays of points: three coordinates each, or as many as a field `dimension` says.
 POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points"}
+# Arrays that are results: what they hold after a failure is unspecified. Of other outputs, the first element is looked at.
+UNSPECIFIED = {"out", "rows", "columns", "deviations"}
+# What says that an element is none, where not all of it is 0.
+NONE = {"gusset_surface_nearest_point": "flags"}
 # Handles that functions change, and what torture.h calls what it knows of them.
 HASHED = {"gusset_net": "net", "gusset_scene": "scene", "gusset_stream_decoder": "decoder"}
 # Numbers that say how an array is to be read: only values that no array has.
@@ -165,6 +169,14 @@ def finite(header, kind):
     return lines
 
 
+def extent(header, one):
+    """From where to where the library writes to what an output points to: not the size that its caller has set, nor behind that."""
+    if not header.versioned(one.type):
+        return f"0, sizeof *{one.name}"
+    size = f"{one.name}->struct_size"
+    return f"sizeof(size_t), {size} < sizeof *{one.name} ? {size} : sizeof *{one.name}"
+
+
 def wrapper(header, result, name, given, declaration):
     arguments = ", ".join(one.name for one in given)
     arrays = [one for one in given if one.stars and (one.type in header.names or (one.type in header.structs and not header.versioned(one.type)))]
@@ -177,6 +189,10 @@ def wrapper(header, result, name, given, declaration):
     many = next((one for one in given if one.stars == 2 and not one.constant and any(c.name == "capacity" for c in given)), None)
     context = None if name.startswith("gusset_context_") else "context" if "const struct gusset_context *context" in declaration else None
     fallible = result == "gusset_status"
+    # Outputs of which something is known after a failure.
+    cleared = [one for at, one in enumerate(given)
+               if fallible and one.stars == 1 and not one.constant and (one.type in header.names or one.type in header.structs)
+               and count_after(given, at, "") == "1" and not one.name in UNSPECIFIED]
     lines = [f"static {result} torture_{declaration} {{"]
     if given and not name.endswith("_destroy"):
         lines.append(f'    if (torture_enter("{name}")) {{')
@@ -201,6 +217,8 @@ def wrapper(header, result, name, given, declaration):
                 lines += ["        " + line for line in visit(header, given, at, "", "", wide=not arrays)]
         if made:
             lines.append(f"        struct {made.type} **const own = {made.name};")
+        for one in cleared:
+            lines.append(f"        const {one.type} *const own_{one.name} = {one.name};")
         changed = any(one.stars == 1 and not one.constant and one.type not in header.names and one.type not in header.structs
                       for one in given)
         lines.append(f"        torture_pure = {int(fallible and not changed)};")
@@ -218,9 +236,19 @@ def wrapper(header, result, name, given, declaration):
         if fallible:
             if edited:
                 lines.append(f"            if (torture_told->phase >= TORTURE_ONE_ALLOCATION) torture_before = {hashed};")
+            for one in cleared:
+                lines.append(f"            if ({one.name} && {one.name} == own_{one.name}) torture_soil({one.name}, {extent(header, one)});")
             lines.append("            torture_arm();")
             lines.append(f"            const gusset_status status = ({name})({arguments});")
             lines.append(f"            torture_check(status, {f'{context} == torture_context ? context : NULL' if context else 'NULL'});")
+            for one in cleared:
+                part = f"{one.name}, {extent(header, one)}"
+                if one.type in NONE:
+                    part = f"&{one.name}->{NONE[one.type]}, 0, sizeof {one.name}->{NONE[one.type]}"
+                # The number that is needed is told of a buffer that is too small; what has no possible size is left.
+                told = "BUFFER_TOO_SMALL" if one.type == "size_t" else "BAD_STRUCT_SIZE" if header.versioned(one.type) else "SIZE_OVERFLOW"
+                told = f" && status != GUSSET_ERROR_{told}"
+                lines.append(f"            if ({one.name} && {one.name} == own_{one.name}{told}) torture_cleared(status, {part}, \"{one.name}\");")
         else:
             lines.append(f"            {'' if result == 'void' else '(void)'}({name})({arguments});")
         if made:

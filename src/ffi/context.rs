@@ -118,8 +118,8 @@ fn with_memory<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'
     Ok(made)
 }
 
-/// [`guard`] for a `body` that changes what the caller has, or makes handles: what is done is done,
-/// and it asks for the job's memory itself, before that.
+/// [`guard`] for a `body` that changes what the caller has, writes to its outputs, or makes handles:
+/// what is done is done, and it asks for the job's memory itself, before that.
 pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
@@ -196,10 +196,23 @@ pub(crate) fn create<T: Handle>(
     name: &'static str,
     body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
 ) -> gusset_status {
+    create_and_tell(context, out, name, |job| Ok((body(job)?, ())), |()| ())
+}
+
+/// [`create`], of a body that makes something beside the handle, for `tell` to write to other outputs.
+pub(crate) fn create_and_tell<T: Handle, U>(
+    context: *const gusset_context,
+    out: *mut *mut T,
+    name: &'static str,
+    body: impl FnOnce(&Job<'_>) -> Result<(T, U), Failure>,
+    tell: impl FnOnce(U),
+) -> gusset_status {
     let slot = input::output(out, ptr::null_mut(), name);
     guard_change(context, |job| {
         let slot = slot?;
-        let made = with_memory(|job| Ok(handle::boxed(body(job)?)), job)?;
+        let boxed = |job: &Job<'_>| body(job).map(|(made, told)| (handle::boxed(made), told));
+        let (made, told) = with_memory(boxed, job)?;
+        tell(told);
         *slot = handle::give(made);
         Ok(())
     })

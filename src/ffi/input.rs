@@ -5,6 +5,7 @@ use super::status::gusset_status::{
     GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,
     GUSSET_ERROR_SIZE_OVERFLOW,
 };
+use crate::job::Job;
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -179,39 +180,40 @@ pub(crate) fn lent<T>(list: &[T]) -> *const T {
     if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
-/// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number
-/// if there is no buffer.
-pub(crate) fn fill<T: bytemuck::Pod>(
-    buffer: *mut T,
-    capacity: usize,
+/// Fills the caller's buffer of `capacity` elements with the `needed` ones that `make` gives, or only
+/// tells their number if there is no buffer. Without memory nothing is written, nor is the number.
+pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
+    (buffer, capacity, name): (*mut T, usize, &'static str),
     needed: usize,
     written: &mut usize,
-    name: &'static str,
-    write: impl FnOnce(&mut [T]) -> Result<(), Failure>,
+    job: &Job<'_>,
+    make: impl FnOnce() -> Result<I, Failure>,
 ) -> Result<(), Failure> {
-    *written = needed;
     if buffer.is_null() && capacity == 0 {
+        job.memory()?;
+        *written = needed;
         return Ok(());
     }
     if capacity < needed {
+        *written = needed;
         let message = format!("{name} has room for {capacity} and {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    write(results(buffer, needed, name)?)
+    let (out, made) = (results(buffer, needed, name)?, make()?);
+    job.memory()?;
+    out.iter_mut().zip(made).for_each(|(to, from)| *to = from);
+    *written = needed;
+    Ok(())
 }
 
 /// As [`fill`], with a copy of what the library has.
 pub(crate) fn copy<T: bytemuck::Pod>(
-    buffer: *mut T,
-    capacity: usize,
+    buffer: (*mut T, usize, &'static str),
     from: &[T],
     written: &mut usize,
-    name: &'static str,
+    job: &Job<'_>,
 ) -> Result<(), Failure> {
-    fill(buffer, capacity, from.len(), written, name, |to| {
-        to.copy_from_slice(from);
-        Ok(())
-    })
+    fill(buffer, from.len(), written, job, || Ok(from.iter().copied()))
 }
 
 /// A struct of plain numbers and pointers that begins with `size_t struct_size`.

@@ -30,7 +30,7 @@
 /// Names that nearly every file of the border uses.
 mod prelude {
     pub(crate) use super::context::{
-        answer, answer_optional, answer_struct, create, guard, guard_change, gusset_context, lend,
+        answer, answer_optional, answer_struct, create, create_and_tell, guard, guard_change, gusset_context, lend,
     };
     pub(crate) use super::glue::{c_enum, fixed, laid_out_like, versioned};
     pub(crate) use super::handle::{self, handle};

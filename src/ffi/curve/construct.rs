@@ -206,19 +206,22 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     offset: *mut *mut gusset_curve,
 ) -> gusset_status {
     let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose();
-    create(context, offset, "offset", |job| {
+    let moved = |job: &Job<'_>| {
         let out = out?;
         let options = input::read(options, false, "options")?.checked()?;
         let done = view(curve, "curve")?.offset(distance, &options, job)?;
-        if let Some(out) = out {
-            out.write(gusset_offset_report {
-                struct_size: 0,
-                deviation: done.deviation,
-                corners: done.corners,
-                reached: done.reached.into(),
-                tight: done.tight.into(),
-            });
+        let told = gusset_offset_report {
+            struct_size: 0,
+            deviation: done.deviation,
+            corners: done.corners,
+            reached: done.reached.into(),
+            tight: done.tight.into(),
+        };
+        Ok((gusset_curve(done.curve), out.map(|out| (out, told))))
+    };
+    create_and_tell(context, offset, "offset", moved, |told| {
+        if let Some((out, report)) = told {
+            out.write(report);
         }
-        Ok(gusset_curve(done.curve))
     })
 }

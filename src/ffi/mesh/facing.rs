@@ -171,14 +171,11 @@ pub unsafe extern "C" fn gusset_meridians_index(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
+    guard_change(ptr::null(), |job| {
         let written = input::output(written, 0, "written")?;
         if m > n {
             return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());
         }
-        fill(j, capacity, n as usize + 1, written, "j", |out| {
-            out.iter_mut().zip(index_rule(n, m)).for_each(|(slot, j)| *slot = j);
-            Ok(())
-        })
+        fill((j, capacity, "j"), n as usize + 1, written, job, || Ok(index_rule(n, m)))
     })
 }

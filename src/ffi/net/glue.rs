@@ -229,11 +229,10 @@ pub unsafe extern "C" fn gusset_net_classes(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |_| {
+    guard_change(context, |job| {
         let net = read(net)?;
-        fill(classes, capacity, net.shape().node_count(), written?, "classes", |out| {
-            out.copy_from_slice(&Classes::of(net.topology())?.table()?);
-            Ok(())
+        fill((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
+            Ok(Classes::of(net.topology())?.table()?)
         })
     })
 }
@@ -365,10 +364,11 @@ pub unsafe extern "C" fn gusset_net_histogram(
     cells: *mut u64,
 ) -> gusset_status {
     let outputs = [(nodes, "nodes"), (cells, "cells")].map(|(out, name)| counts(out, name));
-    guard(context, |_| {
+    guard_change(context, |job| {
         let [nodes, cells] = outputs;
         let (nodes, cells) = (nodes?, cells?);
         let histogram = crate::net::topology::histogram(read(net)?.topology())?;
+        job.memory()?;
         nodes.copy_from_slice(&histogram.nodes[..nodes.len()]);
         cells.copy_from_slice(&histogram.cells[..cells.len()]);
         Ok(())
@@ -448,12 +448,9 @@ pub unsafe extern "C" fn gusset_net_gluing_occurrences(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |job| {
+    guard_change(context, |job| {
         let written = written?;
         let all = occurrences(read(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
-        fill(found, capacity, all.len(), written, "found", |out| {
-            out.iter_mut().zip(&all).for_each(|(out, occurrence)| *out = occurrence.into());
-            Ok(())
-        })
+        fill((found, capacity, "found"), all.len(), written, job, || Ok(all.iter().map(gusset_gluing_occurrence::from)))
     })
 }

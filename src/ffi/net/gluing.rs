@@ -233,13 +233,12 @@ pub unsafe extern "C" fn gusset_net_get_matrix(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
+    guard_change(ptr::null(), |job| {
         let written = input::output(written, 0, "written")?;
         let topology = read(net)?.topology();
         let needed = 2 * topology.shape().node_count();
-        fill(matrix, capacity, needed, written, "matrix", |out| {
-            out.copy_from_slice(&topology.matrix()?.to_bytes(topology.shape())?);
-            Ok(())
+        fill((matrix, capacity, "matrix"), needed, written, job, || {
+            Ok(topology.matrix()?.to_bytes(topology.shape())?)
         })
     })
 }
@@ -262,12 +261,9 @@ pub unsafe extern "C" fn gusset_net_get_seams(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
+    guard_change(ptr::null(), |job| {
         let written = input::output(written, 0, "written")?;
         let all = read(net)?.topology().seams();
-        fill(seams, capacity, all.len(), written, "seams", |out| {
-            out.iter_mut().zip(all).for_each(|(out, seam)| *out = seam.into());
-            Ok(())
-        })
+        fill((seams, capacity, "seams"), all.len(), written, job, || Ok(all.iter().map(gusset_seam::from)))
     })
 }

@@ -119,9 +119,10 @@ pub unsafe extern "C" fn gusset_net_bilinear_area(
     error: *mut f64,
 ) -> gusset_status {
     let (area, error) = (input::output(area, 0.0, "area"), input::optional_output(error, 0.0, "error"));
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (area, error) = (area?, error?);
         let found = bilinear_area(read(net)?, job)?;
+        job.memory()?;
         *area = found.area;
         input::set(error, found.error);
         Ok(())
@@ -181,17 +182,18 @@ pub unsafe extern "C" fn gusset_net_planarity(
     written: *mut usize,
     summary: *mut gusset_net_planarity_report,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    answer_struct(context, (summary, "summary"), |job| {
-        let written = written?;
+    let (written, summary) = (input::output(written, 0, "written"), input::output_struct(summary, "summary"));
+    guard_change(context, |job| {
+        let (written, summary) = (written?, summary?);
         let found = planarity(read(net)?, tolerance, job)?;
-        input::copy(cells, capacity, &found.cells, written, "cells")?;
-        Ok(gusset_net_planarity_report {
+        input::copy((cells, capacity, "cells"), &found.cells, written, job)?;
+        summary.write(gusset_net_planarity_report {
             struct_size: 0,
             worst: found.worst.map_or(0.0, |(off, _)| off),
             worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),
             mean: found.mean,
             above: found.above,
-        })
+        });
+        Ok(())
     })
 }

@@ -79,14 +79,14 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
     decimated: *mut *mut gusset_net,
 ) -> gusset_status {
     let deviation = input::optional_output(deviation, 0.0, "deviation");
-    create(context, decimated, "decimated", |job| {
+    let decimated_net = |job: &Job<'_>| {
         let deviation = deviation?;
         let found = decimate(read(net)?, tolerance, job)?;
         write(&found.rows, rows, "rows")?;
         write(&found.columns, columns, "columns")?;
-        input::set(deviation, found.deviation);
-        Ok(gusset_net::new(found.net))
-    })
+        Ok((gusset_net::new(found.net), (deviation, found.deviation)))
+    };
+    create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| input::set(to, deviation))
 }
 
 /// Writes indices to the caller's buffer, if there is one.

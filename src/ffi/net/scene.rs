@@ -393,9 +393,9 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |_| {
+    guard_change(context, |job| {
         let written = written?;
-        input::copy(children, capacity, self::scene(scene)?.children(group)?, written, "children")
+        input::copy((children, capacity, "children"), self::scene(scene)?.children(group)?, written, job)
     })
 }
 
@@ -450,15 +450,14 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |job| {
+    guard_change(context, |job| {
         let written = written?;
         let scene = self::scene(scene)?;
-        fill(instances, capacity, scene.instance_count()?, written, "instances", |to| {
-            for (to, Instance { entry, parent, visible, world }) in to.iter_mut().zip(scene.instances(job)?) {
+        fill((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
+            Ok(scene.instances(job)?.into_iter().map(|Instance { entry, parent, visible, world }| {
                 let (world, visible) = (world.into(), visible.into());
-                *to = gusset_scene_instance { world, entry, parent, visible, reserved: 0 };
-            }
-            Ok(())
+                gusset_scene_instance { world, entry, parent, visible, reserved: 0 }
+            }))
         })
     })
 }

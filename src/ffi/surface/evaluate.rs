@@ -112,9 +112,10 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     results: *mut gusset_surface_point,
 ) -> gusset_status {
     let results = input::cleared(results, count, "results");
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (results, surface, places) = (results?, read(surface)?, surface_places(places, count)?);
         let found = surface.evaluate(&places, job)?;
+        job.memory()?;
         results.iter_mut().zip(found).for_each(|(result, local)| *result = local.into());
         Ok(())
     })
@@ -147,7 +148,7 @@ pub unsafe extern "C" fn gusset_surface_locate(
     places: *mut gusset_surface_place,
 ) -> gusset_status {
     let places = input::cleared(places, count, "places");
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (places, surface) = (places?, read(surface)?);
         let bytes = input::bytes(parameters.cast(), times(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;
@@ -158,6 +159,7 @@ pub unsafe extern "C" fn gusset_surface_locate(
                 place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,
             ));
         }
+        job.memory()?;
         places.copy_from_slice(&found);
         Ok(())
     })

@@ -75,11 +75,11 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (written, region) = (written?, region(read(sheet)?, words, count)?);
         let [from, to] = [cell(from, "from")?, cell(to, "to")?];
         let found = chain(&region, from, to, job)?.unwrap_or_default();
-        pairs(cells, capacity, written, "cells", (found.len(), &mut found.into_iter()))
+        pairs((cells, capacity, "cells"), (found.len(), found.into_iter()), written, job)
     })
 }
 
@@ -147,9 +147,9 @@ pub unsafe extern "C" fn gusset_sheet_mask_cells(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |_| {
+    guard_change(context, |job| {
         let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        pairs(cells, capacity, written, "cells", (region.count(), &mut region.cells()))
+        pairs((cells, capacity, "cells"), (region.count(), region.cells()), written, job)
     })
 }
 
@@ -179,22 +179,18 @@ pub unsafe extern "C" fn gusset_sheet_mask_nodes(
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
-    guard(context, |_| {
+    guard_change(context, |job| {
         let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        pairs(nodes, capacity, written, "nodes", (region.nodes().count(), &mut region.nodes()))
+        pairs((nodes, capacity, "nodes"), (region.nodes().count(), region.nodes()), written, job)
     })
 }
 
 /// Writes rows and columns to the caller's buffer.
 fn pairs(
-    out: *mut u32,
-    capacity: usize,
+    (out, capacity, name): (*mut u32, usize, &'static str),
+    (count, all): (usize, impl Iterator<Item = [usize; 2]>),
     written: &mut usize,
-    name: &'static str,
-    (count, all): (usize, &mut dyn Iterator<Item = [usize; 2]>),
+    job: &Job<'_>,
 ) -> Result<(), Failure> {
-    fill(out.cast::<[u32; 2]>(), capacity, count, written, name, |out| {
-        out.iter_mut().zip(all).for_each(|(out, pair)| *out = pair.map(|k| k as u32));
-        Ok(())
-    })
+    fill((out.cast::<[u32; 2]>(), capacity, name), count, written, job, || Ok(all.map(|pair| pair.map(|k| k as u32))))
 }

@@ -206,11 +206,11 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 ) -> gusset_status {
     let mut out = input::results(points, count, "points");
     out.iter_mut().for_each(|out| out.fill(None.into()));
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (out, limit) = (out?, input::read(options, true, "options")?.limit()?);
         let (surface, queries) = (read(surface)?, self::queries(queries, count, stride)?);
         let done = surface.closest_into(&queries, limit, out, gusset_surface_nearest_point::from, job);
-        done.inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
+        done.and_then(|()| job.memory()).inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
     })
 }
 

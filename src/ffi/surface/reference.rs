@@ -191,12 +191,12 @@ pub unsafe extern "C" fn gusset_sheet_diameters(
 ) -> gusset_status {
     let (written, max) =
         (input::output(written, 0, "written"), input::optional_output(max.cast::<[f64; 2]>(), [0.0; 2], "max"));
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (written, max) = (written?, max?);
         let found = Diameters::new(read(sheet)?, job)?;
         for (buffer, sizes) in [(euclidean, &found.euclidean), (intrinsic, &found.intrinsic)] {
             let room = if buffer.is_null() { 0 } else { capacity };
-            input::copy(buffer, room, sizes.all(), written, "diameters")?;
+            input::copy((buffer, room, "diameters"), sizes.all(), written, job)?;
         }
         input::set(max, [found.euclidean.greatest(), found.intrinsic.greatest()]);
         Ok(())
@@ -267,10 +267,11 @@ fn mask(
     let written = input::output(written, 0, "written");
     let buffer = input::cleared(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
+        input::copy((words, capacity, "words"), found.mask.words(), written, job)?;
         let ([row, column], min_distance) = found.least;
         if let Some(report) = report {
             report.write(gusset_reference_report {
@@ -284,7 +285,7 @@ fn mask(
                 column: column as u32,
             });
         }
-        input::copy(words, capacity, found.mask.words(), written, "words")
+        Ok(())
     })
 }
 
@@ -358,9 +359,9 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
     normals: *mut f64,
 ) -> gusset_status {
     let out = input::cleared(normals.cast::<[f64; 3]>(), count, "normals");
-    guard(context, |job| {
+    guard_change(context, |job| {
         let (out, sheet, places) = (out?, read(sheet)?, surface_places(places, count)?);
-        let done = normals_at(sheet, &places, out, job);
+        let done = normals_at(sheet, &places, out, job).and_then(|()| Ok(job.memory()?));
         done.inspect_err(|_| out.fill([0.0; 3]))
     })
 }
