@@ -72,6 +72,14 @@ std::vector<Row> mesh_rows() {
     const auto fill = [](const MeshView &mesh, const Context &context) {
         return gusset::Fill(mesh, gusset::FillOptions(), context);
     };
+    const auto fill_together = [](const MeshView &mesh, const Context &context) {
+        gusset::FillOptions options;
+        options.together = gusset::FillTogether::one;
+        options.refine = gusset::FillRefinement::rim_density;
+        options.fairing = gusset::Fairing::thin_plate;
+        options.continuity = gusset::FillContinuity::c2;
+        return gusset::Fill(mesh, options, context);
+    };
     const auto winged = [](const MeshView &mesh, const Context &context) {
         return gusset::Winged(mesh, gusset::Winding::counter_clockwise, context);
     };
@@ -84,6 +92,7 @@ std::vector<Row> mesh_rows() {
     const auto round_rim = [](std::size_t n, double height) { return circle(n, 1.0, height); };
     const auto line_rim = [](std::size_t n, double) { return collinear(n); };
     const auto star_rim = [](std::size_t n, double height) { return nested_star(n, height); };
+    const auto tube = [](std::size_t n) { return shell(circle(n, 1.0, 0.0), {0, 0, -0.5}); };
     const auto point_rim = [](std::size_t n, double height) { return point(n, {0, 0, height}); };
     const auto spiral_rim = [](std::size_t n, double height) { return spiral(n, height); };
     return {
@@ -119,6 +128,7 @@ std::vector<Row> mesh_rows() {
         {"fill_create", "spiral", 128, 100000, 1, 1, 0, filled(spiral_rim), true},
         {"fill_create", "nested star", 64, 100000, 2, 1, 0, filled(star_rim), true},
         {"fill_create", "points in one", 32, 100000, 2, 1, 0, filled(point_rim), true},
+        {"fill_create", "two rims in one patch", 16, 10000, 1, 1, 0, on(tube, fill_together), true},
         {"stitch_create", "round rims", 64, 100000, 1, 1, 0, joined(round_rim)},
         {"stitch_create", "collinear rims", 32, 100000, 1, 1, 0, joined(line_rim), true},
         {"stitch_create", "spirals", 128, 100000, 1, 1, 0, joined(spiral_rim), true},

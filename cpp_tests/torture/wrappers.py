@@ -170,11 +170,15 @@ def finite(header, kind):
 
 
 def extent(header, one):
-    """From where to where the library writes to what an output points to: not the size that its caller has set, nor behind that."""
-    if not header.versioned(one.type):
-        return f"0, sizeof *{one.name}"
-    size = f"{one.name}->struct_size"
-    return f"sizeof(size_t), {size} < sizeof *{one.name} ? {size} : sizeof *{one.name}"
+    """From where to where the library writes to what an output points to: not to the size that its caller has set."""
+    return f"{'sizeof(size_t)' if header.versioned(one.type) else '0'}, sizeof *{one.name}"
+
+
+def size_of(header, given, one):
+    """What says how large an output is, if that is not fixed."""
+    if header.versioned(one.type):
+        return f"{one.name}->struct_size"
+    return "count" if one.name != "written" and any(other.name == "count" for other in given[:given.index(one)]) else ""
 
 
 def wrapper(header, result, name, given, declaration):
@@ -219,6 +223,8 @@ def wrapper(header, result, name, given, declaration):
             lines.append(f"        struct {made.type} **const own = {made.name};")
         for one in cleared:
             lines.append(f"        const {one.type} *const own_{one.name} = {one.name};")
+            if size_of(header, given, one):
+                lines.append(f"        const size_t size_{one.name} = {one.name} ? {size_of(header, given, one)} : 0;")
         changed = any(one.stars == 1 and not one.constant and one.type not in header.names and one.type not in header.structs
                       for one in given)
         lines.append(f"        torture_pure = {int(fallible and not changed)};")
@@ -237,7 +243,10 @@ def wrapper(header, result, name, given, declaration):
             if edited:
                 lines.append(f"            if (torture_told->phase >= TORTURE_ONE_ALLOCATION) torture_before = {hashed};")
             for one in cleared:
-                lines.append(f"            if ({one.name} && {one.name} == own_{one.name}) torture_soil({one.name}, {extent(header, one)});")
+                # What has no possible size is left as it is.
+                sized = f" && {size_of(header, given, one)} == size_{one.name}" if size_of(header, given, one) else ""
+                lines.append(f"            const int soiled_{one.name} = {one.name} && {one.name} == own_{one.name}{sized};")
+                lines.append(f"            if (soiled_{one.name}) torture_soil({one.name}, {extent(header, one)});")
             lines.append("            torture_arm();")
             lines.append(f"            const gusset_status status = ({name})({arguments});")
             lines.append(f"            torture_check(status, {f'{context} == torture_context ? context : NULL' if context else 'NULL'});")
@@ -245,10 +254,9 @@ def wrapper(header, result, name, given, declaration):
                 part = f"{one.name}, {extent(header, one)}"
                 if one.type in NONE:
                     part = f"&{one.name}->{NONE[one.type]}, 0, sizeof {one.name}->{NONE[one.type]}"
-                # The number that is needed is told of a buffer that is too small; what has no possible size is left.
-                told = "BUFFER_TOO_SMALL" if one.type == "size_t" else "BAD_STRUCT_SIZE" if header.versioned(one.type) else "SIZE_OVERFLOW"
-                told = f" && status != GUSSET_ERROR_{told}"
-                lines.append(f"            if ({one.name} && {one.name} == own_{one.name}{told}) torture_cleared(status, {part}, \"{one.name}\");")
+                # The number that is needed is told of a buffer that is too small.
+                told = " && status != GUSSET_ERROR_BUFFER_TOO_SMALL" if one.type == "size_t" else ""
+                lines.append(f"            if (soiled_{one.name}{told}) torture_cleared(status, {part}, \"{one.name}\");")
         else:
             lines.append(f"            {'' if result == 'void' else '(void)'}({name})({arguments});")
         if made:

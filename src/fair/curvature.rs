@@ -6,6 +6,9 @@ use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 14;
+
 /// Averages of the normals.
 const NORMAL_PASSES: u32 = 2;
 
@@ -49,8 +52,10 @@ pub(crate) fn mean_curvature(
     }
     let mut next = alloc::copied(&sums)?;
     for pass in 0..passes {
-        job.step(f64::from(pass) / f64::from(passes), "refining")?;
+        let share = job.share(pass as usize, passes as usize);
+        let count = sums.len();
         for (v, mean) in next.iter_mut().enumerate() {
+            share.step_every(REPORT_INTERVAL, v, count, "refining")?;
             let share = 1.0 / (1.0 + rings.ring(v).len() as f64);
             let ring = rings.ring(v).iter().map(|&(w, _)| sums[w as usize]);
             *mean = ring.fold(sums[v], |mean, sum| Sum {

@@ -1,5 +1,6 @@
 //! Edge flips to Delaunay's rule: the angles opposite to an edge are at most half a turn together.
 
+use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
@@ -25,9 +26,10 @@ impl PatchMesh {
     /// O(triangles) a pass.
     pub(crate) fn relax(&mut self, rim: usize, taken: &dyn Fn(u32, u32) -> bool, job: &Job<'_>) -> Result<()> {
         for pass in 0..MAX_PASSES {
-            job.step(pass as f64 / MAX_PASSES as f64, "refining")?;
+            let pass = job.share(pass, MAX_PASSES);
             let mut flipped = false;
             for t in 0..self.triangles.len() {
+                pass.step_every(REPORT_INTERVAL, t, self.triangles.len(), "refining")?;
                 for k in 0..3 {
                     flipped |= self.relax_side(rim, taken, t, k).is_some();
                 }

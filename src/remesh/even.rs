@@ -2,6 +2,7 @@
 //!
 //! Source: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004).
 
+use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
 use super::sizing::Sizing;
 use crate::error::Result;
@@ -66,6 +67,7 @@ fn even_once(
         mesh.relax(rim, taken, &part.part(0.5, 1.0))?;
         let before = mesh.points.len();
         for t in 0..mesh.triangles.len() {
+            part.part(1.0, 1.0).step_every(REPORT_INTERVAL, t, mesh.triangles.len(), "refining")?;
             for k in 0..3 {
                 if !mesh.is_gone(t) && (mesh.triangles[t][k] as usize) >= rim {
                     collapse(mesh, rim, sizing, taken, (t, k), &mut star)?;
@@ -95,6 +97,7 @@ fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<boo
     loop {
         let mut t = 0;
         while t < mesh.triangles.len() {
+            job.step_every(REPORT_INTERVAL, t, mesh.triangles.len(), "refining")?;
             match longest_inside(mesh, sizing, t).filter(|found| found.1 > length) {
                 None => t += 1,
                 Some(_) if mesh.points.len() >= sizing.limit => return Ok(true),

@@ -8,6 +8,7 @@
 //! way into one plane. The rim cannot be split: a place that would see one of its edges under a flat
 //! angle is given up.
 
+use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
 use super::sizing::Sizing;
 use crate::error::Result;
@@ -63,6 +64,7 @@ pub(crate) fn insert(
         mesh.relax(rim, taken, &part)?;
         let before = mesh.points.len();
         for t in 0..mesh.triangles.len() {
+            part.part(1.0, 1.0).step_every(REPORT_INTERVAL, t, mesh.triangles.len(), "refining")?;
             if mesh.points.len() >= sizing.limit {
                 break;
             }

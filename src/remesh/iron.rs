@@ -1,6 +1,7 @@
 //! Creases ironed out: where a fine surface folds over itself, its vertices move to the means of
 //! their neighbours, until no side bends by more than is asked.
 
+use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
@@ -30,10 +31,10 @@ impl PatchMesh {
         let stays = staying(&neighbours, self.points.len(), creased)?;
         let (mut fewest, mut gained) = (usize::MAX, 0);
         for round in 0..MAX_ROUNDS {
-            job.step(round as f64 / MAX_ROUNDS as f64, "refining")?;
+            let round_job = job.share(round, MAX_ROUNDS);
             let mut moves = alloc::filled(false, self.points.len())?;
             let mut count = 0;
-            for t in self.bent(least)? {
+            for t in self.bent(least, &round_job)? {
                 let free = self.triangles[t].iter().filter(|&&v| !stays[v as usize]);
                 count += usize::from(free.clone().next().is_some());
                 free.for_each(|&v| moves[v as usize] = true);
@@ -55,16 +56,24 @@ impl PatchMesh {
 
     /// The triangles whose normal has a cosine below `least` with that of a neighbour; one without
     /// area has no direction.
-    fn bent(&self, least: f64) -> Result<Vec<usize>> {
-        let normals = alloc::collect((0..self.triangles.len()).map(|t| {
+    fn bent(&self, least: f64, job: &Job<'_>) -> Result<Vec<usize>> {
+        let normals = (0..self.triangles.len()).map(|t| {
             let [a, b, c] = self.corners(t);
             (b - a).cross(c - a).normalize_or_zero()
-        }))?;
+        });
+        let normals = alloc::collect_cancellable(normals, &job.part(0.0, 0.5), "refining")?;
         let is_bent = |t: usize, s: usize| {
             normals[t].dot(normals[s]) < least && normals[t] != DVec3::ZERO && normals[s] != DVec3::ZERO
         };
-        let bends = |&t: &usize| (0..3).filter_map(|k| self.beyond(t, k)).any(|(s, _)| is_bent(t, s));
-        alloc::gather((0..self.triangles.len()).filter(bends))
+        let job = job.part(0.5, 1.0);
+        let mut bent = Vec::new();
+        for t in 0..self.triangles.len() {
+            job.step_every(REPORT_INTERVAL, t, self.triangles.len(), "refining")?;
+            if (0..3).filter_map(|k| self.beyond(t, k)).any(|(s, _)| is_bent(t, s)) {
+                alloc::push(&mut bent, t)?;
+            }
+        }
+        Ok(bent)
     }
 }
 

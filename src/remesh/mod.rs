@@ -20,6 +20,9 @@ mod sizing;
 #[cfg(test)]
 mod tests;
 
+/// Triangles or vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 12;
+
 pub(crate) use even::even;
 pub(crate) use insert::insert;
 pub(crate) use patch_mesh::PatchMesh;

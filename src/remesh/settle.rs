@@ -1,5 +1,6 @@
 //! Vertices moved within the surface to where the sharpest angle round them is larger.
 
+use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
 use crate::alloc;
 use crate::error::Result;
@@ -22,10 +23,12 @@ impl PatchMesh {
         job: &Job<'_>,
     ) -> Result<()> {
         for round in 0..rounds {
+            let part = job.share(round as usize, rounds as usize);
             let corners = self.triangles.iter().enumerate().flat_map(|(t, corners)| corners.map(|v| (v as usize, t)));
             let around = Buckets::new(self.points.len(), 0usize, corners)?;
             let mut star = Vec::new();
             for v in rim..self.points.len() {
+                part.part(0.0, 0.5).step_every(REPORT_INTERVAL, v, self.points.len(), "refining")?;
                 star.clear();
                 alloc::extend(
                     &mut star,
@@ -37,7 +40,7 @@ impl PatchMesh {
                 )?;
                 self.points[v] = settled(self.points[v], &star);
             }
-            self.relax(rim, taken, &job.share(round as usize, rounds as usize))?;
+            self.relax(rim, taken, &part.part(0.5, 1.0))?;
         }
         Ok(())
     }

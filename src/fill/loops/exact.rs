@@ -115,7 +115,6 @@ pub(super) fn exact(task: &Task<'_>, limit: Option<Cost>, repeats: usize, job: &
     let mut search = Search { task, bridges: Bridges::new(task)?, best: None, limit, repeats };
     let count = search.bridges.sorted.len();
     for rank in 0..count {
-        job.step(rank as f64 / count as f64, "triangulating holes")?;
         let [u, v] = search.bridges.sorted[rank];
         let ring = rims.ring[u as usize] as usize;
         let range = rims.range(ring);
@@ -125,13 +124,13 @@ pub(super) fn exact(task: &Task<'_>, limit: Option<Cost>, repeats: usize, job: &
         // The first bridge is the shortest of all.
         let least = alloc::filled(rank as u32, k * k)?;
         let alone = Branch { opened: Opened::loop_of(range)?, is_joined, least };
-        search.branch(alone.with(rims, place, v, rank as u32)?)?;
+        search.branch(alone.with(rims, place, v, rank as u32)?, &job.share(rank, count))?;
     }
     Ok(search.best)
 }
 
 impl Search<'_> {
-    fn branch(&mut self, branch: Branch) -> Result<()> {
+    fn branch(&mut self, branch: Branch, job: &Job<'_>) -> Result<()> {
         let rims = self.task.rims;
         let ring = |v: u32| rims.ring[v as usize] as usize;
         let k = rims.loops();
@@ -141,10 +140,8 @@ impl Search<'_> {
             let excluded = |u: u32, v: u32| rims.joins(u, v) && bridges.rank(rims, u, v) < least(u, v);
             let chords = All(branch.opened.len());
             let limit = self.best.as_ref().map(|best| &best.cost).or(self.limit.as_ref());
-            // Too short for anyone to wait.
-            let job = Job::default();
-            let found =
-                self.task.search(branch.opened, &chords, &excluded, limit, Repeats::Both(&mut self.repeats), &job)?;
+            let repeats = Repeats::Both(&mut self.repeats);
+            let found = self.task.search(branch.opened, &chords, &excluded, limit, repeats, job)?;
             self.best = found.or(self.best.take());
             return Ok(());
         }
@@ -157,7 +154,7 @@ impl Search<'_> {
             key(x).cmp(&key(y))
         });
         for (u, v, place) in next {
-            self.branch(branch.with(rims, place, v, self.bridges.rank(rims, u, v))?)?;
+            self.branch(branch.with(rims, place, v, self.bridges.rank(rims, u, v))?, job)?;
         }
         Ok(())
     }
