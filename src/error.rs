@@ -43,6 +43,10 @@ pub enum Element {
     Node,
     /// A link of a net.
     Link,
+    /// A corner of a mesh's face.
+    Corner,
+    /// A face of a mesh.
+    Face,
     /// A cell of a net.
     Cell,
     /// A bridge of a net.
@@ -63,6 +67,8 @@ impl fmt::Display for Element {
             Element::Place => "place",
             Element::Node => "node",
             Element::Link => "link",
+            Element::Corner => "corner",
+            Element::Face => "face",
             Element::Cell => "cell",
             Element::Bridge => "bridge",
             Element::Entry => "entry",
@@ -184,6 +190,15 @@ pub enum Error {
     /// tangent of a constraint, a node.
     #[error("{element} {index} has a coordinate that is {}", Number(.value))]
     NotFinite { element: Element, index: u64, value: f64 },
+    /// Values are given for another number of inputs than there are.
+    #[error("values of {given} inputs are given, of {needed} are needed")]
+    InputsDiffer { given: u64, needed: u64 },
+    /// An input has another number of elements than values are given for.
+    #[error("input {input} has {needed} elements, and values of {given} are given")]
+    ValuesDiffer { input: u32, given: u64, needed: u64 },
+    /// A value that is NaN or infinite, or a share that is negative.
+    #[error("{element} {index} of input {input} has the value {}", Number(.value))]
+    BadValue { element: Element, index: u64, input: u32, value: f64 },
     /// An element has a coordinate whose square would overflow.
     #[error("{element} {index} has a coordinate beyond 1e150: {}", Number(.value))]
     CoordinateTooLarge { element: Element, index: u64, value: f64 },

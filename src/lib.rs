@@ -46,6 +46,7 @@
 //! printed, no file is touched, and the same input gives the same bytes for any number of threads.
 
 mod alloc;
+pub mod attributes;
 mod blend;
 pub mod boundary;
 pub mod check;

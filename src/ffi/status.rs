@@ -40,6 +40,8 @@ pub enum gusset_status {
     /// A handle is of another kind than the function takes, or was destroyed. (That is seen where the
     /// memory has not been used again; a pointer to anything else cannot be told.)
     GUSSET_ERROR_WRONG_HANDLE = 12,
+    /// Values are given for another number of inputs, or of elements of one, than there are.
+    GUSSET_ERROR_COUNT_DIFFERS = 13,
     /// More vertices, faces or half-edges than this version takes.
     GUSSET_ERROR_TOO_LARGE = 1000,
     /// The bytes of an array exceed the address space.
@@ -245,6 +247,8 @@ impl From<Element> for gusset_element {
             Element::Constraint => GUSSET_ELEMENT_CONSTRAINT,
             Element::Node => GUSSET_ELEMENT_NODE,
             Element::Link => GUSSET_ELEMENT_LINK,
+            Element::Corner => GUSSET_ELEMENT_HALF_EDGE,
+            Element::Face => GUSSET_ELEMENT_FACE,
             Element::Cell => GUSSET_ELEMENT_CELL,
             Element::Bridge => GUSSET_ELEMENT_BRIDGE,
             Element::Entry => GUSSET_ELEMENT_ENTRY,
@@ -273,6 +277,14 @@ impl From<Error> for Failure {
             }
             NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
             BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
+            InputsDiffer { given, needed } => Failure { value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) },
+            ValuesDiffer { input, given, needed } => {
+                Failure { input, value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
+            }
+            BadValue { element, index, input, value } => {
+                let status = if value.is_finite() { GUSSET_ERROR_OUT_OF_RANGE } else { GUSSET_ERROR_NOT_FINITE };
+                Failure { input, ..Failure::at(status, element.into(), index, value) }
+            }
             CoordinateTooLarge { element, index, value } => {
                 Failure::at(GUSSET_ERROR_OUT_OF_RANGE, element.into(), index, value)
             }

@@ -5,16 +5,12 @@ use super::rim::Rim;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::Aabb;
-use crate::geom::box_tree::{BoxTree, spatial_order};
 use crate::geom::scale::common_unit;
-use crate::geom::triangle::nearest_weights;
+use crate::geom::triangle_places::nearest_places;
 use crate::job::Job;
 use crate::mesh::{MeshView, Scalar, check_size};
 use glam::DVec3;
 use std::ops::Range;
-
-/// New vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
 
 /// The vertices of the mesh, and those of patches, numbered after them.
 pub(super) struct Pool<'a> {
@@ -83,44 +79,12 @@ impl<'a> Pool<'a> {
         alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.placed(p))))?;
         let own = self.points[self.points.len() - patch.points.len()..].iter().copied();
         let around = Aabb::of(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
-        let parents = parents(&rim.points[..rim.count], patch, |v| names[v as usize], job)?;
+        // Of the first triangulation's triangle that each lay on, before fairing.
+        let mut parents = nearest_places(&rim.points[..rim.count], &patch.coarse, &patch.unfaired, "refining", job)?;
+        parents.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| names[v as usize]));
         let triangles = alloc::collect(patch.triangles.iter().map(|triangle| triangle.map(name)))?;
         Ok(Placed { vertices: first as u32..end as u32, triangles, around, attempt, parents })
     }
-}
-
-/// Of each new vertex three vertices of the rim and how much it has of each: the corners of the
-/// first triangulation's triangle that it lay on, before fairing. O(n log n).
-fn parents(
-    rim: &[DVec3],
-    patch: &Patch,
-    name: impl Fn(u32) -> u32,
-    job: &Job<'_>,
-) -> Result<Vec<([u32; 3], [f64; 3])>> {
-    if patch.points.is_empty() {
-        return Ok(Vec::new());
-    }
-    let corners = |t: u32| patch.coarse[t as usize].map(|v| rim[v as usize]);
-    let boxes = alloc::collect((0..patch.coarse.len() as u32).map(|t| Aabb::of(corners(t))))?;
-    let order = spatial_order(&boxes, 1, &job.part(0.0, 0.1), "refining")?;
-    let job = job.part(0.1, 1.0);
-    let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
-    alloc::try_collect(patch.unfaired.iter().enumerate().map(|(k, &p)| {
-        job.step_every(REPORT_INTERVAL, k, patch.unfaired.len(), "refining")?;
-        let mut best = (f64::INFINITY, 0, [1.0, 0.0, 0.0]);
-        tree.nearest(p, f64::INFINITY, &mut |leaf| {
-            if let Some(&t) = order.get(leaf) {
-                let weights = nearest_weights(corners(t), p);
-                let place: DVec3 = corners(t).into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
-                let found = (place.distance_squared(p), t, weights);
-                if found.0 < best.0 {
-                    best = found;
-                }
-            }
-            best.0
-        });
-        Ok((patch.coarse[best.1 as usize].map(&name), best.2))
-    }))
 }
 
 /// A patch in the mesh.

@@ -4,6 +4,7 @@ use crate::alloc;
 use crate::error::Result;
 
 /// A set of numbers below a limit; 1 bit for each number below it.
+#[derive(Debug)]
 pub(crate) struct BitSet {
     words: Vec<u64>,
 }
@@ -17,6 +18,12 @@ impl BitSet {
     #[inline]
     pub(crate) fn insert(&mut self, i: u32) {
         self.words[i as usize / 64] |= 1 << (i % 64);
+    }
+
+    /// Takes a number out if it is in the set, else puts it in.
+    #[inline]
+    pub(crate) fn toggle(&mut self, i: u32) {
+        self.words[i as usize / 64] ^= 1 << (i % 64);
     }
 
     /// True if the number is in the set.

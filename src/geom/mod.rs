@@ -10,7 +10,8 @@
 //! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
 //!   what is left.
 //! * [`strided`]: elements of a host, at any stride and alignment.
-//! * [`triangle`]: area, angles and aspect ratio of one triangle.
+//! * [`triangle`], [`triangle_places`]: area, angles and aspect ratio of one triangle; the nearest
+//!   places on a set of them.
 //! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow
 //!   nor vanish whatever the host's units are.
 
@@ -27,5 +28,6 @@ pub(crate) mod scale;
 pub(crate) mod strided;
 pub(crate) mod subdivision;
 pub(crate) mod triangle;
+pub(crate) mod triangle_places;
 
 pub(crate) use aabb::Aabb;

@@ -51,7 +51,7 @@ const STAGE: &str = "finding T-junctions";
 pub(super) struct FreeEdge {
     pub(super) half_edge: u32,
     pub(super) face: u32,
-    ends: [u32; 2],
+    pub(super) ends: [u32; 2],
 }
 
 /// A place on a free edge.
@@ -60,7 +60,7 @@ pub(super) struct Split {
     /// Its number among the edges.
     pub(super) edge: u32,
     /// How far along the edge, from 0 to 1.
-    at: f64,
+    pub(super) at: f64,
     /// The smallest vertex that lies there.
     pub(super) vertex: u32,
 }
@@ -244,7 +244,7 @@ impl Border<'_> {
         for (k, of_face) in splits.chunk_by(|a, b| face(a) == face(b)).enumerate() {
             job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, splits.len(), STAGE)?;
             let f = face(&of_face[0]) as usize;
-            let places = of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.vertex));
+            let places = of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
             split_face.set(self.mesh, f, places)?;
             let fits = is_upright(self.mesh, f, &split_face);
             upright.extend(of_face.iter().map(|_| fits));

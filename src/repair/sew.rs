@@ -8,6 +8,7 @@
 //! does sewing; each free edge has one face and is split in one way. Vertices of the input do not
 //! move.
 
+use super::corner_origins::CornerOrigins;
 use super::junctions::Junctions;
 use super::split::{SplitMesh, split_edges};
 use super::tolerance::Source;
@@ -32,6 +33,11 @@ pub struct Sew {
     pub face_map: Vec<u32>,
     /// Per new face, the old one that it is, or is a part of; ascending.
     pub face_origin: Vec<u32>,
+    /// Per corner of the mesh the old one; `None` if all are left and none came to them.
+    pub corner_origins: Option<CornerOrigins>,
+    /// The new vertices that are left, the last ones of the mesh: the vertices of the mesh at the
+    /// ends of the edge that each was put on, and how far along it is.
+    pub new_vertices: Vec<([u32; 2], f64)>,
     /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it;
     /// ascending.
     pub left_vertices: Vec<u32>,
@@ -83,7 +89,7 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
     };
     done.enter_left(&left, second.as_ref())?;
     if let Some(second) = second {
-        done.follow(&split, second)?;
+        done.follow(split, second)?;
     }
     job.step(1.0, STAGE)?;
     Ok(done)
@@ -98,6 +104,8 @@ impl Sew {
         Ok(Sew {
             seam_vertices: several(&sources)?,
             face_origin: alloc::gather(kept.map(|(_, old)| old))?,
+            corner_origins: weld.corners_left.map(|corners| CornerOrigins { corners, on_edges: Vec::new() }),
+            new_vertices: Vec::new(),
             mesh: weld.mesh,
             vertex_map: weld.vertex_map,
             face_map: weld.face_map,
@@ -135,7 +143,11 @@ impl Sew {
 
     /// Goes on from this mesh to the one whose edges were split, and from there to what welding
     /// made of it.
-    fn follow(&mut self, split: &SplitMesh, weld: Weld) -> Result<()> {
+    fn follow(&mut self, split: SplitMesh, weld: Weld) -> Result<()> {
+        let before = self.corner_origins.take();
+        let left = before.as_ref().map(|origins| &origins.corners[..]);
+        self.corner_origins = Some(split.corner_origins.followed_by(weld.corners_left.as_deref())?.after(left));
+        self.enter_new(&split.new_vertices, &weld)?;
         self.splits = (split.mesh.positions.len() - self.mesh.positions.len()) as u32;
         let mut origin = alloc::with_capacity(weld.mesh.face_count())?;
         let kept = weld.face_map.iter().zip(&split.face_origin).filter(|&(&new, _)| new != NONE);
@@ -157,6 +169,20 @@ impl Sew {
         self.split_faces = split.split_faces;
         self.sewn_edges += weld.sewn_edges;
         self.count_welded()
+    }
+
+    /// Lists the vertices at splits that are no old ones.
+    fn enter_new(&mut self, new: &[([u32; 2], f64)], weld: &Weld) -> Result<()> {
+        let (old, of_splits) = weld.vertex_map.split_at(self.mesh.positions.len());
+        let mut next = old.iter().filter(|&&name| name != NONE).max().map_or(0, |last| last + 1);
+        for (&name, &(ends, at)) in of_splits.iter().zip(new) {
+            // Of several that became one the first counts.
+            if name == next {
+                alloc::push(&mut self.new_vertices, (ends.map(|v| old[v as usize]), at))?;
+                next += 1;
+            }
+        }
+        Ok(())
     }
 
     fn count_welded(&mut self) -> Result<()> {

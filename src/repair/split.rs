@@ -1,5 +1,6 @@
 //! A mesh with split edges: triangles become triangles, larger faces gain corners.
 
+use super::corner_origins::CornerOrigins;
 use super::junctions::Junctions;
 use super::split_face::SplitFace;
 use crate::alloc;
@@ -18,6 +19,9 @@ pub(super) struct SplitMesh {
     pub(super) mesh: Mesh,
     /// Per face, the old one.
     pub(super) face_origin: Vec<u32>,
+    pub(super) corner_origins: CornerOrigins,
+    /// Per new vertex, the ends of its edge, and how far along it is.
+    pub(super) new_vertices: Vec<([u32; 2], f64)>,
     /// How many faces were split or gained corners.
     pub(super) split_faces: u32,
 }
@@ -36,6 +40,10 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     let mut done = SplitMesh {
         mesh: Mesh { positions, face_offsets: alloc::filled(0, 1)?, face_corners: Vec::new() },
         face_origin: Vec::new(),
+        corner_origins: CornerOrigins::default(),
+        new_vertices: alloc::collect(splits.iter().map(|split| {
+            (edges[split.edge as usize].ends, split.at)
+        }))?,
         split_faces: 0,
     };
     let face_of = |k: usize| splits.get(k).map(|split| edges[split.edge as usize].face as usize);
@@ -48,14 +56,18 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
         }
         if first == next {
             alloc::extend(&mut done.mesh.face_corners, mesh.face(f))?;
+            alloc::extend(&mut done.corner_origins.corners, mesh.faces().range(f).map(|h| h as u32))?;
             done.end_face(f)?;
             continue;
         }
         let half_edge = |k: usize| edges[splits[k].edge as usize].half_edge;
-        split_face.set(mesh, f, (first..next).map(|k| (half_edge(k), (vertices + k) as u32)))?;
+        split_face.set(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
         done.split_faces += 1;
         split_face.parts(|part| {
-            alloc::append(&mut done.mesh.face_corners, part)?;
+            for &(v, origin) in part {
+                alloc::push(&mut done.mesh.face_corners, v)?;
+                done.corner_origins.push(origin)?;
+            }
             done.end_face(f)
         })?;
     }

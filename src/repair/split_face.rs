@@ -5,44 +5,51 @@
 //! after, is seen from these. None of the parts has three corners on one side, and their number is
 //! linear. Larger faces gain corners.
 
+use super::corner_origins::Corner;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::scale::common_unit;
 use crate::mesh::MeshView;
 use glam::DVec3;
 
+/// A corner of a face with new vertices: its vertex, and where it is on the old face.
+pub(super) type PlacedCorner = (u32, Corner);
+
 /// A face with new vertices on its edges.
 #[derive(Default)]
 pub(super) struct SplitFace {
     /// Its old corners and the new ones, all the way round.
-    ring: Vec<u32>,
+    ring: Vec<PlacedCorner>,
     /// Where the old corners are in it.
     corners: Vec<usize>,
 }
 
 impl SplitFace {
-    /// Face `f` with these vertices on its half-edges, in the order of both.
+    /// Face `f` with vertices on its half-edges, in the order of both: the half-edge, how far along
+    /// it, and the vertex.
     pub(super) fn set(
         &mut self,
         mesh: &MeshView<'_>,
         f: usize,
-        places: impl Iterator<Item = (u32, u32)>,
+        places: impl Iterator<Item = (u32, f64, u32)>,
     ) -> Result<()> {
         self.ring.clear();
         self.corners.clear();
         let mut places = places.peekable();
-        for h in mesh.faces().range(f) {
+        let range = mesh.faces().range(f);
+        for h in range.clone() {
+            let (start, end) = (h as u32, if h + 1 == range.end { range.start as u32 } else { h as u32 + 1 });
             alloc::push(&mut self.corners, self.ring.len())?;
-            alloc::push(&mut self.ring, mesh.faces().corner(h as u32))?;
-            while let Some((_, v)) = places.next_if(|&(half_edge, _)| half_edge as usize == h) {
-                alloc::push(&mut self.ring, v)?;
+            alloc::push(&mut self.ring, (mesh.faces().corner(start), Corner { start, end: start, at: 0.0 }))?;
+            while let Some((_, at, v)) = places.next_if(|&(half_edge, ..)| half_edge as usize == h) {
+                alloc::push(&mut self.ring, (v, Corner { start, end, at }))?;
             }
         }
         Ok(())
     }
 
     /// Calls `emit` with each part.
-    pub(super) fn parts(&self, mut emit: impl FnMut(&[u32]) -> Result<()>) -> Result<()> {
+    pub(super) fn parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
         let count = self.ring.len();
         let &[a, b, c] = self.corners.as_slice() else { return emit(&self.ring) };
         // The sides as places in the ring, from corner to corner.
@@ -69,10 +76,10 @@ pub(super) fn is_upright(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bo
         return true;
     }
     let at = |v: u32| mesh.positions().get(v);
-    let largest = split.ring.iter().fold(DVec3::ZERO, |largest, &v| largest.max(at(v).abs()));
+    let largest = split.ring.iter().fold(DVec3::ZERO, |largest, &(v, _)| largest.max(at(v).abs()));
     let unit = common_unit(&[largest]);
-    let normal = |corners: &[u32]| {
-        let [p, q, r] = [0, 1, 2].map(|k| at(corners[k]) / unit);
+    let normal = |corners: &[PlacedCorner]| {
+        let [p, q, r] = [0, 1, 2].map(|k| at(corners[k].0) / unit);
         (q - p).cross(r - p)
     };
     let [a, b, c] = [0, 1, 2].map(|k| split.ring[split.corners[k]]);

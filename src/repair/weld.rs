@@ -71,6 +71,8 @@ pub struct Weld {
     pub vertex_map: Vec<u32>,
     /// Per old face, the new one; [`NONE`] if it was dropped.
     pub face_map: Vec<u32>,
+    /// Per corner of the mesh, the old one; `None` if all are left.
+    pub corners_left: Option<Vec<u32>>,
     /// Vertices that became one with a smaller one.
     pub welded_vertices: u32,
     /// How far apart vertices that lie together were allowed to be, short edges apart.
@@ -159,14 +161,19 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     let mut face_offsets = alloc::with_capacity(faces.len() + 1)?;
     let mut face_corners: Vec<u32> = alloc::with_capacity(faces.half_edge_count())?;
     face_offsets.push(0);
+    let mut left = alloc::with_capacity(if options.collapse { faces.half_edge_count() } else { 0 })?;
     for f in 0..faces.len() {
         job.part(0.0, 0.4).step_every(REPORT_INTERVAL, f, faces.len(), STAGE)?;
         let start = face_corners.len();
         face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
-        if options.collapse && !close_gaps(&mut face_corners, start) {
-            face_corners.truncate(start);
-            face_map.push(NONE);
-            continue;
+        if options.collapse {
+            left.extend(faces.range(f).map(|corner| corner as u32));
+            if !close_gaps(&mut face_corners, &mut left, start) {
+                face_corners.truncate(start);
+                left.truncate(start);
+                face_map.push(NONE);
+                continue;
+            }
         }
         face_map.push(face_offsets.len() as u32 - 1);
         face_offsets.push(face_corners.len() as u32);
@@ -195,6 +202,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
         mesh: Mesh { positions, face_offsets, face_corners },
         vertex_map,
         face_map,
+        corners_left: (left.len() != mesh.faces().half_edge_count()).then_some(left).filter(|_| options.collapse),
         tolerance: 0.0,
         sewn_edges: 0,
         left_edges: Vec::new(),
@@ -202,13 +210,13 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     })
 }
 
-/// Makes one corner of successive equal ones, of the face from corner `start` on; false if fewer
-/// than three different vertices are left.
-fn close_gaps(corners: &mut Vec<u32>, start: usize) -> bool {
+/// Makes one corner of successive equal ones, of the face from corner `start` on, and keeps those
+/// that are `left` beside them; false if fewer than three different vertices are left.
+fn close_gaps(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool {
     let mut end = start;
     for k in start..corners.len() {
         if end == start || corners[k] != corners[end - 1] {
-            corners[end] = corners[k];
+            (corners[end], left[end]) = (corners[k], left[k]);
             end += 1;
         }
     }
@@ -216,6 +224,7 @@ fn close_gaps(corners: &mut Vec<u32>, start: usize) -> bool {
         end -= 1;
     }
     corners.truncate(end);
+    left.truncate(end);
     let face = &corners[start..];
     face.iter().any(|&v| v != face[0] && v != face[1])
 }

@@ -7,7 +7,7 @@ use super::strip::{Parents, Strip};
 use crate::alloc;
 use crate::blend::{self, Beyond, Limits, MAX_FAN_TRIANGLES, OldRing, Way};
 use crate::error::{Error, Result};
-use crate::geom::kd_tree::KdTree;
+use crate::geom::triangle_places::nearest_places;
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh};
 use crate::sort::sort_distinct;
@@ -64,25 +64,17 @@ pub(super) fn blend(
             offsets: alloc::collect((0..made.triangles.len() as u32 + 1).map(|t| 3 * t))?,
             corners: alloc::copied(made.triangles.as_flattened())?,
         },
-        parents: parents(strip, &made.points, &job.part(0.9, 1.0))?,
+        parents: parents(strip, &made.unfaired, &job.part(0.9, 1.0))?,
         points: made.points,
         unfaired: made.unfaired,
     })
 }
 
-/// Of each point, the nearest vertex of either rim, and how far it is on the way between them.
-fn parents(strip: &Strip, points: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents>> {
-    let n = strip.a.vertices.len() as u32;
-    let trees = [
-        KdTree::new(&strip.a.points, &job.part(0.0, 0.1), "refining")?,
-        KdTree::new(&strip.b.points, &job.part(0.1, 0.2), "refining")?,
-    ];
-    alloc::collect(points.iter().map(|&p| {
-        let [a, b] = [0, 1].map(|k| trees[k].nearest(p, f64::INFINITY, |_| true).unwrap_or((0.0, 0)));
-        let (to_a, to_b) = (a.0.sqrt(), b.0.sqrt());
-        let weight = if to_a + to_b > 0.0 { to_a / (to_a + to_b) } else { 0.5 };
-        Parents { ends: [a.1, n + b.1], weight }
-    }))
+/// Of each new vertex, where it would be on the strip without fairing.
+fn parents(strip: &Strip, unfaired: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents>> {
+    let rims = alloc::gather(strip.a.points.iter().chain(&strip.b.points).copied())?;
+    let found = nearest_places(&rims, strip.faces.corners.as_chunks::<3>().0, unfaired, "refining", job)?;
+    alloc::collect(found.into_iter().map(|(vertices, weights)| Parents { vertices, weights }))
 }
 
 /// The old faces round a strip, and their edges between two vertices of the rims, the smaller one

@@ -13,7 +13,6 @@ use super::strip::Strip;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
-use crate::geom::disjoint_sets::DisjointSets;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{MeshView, concat, vertex_components};
@@ -76,12 +75,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     pieces.extend(request.b);
     let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
     let mesh_b = request.b.unwrap_or(request.a);
-    let mut components = if turn { Some(vertex_components(mesh_b)?) } else { None };
-    let root = components.as_mut().map(|sets| sets.find(b.vertices[0]));
-    let is_turned = |f: usize| {
-        let of_face = |sets: &mut DisjointSets| mesh_b.face(f).next().map(|v| sets.find(v));
-        components.as_mut().is_some_and(|sets| of_face(sets) == root)
-    };
+    let mut turned_faces = if turn { faces_of_component(mesh_b, b.vertices[0])? } else { Vec::new() };
+    let is_turned = |f: usize| turned_faces.binary_search(&(f as u32)).is_ok();
     let maps = match request.b {
         Some(second) => {
             let first = append_piece(&mut whole, request.a, &job.part(0.4, 0.4), |_| false)?;
@@ -92,6 +87,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
     a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);
     b.vertices.iter_mut().for_each(|v| *v = map_b.vertices[*v as usize]);
+    turned_faces.iter_mut().for_each(|f| *f = map_b.faces[*f as usize]);
 
     // On one oriented surface the rims run opposite ways; run B backwards, and they run side by
     // side.
@@ -107,8 +103,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 
     let name = |v: u32| attached.names[v as usize];
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
-    let parents = alloc::collect(strip.parents.iter().map(|parents| parents.ends.map(name)))?;
-    let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weight))?;
+    let parents = alloc::collect(strip.parents.iter().map(|parents| parents.vertices.map(name)))?;
+    let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
     let mut strip = strip_alone(&whole, strip, &attached.names)?;
@@ -136,9 +132,18 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         finish: checked.finish,
         back_offs: checked.back_offs,
         turned: turn,
+        turned_faces,
         turned_outwards,
         quality,
     })
+}
+
+/// The faces of the component that a vertex is on, ascending.
+fn faces_of_component(mesh: &MeshView<'_>, v: u32) -> Result<Vec<u32>> {
+    let mut components = vertex_components(mesh)?;
+    let own = components.find(v);
+    let mut is_own = |f: &u32| mesh.face(*f as usize).next().is_some_and(|v| components.find(v) == own);
+    alloc::gather((0..mesh.faces().len() as u32).filter(|f| is_own(f)))
 }
 
 /// Cuts the rims down to the arcs that the options say.

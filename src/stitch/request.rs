@@ -233,11 +233,13 @@ pub struct Stitch {
     pub matrix: Vec<u32>,
     /// Interior rows; the matrix has two rows more.
     pub rows: u32,
-    /// Of each new vertex, the two vertices of [`Stitch::mesh`] that it lies between, on rim A and
-    /// on rim B: the ends of its meridian; of a blend the nearest ones.
-    pub parents: Vec<[u32; 2]>,
-    /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
-    pub weights: Vec<f64>,
+    /// Of each new vertex, three vertices of the rims in [`Stitch::mesh`] that it lies between: in a
+    /// row the ends of its meridian, that on rim B twice; of a blend the corners of the triangle of
+    /// the strip that it would be on without fairing.
+    pub parents: Vec<[u32; 3]>,
+    /// How much each new vertex has of its parents; at least 0, with sum 1. In row k of r rows
+    /// 1 - k / (r + 1), k / (r + 1) and 0.
+    pub weights: Vec<[f64; 3]>,
     /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the
     /// larger one if both are, in ascending order; `None` if they were not looked for. Polygons are
     /// taken as triangles: quads split by their shorter diagonals, others as fans; a polygon that
@@ -249,6 +251,9 @@ pub struct Stitch {
     pub back_offs: u32,
     /// The second piece was turned over, so as to agree with the first one.
     pub turned: bool,
+    /// Its faces in [`Stitch::mesh`] if it was, ascending. Each keeps its first corner and has the
+    /// others in reverse order.
+    pub turned_faces: Vec<u32>,
     /// Faces of the result, those of the strip too, that [`Options::outward`] had turned over in
     /// the end, ascending. Each keeps its first corner and has the others in reverse order.
     pub turned_outwards: Vec<u32>,

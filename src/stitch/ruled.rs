@@ -105,8 +105,8 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         start: [strip.a.vertices[0], strip.b.vertices[0]],
         rows: (matrix.len() / strip.meridians.len()) as u32 - 2,
         matrix,
-        parents: alloc::collect(strip.parents.iter().map(|parents| parents.ends.map(name)))?,
-        weights: alloc::collect(strip.parents.iter().map(|parents| parents.weight))?,
+        parents: alloc::collect(strip.parents.iter().map(|parents| [0, 1].map(|k| name(parents.vertices[k]))))?,
+        weights: alloc::collect(strip.parents.iter().map(|parents| parents.weights[1]))?,
         mesh: Mesh {
             positions,
             face_corners: alloc::collect(strip.faces.corners.iter().map(|&v| name(v)))?,

@@ -27,16 +27,16 @@ pub(crate) struct Strip {
     pub(crate) grid: Grid,
     pub(crate) faces: FaceList,
     /// Of each new vertex.
-    pub(super) parents: Vec<Parents>,
+    pub(crate) parents: Vec<Parents>,
 }
 
 /// The vertices of the rims that a new one lies between.
 #[derive(Clone, Copy)]
-pub(super) struct Parents {
-    /// One of rim A and one of rim B, by the strip's own numbers.
-    pub(super) ends: [u32; 2],
-    /// How much the second one counts; the first counts 1 less this.
-    pub(super) weight: f64,
+pub(crate) struct Parents {
+    /// By the strip's own numbers: of a row, the ends of the meridian, that of rim B twice.
+    pub(crate) vertices: [u32; 3],
+    /// How much each counts, at least 0 with sum 1; the last one 0 of a row.
+    pub(crate) weights: [f64; 3],
 }
 
 impl Strip {
@@ -89,7 +89,10 @@ impl Strip {
         };
         let grid = Grid::new(&a, &b, &meridians, rows)?;
         let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
-        let parents = grid.meridian_ends().zip(&grid.new).map(|(ends, &(_, weight))| Parents { ends, weight });
+        let parents = grid.meridian_ends().zip(&grid.new).map(|([a, b], &(_, weight))| Parents {
+            vertices: [a, b, b],
+            weights: [1.0 - weight, weight, 0.0],
+        });
         let parents = alloc::gather(parents)?;
         Ok(Strip { a, b, meridians, grid, faces, parents })
     }

@@ -9,6 +9,7 @@ use super::cells::Cells;
 use super::{Patch, Place, Sheet, each_sheet};
 use crate::mesh::{MAX_ELEMENTS, Mesh, PositionBuffer};
 use crate::surface::prelude::*;
+use std::ops::Range;
 
 /// How a sheet becomes a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +44,37 @@ pub struct SurfaceMesh {
     /// A bound of the distance between the surface and the triangles, or either pair of triangles
     /// of quads, at equal parameters.
     pub deviation: f64,
+    /// The parameter lines that the mesh is made of.
+    pub lines: ParameterLines,
+}
+
+/// The parameter lines of the mesh of a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterLines {
+    /// The sheet's cells, in u and in v.
+    pub cells: [usize; 2],
+    /// In u, and in v: the cell and the parameter in it, 0 to 1; those that close the sheet too.
+    pub lines: [Vec<(u32, f64)>; 2],
+    /// For each corner of the mesh the lines that meet there: that of u, times the number of lines in
+    /// v, and that of v. On a seam each face has those of its own side.
+    pub corners: Vec<u32>,
+}
+
+impl ParameterLines {
+    /// The cell that a face lies in, and the parameters of its corners there. `corners`: the face's
+    /// corners of the mesh.
+    pub fn of_face(&self, corners: Range<usize>) -> ([u32; 2], impl ExactSizeIterator<Item = [f64; 2]>) {
+        let across = self.lines[1].len();
+        let at = move |corner: usize| [self.corners[corner] as usize / across, self.corners[corner] as usize % across];
+        // Three corners are on both lines of each direction.
+        let first = [0, 1].map(|k| corners.clone().map(|corner| at(corner)[k]).min().unwrap_or(0));
+        let cell = [0, 1].map(|k| self.lines[k].get(first[k]).map_or(0, |line| line.0));
+        let parameter = move |k: usize, line: usize| match self.lines[k][line] {
+            (own, parameter) if own == cell[k] => parameter,
+            _ => 1.0,
+        };
+        (cell, corners.map(move |corner| [0, 1].map(|k| parameter(k, at(corner)[k]))))
+    }
 }
 
 /// Bounds of the second derivatives S_uu, S_uv, S_vv.
@@ -197,25 +229,30 @@ impl<'a> Lattice<'a> {
         }
         let [tall, wide] = [0, 1].map(|k| self.lines[k].len() - usize::from(!self.sheet.is_closed()[k]));
         let (mut face_offsets, mut face_corners) = (vec![0], Vec::new());
-        let mut add = |face: &[u32]| -> Result<()> {
-            let mut corners: Vec<u32> = Vec::with_capacity(4);
-            for (k, &corner) in face.iter().enumerate() {
-                if corner != face[(k + 1) % face.len()] && !corners.contains(&corner) {
-                    corners.push(corner);
+        let mut lattice = Vec::new();
+        let mut add = |face: &[(u32, u32)]| -> Result<()> {
+            let start = face_corners.len();
+            for (k, &(corner, place)) in face.iter().enumerate() {
+                if corner != face[(k + 1) % face.len()].0 && !face_corners[start..].contains(&corner) {
+                    alloc::push(&mut face_corners, corner)?;
+                    alloc::push(&mut lattice, place)?;
                 }
             }
-            if corners.len() > 2 {
-                alloc::append(&mut face_corners, &corners)?;
-                alloc::push(&mut face_offsets, face_corners.len() as u32)?;
+            if face_corners.len() - start > 2 {
+                alloc::push(&mut face_offsets, face_corners.len() as u32)
+            } else {
+                face_corners.truncate(start);
+                lattice.truncate(start);
+                Ok(())
             }
-            Ok(())
         };
         for a in 0..tall {
             job.step(0.8 + 0.2 * a as f64 / tall as f64, "making faces")?;
             for b in 0..wide {
                 let [p, q, r, s] = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| {
+                    let place = (a * (wide + 1) + b) as u32;
                     let (a, b) = self.first(a, b);
-                    vertices[a * width + b]
+                    (vertices[a * width + b], place)
                 });
                 if triangles {
                     add(&[p, q, r])?;
@@ -226,6 +263,14 @@ impl<'a> Lattice<'a> {
             }
         }
         let mesh = Mesh { positions: PositionBuffer::F64(positions), face_offsets, face_corners };
-        Ok(SurfaceMesh { mesh, places, normals, deviation: self.deviation })
+        let with_end = |k: usize| {
+            let mut lines = alloc::copied(&self.lines[k])?;
+            if self.sheet.is_closed()[k] {
+                alloc::push(&mut lines, (self.sheet.cells()[k] as u32 - 1, 1.0))?;
+            }
+            Ok(lines)
+        };
+        let lines = ParameterLines { cells: self.sheet.cells(), lines: [with_end(0)?, with_end(1)?], corners: lattice };
+        Ok(SurfaceMesh { mesh, places, normals, deviation: self.deviation, lines })
     }
 }

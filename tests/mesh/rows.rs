@@ -73,10 +73,10 @@ fn assert_predicted(joined: &Stitch, old: [&Soup; 2], cells: Cells) {
         for row in 1..=rows {
             let v = at(row, column);
             let k = v as usize - vertices;
-            assert_eq!(joined.parents[k], [at(0, column), at(rows + 1, column)]);
-            let t = joined.weights[k];
-            assert!((t - row as f64 / (rows + 1) as f64).abs() < 1e-15);
-            let [p, q] = joined.parents[k].map(|v| joined.mesh.positions.get(v));
+            assert_eq!(joined.parents[k], [at(0, column), at(rows + 1, column), at(rows + 1, column)]);
+            let [rest, t, none] = joined.weights[k];
+            assert!((t - row as f64 / (rows + 1) as f64).abs() < 1e-15 && rest == 1.0 - t && none == 0.0);
+            let [p, q, _] = joined.parents[k].map(|v| joined.mesh.positions.get(v));
             assert!((joined.mesh.positions.get(v) - p.lerp(q, t)).length() < 1e-12);
         }
     }
@@ -219,8 +219,8 @@ fn a_single_precision_mesh_gets_single_precision_rows() {
     let PositionBuffer::F32(found) = &joined.mesh.positions else { panic!("double") };
     assert_eq!(found[..points[0].len()], points[0]);
     assert_eq!(found[points[0].len()..][..points[1].len()], points[1]);
-    for (k, &[p, q]) in joined.parents.iter().enumerate() {
-        let exact = joined.mesh.positions.get(p).lerp(joined.mesh.positions.get(q), joined.weights[k]);
+    for (k, &[p, q, _]) in joined.parents.iter().enumerate() {
+        let exact = joined.mesh.positions.get(p).lerp(joined.mesh.positions.get(q), joined.weights[k][1]);
         let v = (points[0].len() + points[1].len() + k) as u32;
         assert!((joined.mesh.positions.get(v) - exact).length() < 1e-6);
     }

@@ -237,7 +237,7 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
         meridians: gusset_indices::lend(done.meridians.as_flattened()),
         matrix: gusset_indices::lend(&done.matrix),
         parents: gusset_indices::lend(done.parents.as_flattened()),
-        weights: lent(&done.weights),
+        weights: lent(done.weights.as_flattened()),
         strip_face_first: done.strip_faces.start as usize,
         strip_face_count: done.strip_faces.len(),
         row_count: done.rows,

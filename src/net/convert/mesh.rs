@@ -65,6 +65,8 @@ pub struct NetMesh {
     pub node_of_vertex: Vec<u32>,
     /// For each face its cell.
     pub cell_of_face: Vec<u32>,
+    /// The net's nodes in a row.
+    pub columns: usize,
     /// Edges without faces, as vertices: those of cells whose opposite sides are glued, such as
     /// threads.
     pub wires: Vec<[u32; 2]>,
@@ -369,9 +371,10 @@ impl<T: Real> FaceBuilder<'_, T> {
         let nodes = node_of_vertex.iter().map(|&node| self.places.of_class(node));
         let positions = positions(self.planes, nodes, &part(0.8, 1.0))?;
         let mesh = Mesh { positions, face_offsets: self.offsets, face_corners: self.nodes };
+        let columns = self.planes.shape().columns();
         let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
         job.step(1.0, NUMBERS)?;
-        Ok(NetMesh { mesh, vertex_of_node: vertex, node_of_vertex, cell_of_face: self.cells, wires, texture })
+        Ok(NetMesh { mesh, vertex_of_node: vertex, node_of_vertex, cell_of_face: self.cells, columns, wires, texture })
     }
 }
 

@@ -1,5 +1,6 @@
 //! The pieces put together: welded, oriented, and in the end filled and turned outwards.
 
+use super::history::History;
 use super::request::{Assembly, Options};
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
@@ -29,6 +30,7 @@ impl Base {
         let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
         let mut seam = Vec::new();
+        let mut history = History::of(pieces)?;
         if let Some(how) = &options.weld {
             let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
             let sewn = match options.edge_to_edge {
@@ -37,6 +39,8 @@ impl Base {
             };
             (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
             (mesh, vertex_map, face_map, seam) = (sewn.mesh, sewn.vertex_map, sewn.face_map, sewn.seam_vertices);
+            (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
+            history.enter(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
         }
         let mut turned = alloc::filled(false, mesh.face_count())?;
         let mut one_sided = Vec::new();
@@ -69,6 +73,7 @@ impl Base {
             left: Vec::new(),
             holes: Vec::new(),
             hole_rims: Vec::new(),
+            history,
             loops_left: 0,
             near_loops_left: 0,
             non_manifold_edges: 0,
@@ -90,6 +95,7 @@ impl Base {
             let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
             let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
             (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+            done.history.enter(filled.parents.into_iter().zip(filled.weights))?;
         }
         if !(options.keep_orientation || options.keep_inside_out) {
             let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;

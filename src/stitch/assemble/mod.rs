@@ -24,6 +24,7 @@ mod candidates;
 mod edges;
 mod facing_loops;
 mod given_pair;
+mod history;
 mod left;
 mod loops;
 mod request;
@@ -31,5 +32,6 @@ mod run;
 mod slit;
 mod whole_loops;
 
+pub use history::History;
 pub use request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
 pub use run::assemble;

@@ -1,5 +1,6 @@
 //! Options, results and the report of every join and every loop left.
 
+use super::history::History;
 use crate::mesh::{Mesh, NONE};
 use crate::stitch::{self, IndexMap};
 use crate::{fill, repair};
@@ -181,6 +182,8 @@ pub struct Assembly {
     pub holes: Vec<fill::Hole>,
     /// The vertices of their rims, in the order of before closed components were turned outwards.
     pub hole_rims: Vec<u32>,
+    /// What the elements of the result were made of.
+    pub history: History,
     /// Boundary loops of the result.
     pub loops_left: u32,
     /// Loops that were left although another one is within the gap that is allowed: those that look

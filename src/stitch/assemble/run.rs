@@ -89,6 +89,9 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                     )?;
                     let attached = append_strip(&mut base.done.mesh, &strip, loops.unit)?;
                     edges.enter_strip(&strip)?;
+                    let name = |v: u32| attached.names[v as usize];
+                    let new = strip.parents.iter().map(|parents| (parents.vertices.map(name), parents.weights));
+                    base.done.history.enter(new)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = attached.vertices;
                     joint.faces = attached.faces;

@@ -1,0 +1,225 @@
+//! Texture coordinates across new faces.
+//!
+//! Across a gap texture coordinates are interpolated as other values are, if both sides are on one
+//! chart, as on scans of one object, or where a surface was cut. Where they are not, values between
+//! them mean nothing: each new face then goes on with the chart of its base, and the charts meet in
+//! a seam in the middle.
+//!
+//! **Charts.** Rim edges with a vertex in common are on one chart if their faces have the same
+//! values there. Whether charts of two rims are one is put to the vote of the new faces between
+//! them: a face says yes if the interpolated value at its corners across is nearer to the place where
+//! the chart of its base would go on than half the way there, or half the base.
+//!
+//! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
+//! corner at x along the base and at the distance y from its line has the value that the old face's
+//! affine map has at (x, -y), where the old face itself has its third corner at y > 0. These are
+//! affine weights for the three corners of the old face: the same for all channels.
+
+use super::channel::Output;
+use super::rims::{End, Rims};
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use crate::mesh::{Mesh, NONE};
+use crate::sort::{Buckets, sort};
+use glam::DVec3;
+
+const STAGE: &str = "finding origins";
+/// Charts go on at most so many heights of the old face: needles lead nowhere.
+const MAX_HEIGHTS: f64 = 64.0;
+/// A face whose height over its base is a smaller part of the base has no direction.
+const MIN_HEIGHT: f64 = 1e-6;
+/// Values on both sides agree if they differ by less than this part of the way from the base.
+const MAX_DEVIATION: f64 = 0.5;
+/// Values at one vertex are the same if they differ by less than this part of the largest.
+const SAME: f64 = 1e-6;
+
+/// The base of a new face, in corners of the result.
+#[derive(Debug, Clone, Copy)]
+struct Base {
+    /// The old face's corners at both ends, and one off the line between them.
+    corners: [u32; 3],
+}
+
+/// New faces, as texture coordinates need them.
+#[derive(Debug, Default)]
+pub(super) struct Continuation {
+    /// Where the corners of each new face begin in the result, and where the last one ends.
+    offsets: Vec<u32>,
+    /// Per rim edge.
+    bases: Vec<Base>,
+    /// Per new face its rim edge, or [`NONE`].
+    base_of: Vec<u32>,
+    /// Per new corner, how much it has of the three corners of its base where that goes on.
+    weights: Vec<[f64; 3]>,
+    /// Per new corner, the rim edges whose values are interpolated there.
+    edges: Buckets<u32>,
+    /// Both ends of the rim edges, by vertex.
+    ends: Vec<End>,
+}
+
+impl Continuation {
+    /// `spread`: the old vertices that a vertex has its values from.
+    pub(super) fn new<I: Iterator<Item = (u32, f64)>>(
+        mesh: &Mesh,
+        first_face: usize,
+        rims: Rims,
+        spread: impl Fn(u32) -> I,
+        job: &Job<'_>,
+    ) -> Result<Continuation> {
+        let at = |corner: u32| mesh.positions.get(mesh.face_corners[corner as usize]);
+        let bases = alloc::collect(rims.edges.iter().map(|&edge| Base::new(mesh, edge)))?;
+        let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
+        let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
+        let mut weights = alloc::with_capacity((end - first) as usize)?;
+        let mut pairs = Vec::new();
+        for (range, &base) in offsets.windows(2).zip(&rims.bases) {
+            for corner in range[0]..range[1] {
+                job.step_within(weights.len(), STAGE)?;
+                let Some(own) = bases.get(base as usize) else {
+                    weights.push([0.0; 3]);
+                    continue;
+                };
+                let v = mesh.face_corners[corner as usize];
+                let [start, end, _] = own.corners.map(|corner| mesh.face_corners[corner as usize]);
+                weights.push(match v {
+                    v if v == start => [1.0, 0.0, 0.0],
+                    v if v == end => [0.0, 1.0, 0.0],
+                    _ => weights_beyond(own.corners.map(at), at(corner)),
+                });
+                for (v, _) in spread(v) {
+                    alloc::push(&mut pairs, ((corner - first) as usize, rims.corner_at(v, base).1))?;
+                }
+            }
+        }
+        let edges = Buckets::new((end - first) as usize, NONE, pairs.into_iter().filter(|&(_, edge)| edge != NONE))?;
+        Ok(Continuation { offsets, bases, base_of: rims.bases, weights, edges, ends: rims.ends })
+    }
+
+    /// Replaces the interpolated values of new corners by those of their bases' charts where the
+    /// charts are not one. `values`: of all corners of the result.
+    pub(super) fn apply(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
+        if self.base_of.is_empty() {
+            return Ok(());
+        }
+        let mut charts = self.along_rims(values)?;
+        self.vote(&mut charts, values, &job.part(0.0, 0.7))?;
+        let first = self.offsets[0];
+        for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
+            job.step_within(f, STAGE)?;
+            let corners = range[0]..range[1];
+            let mut all = corners.clone().flat_map(|corner| self.edges.get((corner - first) as usize));
+            if base == NONE || all.all(|&edge| charts.find(edge) == charts.find(base)) {
+                continue;
+            }
+            for corner in corners {
+                for c in 0..values.components {
+                    let value = self.continued(values, corner, base, c);
+                    values.set(corner as usize, c, value);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The charts of rim edges, as far as they can be told at their ends.
+    fn along_rims(&self, values: &Output<'_>) -> Result<DisjointSets> {
+        let mut charts = DisjointSets::new(self.bases.len())?;
+        for pair in self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex) {
+            let is_same = |c: usize| {
+                let [x, y] = [0, 1].map(|k| values.get(pair[k].corner as usize, c));
+                (x - y).abs() <= SAME * x.abs().max(y.abs())
+            };
+            if (0..values.components).all(is_same) {
+                charts.union(pair[0].edge, pair[1].edge);
+            }
+        }
+        Ok(charts)
+    }
+
+    /// Makes one of charts that most of the faces between them say are one.
+    fn vote(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<()> {
+        let first = self.offsets[0];
+        let mut votes = Vec::new();
+        for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
+            job.step_within(f, STAGE)?;
+            if base == NONE {
+                continue;
+            }
+            let own = charts.find(base);
+            for corner in range[0]..range[1] {
+                for &edge in self.edges.get((corner - first) as usize) {
+                    let other = charts.find(edge);
+                    if other != own {
+                        let agrees = self.agrees(values, corner, base);
+                        alloc::push(&mut votes, (own.min(other), own.max(other), agrees))?;
+                    }
+                }
+            }
+        }
+        sort(&mut votes, Ord::cmp, job, STAGE)?;
+        for between in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
+            let no = between.partition_point(|vote| !vote.2);
+            if between.len() - no > no {
+                charts.union(between[0].0, between[0].1);
+            }
+        }
+        Ok(())
+    }
+
+    /// True if the value at a new corner is about where the chart of its base goes on.
+    fn agrees(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
+        let Base { corners: [start, end, _] } = self.bases[base as usize];
+        let value = |corner: u32, c: usize| values.get(corner as usize, c);
+        let (mut off, mut way) = (0.0, 0.0);
+        for c in 0..values.components {
+            let (there, [from, to]) = (self.continued(values, corner, base, c), [start, end].map(|at| value(at, c)));
+            off += (value(corner, c) - there).powi(2);
+            // Values may change along the base alone.
+            way += (there - f64::midpoint(from, to)).powi(2) + (to - from).powi(2);
+        }
+        off <= MAX_DEVIATION * MAX_DEVIATION * way
+    }
+
+    /// A component of the value at a new corner where the chart of its base goes on.
+    fn continued(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
+        let weights = self.weights[(corner - self.offsets[0]) as usize];
+        let corners = self.bases[base as usize].corners;
+        corners.iter().zip(weights).map(|(&corner, weight)| weight * values.get(corner as usize, c)).sum()
+    }
+}
+
+impl Base {
+    /// With the corner of the face that is farthest from the line of the edge.
+    fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> Base {
+        let f = mesh.face_offsets.partition_point(|&offset| offset <= start) - 1;
+        let at = |corner: u32| mesh.positions.get(mesh.face_corners[corner as usize]);
+        let (p, way) = (at(start), at(end) - at(start));
+        let off = |corner: u32| (at(corner) - p).reject_from_normalized(way.normalize_or_zero()).length_squared();
+        let others = (mesh.face_offsets[f]..mesh.face_offsets[f + 1]).filter(|&corner| corner != start && corner != end);
+        let mut far = (f64::NEG_INFINITY, start);
+        for corner in others {
+            if off(corner) > far.0 {
+                far = (off(corner), corner);
+            }
+        }
+        Base { corners: [start, end, far.1] }
+    }
+}
+
+/// How much a point beyond a base has of its corners, which are at `[p, q, r]`.
+fn weights_beyond([p, q, r]: [DVec3; 3], at: DVec3) -> [f64; 3] {
+    let unit = common_unit(&[p - r, q - r, at - r]);
+    let [p, q, at] = [p, q, at].map(|point| (point - r) / unit);
+    let (length, along) = (p.distance(q), (q - p).normalize_or_zero());
+    let plane = |point: DVec3| {
+        let x = (point - p).dot(along);
+        (x, (point - p - x * along).length())
+    };
+    let ((x, y), (far_x, height)) = (plane(at), plane(DVec3::ZERO));
+    let third = if height > MIN_HEIGHT * length { -(y / height).min(MAX_HEIGHTS) } else { 0.0 };
+    let second = (x - third * far_x) / length;
+    if second.is_finite() { [1.0 - second - third, second, third] } else { [0.5, 0.5, 0.0] }
+}

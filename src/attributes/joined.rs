@@ -1,0 +1,119 @@
+//! Origins of results that keep all faces of their inputs: stitched, filled and oriented meshes;
+//! and of strips.
+
+use super::origins::{Counts, Kept, Origins};
+use super::table::Table;
+use crate::alloc;
+use crate::error::Result;
+use crate::fill::Filled;
+use crate::geom::bit_set::BitSet;
+use crate::job::Job;
+use crate::mesh::Mesh;
+use crate::repair::orient::Oriented;
+use crate::stitch::{Ruled, Stitch};
+
+impl Origins {
+    /// Those of a stitched mesh.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`](crate::Error::TooLarge), [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    pub fn of_stitch(stitch: &Stitch, job: &Job<'_>) -> Result<Origins> {
+        let mesh = &stitch.mesh;
+        let (mut first_face, mut first_corner) = (0, 0);
+        let mut inputs = Vec::new();
+        for map in stitch.maps.iter().filter(|map| !map.faces.is_empty()) {
+            first_face += map.faces.len();
+            let end = mesh.face_offsets[first_face] as usize;
+            let (vertices, corners, faces) = (map.vertices.len(), end - first_corner, map.faces.len());
+            alloc::push(&mut inputs, Counts { vertices, corners, faces })?;
+            first_corner = end;
+        }
+        let mut turned = faces(mesh, &stitch.turned_outwards)?;
+        stitch.turned_faces.iter().for_each(|&f| turned.toggle(f));
+        let is_turned = |f: usize| turned.contains(f as u32);
+        let old = inputs.iter().map(|counts| counts.vertices).sum();
+        let kept = unchanged(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
+        let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(mesh, |f| f < first_face && is_turned(f), &job.part(0.9, 1.0))
+    }
+
+    /// Those of a mesh whose holes were filled.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_filled(filled: &Filled, job: &Job<'_>) -> Result<Origins> {
+        let mesh = &filled.mesh;
+        let new_faces = filled.holes.iter().map(|hole| hole.faces.start as usize).min();
+        let old_faces = new_faces.unwrap_or(mesh.face_count());
+        let old = mesh.positions.len() - filled.parents.len();
+        let turned = faces(mesh, &filled.turned_outwards)?;
+        let is_turned = |f: usize| turned.contains(f as u32);
+        let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
+        let kept = unchanged(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
+        let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(mesh, |f| f < old_faces && is_turned(f), &job.part(0.9, 1.0))
+    }
+
+    /// Those of an oriented mesh.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_oriented(oriented: &Oriented, job: &Job<'_>) -> Result<Origins> {
+        let (mesh, is_turned) = (&oriented.mesh, |f: usize| oriented.turned[f]);
+        let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
+        let counts = Counts { vertices, corners, faces };
+        let kept = unchanged(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
+        Origins::of_kept(kept).with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+    }
+
+    /// Those of a strip between two polylines: its inputs are these, of points alone.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_ruled(ruled: &Ruled, lengths: [usize; 2], job: &Job<'_>) -> Result<Origins> {
+        let old = lengths[0] + lengths[1];
+        let inputs = alloc::collect(lengths.into_iter().map(|vertices| Counts { vertices, ..Counts::default() }))?;
+        let vertices = Table::of_single(0..old as u32, &job.part(0.0, 0.1))?;
+        let none = || Table::with_capacity(0, 0);
+        let kept = Kept { inputs, vertices, corners: none()?, faces: none()? };
+        let parents = ruled.parents.iter().zip(&ruled.weights);
+        let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
+        Origins::new(&ruled.mesh, kept, parents, &job.part(0.1, 1.0))
+    }
+}
+
+/// Faces of a mesh as a set.
+fn faces(mesh: &Mesh, given: &[u32]) -> Result<BitSet> {
+    let mut set = BitSet::new(mesh.face_count())?;
+    given.iter().for_each(|&f| set.insert(f));
+    Ok(set)
+}
+
+/// What a result keeps whose first vertices and faces are those of the inputs in their order.
+fn unchanged(
+    mesh: &Mesh,
+    inputs: Vec<Counts>,
+    vertices: usize,
+    faces: usize,
+    is_turned: impl Fn(usize) -> bool,
+    job: &Job<'_>,
+) -> Result<Kept> {
+    let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
+    for f in 0..faces {
+        job.step_within(f, "finding origins")?;
+        corners.extend(places(mesh, f, is_turned(f)));
+    }
+    Ok(Kept {
+        inputs,
+        vertices: Table::of_single(0..vertices as u32, &job.part(0.2, 0.4))?,
+        corners: Table::of_single(corners.into_iter(), &job.part(0.4, 0.8))?,
+        faces: Table::of_single(0..faces as u32, &job.part(0.8, 1.0))?,
+    })
+}
+
+/// Where the corners of a face were before it was turned over, if it was: the first one stayed.
+pub(super) fn places(mesh: &Mesh, f: usize, turned: bool) -> impl Iterator<Item = u32> {
+    let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k]);
+    (first..end).map(move |corner| if turned && corner > first { end - (corner - first) } else { corner })
+}

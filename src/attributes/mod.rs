@@ -1,0 +1,32 @@
+//! Attributes: what meshes carry beside positions, for the vertices, corners and faces of results.
+//!
+//! An operation is asked where the elements of its result come from ([`Origins`]), once, and any
+//! number of [`Channel`]s is carried over by that ([`apply()`]): colours, normals, texture
+//! coordinates, skin weights, materials, numbers.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | [`table`](self) | rows of sources with weights |
+//! | [`origins`](self) | the tables of a result; those of new vertices and faces |
+//! | [`rims`](self) | where new faces hang on old ones |
+//! | [`continuation`](self) | texture coordinates across new faces |
+//! | [`joined`](self) | results that keep all faces: of stitching, filling, orienting; strips |
+//! | [`repaired`](self) | results of welding, sewing, assembling |
+//! | [`grids`](self) | meshes of nets and sheets |
+//! | [`channel`](self) | values of one kind, and the rule by which they are mixed |
+//! | [`apply`](mod@apply) | a channel carried over |
+
+mod apply;
+mod channel;
+mod continuation;
+mod grids;
+mod joined;
+mod origins;
+mod repaired;
+mod rims;
+mod table;
+
+pub use apply::apply;
+pub use channel::{Channel, Output, Rule, ValueType};
+pub use origins::{Counts, Domain, Origins};
+pub use table::Table;

@@ -1,0 +1,186 @@
+//! Where the elements of a result come from.
+
+use super::continuation::Continuation;
+use super::rims::Rims;
+use super::table::Table;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::bit_set::BitSet;
+use crate::job::Job;
+use crate::mesh::{Mesh, NONE};
+
+const STAGE: &str = "finding origins";
+/// Of a vertex that very many old ones became, new vertices have no more sources than this.
+const MAX_SHARED: usize = 16;
+
+/// What elements are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Domain {
+    /// Vertices; nodes of a net or a sheet.
+    #[default]
+    Vertices,
+    /// Corners of faces, face after face.
+    Corners,
+    /// Faces; cells of a net or a sheet.
+    Faces,
+}
+
+/// How many elements an input has, by [`Domain`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counts {
+    /// Vertices.
+    pub vertices: usize,
+    /// Corners.
+    pub corners: usize,
+    /// Faces.
+    pub faces: usize,
+}
+
+impl Counts {
+    /// Those of a domain.
+    pub fn of(&self, domain: Domain) -> usize {
+        match domain {
+            Domain::Vertices => self.vertices,
+            Domain::Corners => self.corners,
+            Domain::Faces => self.faces,
+        }
+    }
+}
+
+/// For each vertex, corner and face of a result the elements of the inputs that it has its values
+/// from.
+///
+/// Sources are numbered through all inputs: those of the first, then those of the second. What was
+/// there before has one source; a vertex that several became has all of them in equal parts. A new
+/// vertex has the vertices of the rims round it, by where it would be on plain triangles between
+/// them, without fairing. A new face has the face across the nearest edge of the rims, and at its
+/// corners what the old faces there have.
+#[derive(Debug)]
+pub struct Origins {
+    pub(super) inputs: Vec<Counts>,
+    pub(super) tables: [Table; 3],
+    /// By domain, the sources whose faces were turned over; none of any if there is no set.
+    pub(super) turned: Option<[BitSet; 3]>,
+    pub(super) continuation: Continuation,
+}
+
+/// What a result has of old elements, which come before its new ones.
+pub(super) struct Kept {
+    pub(super) inputs: Vec<Counts>,
+    pub(super) vertices: Table,
+    /// Of the corners of old faces, as these run in the result.
+    pub(super) corners: Table,
+    pub(super) faces: Table,
+}
+
+/// Vertices of the result that a new one lies between, and how much it has of each.
+pub(super) type Parents = ([u32; 3], [f64; 3]);
+
+impl Origins {
+    /// The sources of the elements of a domain.
+    pub fn table(&self, domain: Domain) -> &Table {
+        &self.tables[domain as usize]
+    }
+
+    /// How many elements each input has.
+    pub fn inputs(&self) -> &[Counts] {
+        &self.inputs
+    }
+
+    /// Of a result without new faces.
+    pub(super) fn of_kept(kept: Kept) -> Origins {
+        let Kept { inputs, vertices, corners, faces } = kept;
+        Origins { inputs, tables: [vertices, corners, faces], turned: None, continuation: Continuation::default() }
+    }
+
+    /// Of a result whose vertices after those kept have `parents`, which come before them, and whose
+    /// faces after those kept are new. O(H log n) for H corners, n of them of new faces.
+    pub(super) fn new(
+        mesh: &Mesh,
+        kept: Kept,
+        parents: impl ExactSizeIterator<Item = Parents>,
+        job: &Job<'_>,
+    ) -> Result<Origins> {
+        let (old_vertices, old_faces) = (kept.vertices.len(), kept.faces.len());
+        // New vertices by old ones of the result, in which chains of parents end.
+        let mut spread = Table::with_capacity(parents.len(), 3 * parents.len())?;
+        let mut row = Vec::new();
+        for (k, (vertices, weights)) in parents.enumerate() {
+            job.step_within(k, STAGE)?;
+            row.clear();
+            for (v, weight) in vertices.into_iter().zip(weights) {
+                match (v as usize).checked_sub(old_vertices) {
+                    None => alloc::push(&mut row, (v, weight))?,
+                    Some(k) => alloc::extend(&mut row, spread.entries(k).map(|(v, share)| (v, weight * share)))?,
+                }
+            }
+            spread.push(row.iter().copied())?;
+        }
+        let Kept { inputs, mut vertices, mut corners, mut faces } = kept;
+        for k in 0..spread.len() {
+            job.step_within(k, STAGE)?;
+            row.clear();
+            for (v, weight) in spread.entries(k) {
+                let count = vertices.row(v as usize).0.len().clamp(1, MAX_SHARED);
+                let own = vertices.entries(v as usize).take(count);
+                alloc::extend(&mut row, own.map(|(source, _)| (source, weight / count as f64)))?;
+            }
+            vertices.push(row.iter().copied())?;
+        }
+        let rims = Rims::find(mesh, old_faces, &job.part(0.0, 0.7))?;
+        let corner_source = |v: u32, base: u32| rims.corner_at(v, base);
+        for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
+            job.step_within(f, STAGE)?;
+            let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
+            for &v in &mesh.face_corners[first..end] {
+                row.clear();
+                for (v, weight) in spread_of(&spread, old_vertices, v) {
+                    let (corner, _) = corner_source(v, base);
+                    if corner != NONE {
+                        alloc::extend(&mut row, corners.entries(corner as usize).map(|(s, share)| (s, weight * share)))?;
+                    }
+                }
+                corners.push(row.iter().copied())?;
+            }
+            let across = rims.edges.get(base as usize).map(|&[corner, _]| face_of(mesh, corner));
+            let source = across.map_or(NONE, |face| faces.main_source(face));
+            faces.push((source != NONE).then_some((source, 1.0)))?;
+        }
+        let continuation = Continuation::new(mesh, old_faces, rims, |v| spread_of(&spread, old_vertices, v), &job.part(0.7, 1.0))?;
+        Ok(Origins { inputs, tables: [vertices, corners, faces], turned: None, continuation })
+    }
+
+    /// The same of a result in which the faces `is_turned` run the other way than their sources do.
+    pub(super) fn with_turned(mut self, mesh: &Mesh, is_turned: impl Fn(usize) -> bool, job: &Job<'_>) -> Result<Self> {
+        let total = |domain| self.inputs.iter().map(|counts| counts.of(domain)).sum();
+        let set = |domain| BitSet::new(total(domain));
+        let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
+        let mut any = false;
+        job.ranges(STAGE, mesh.face_count(), |faces| {
+            for f in faces.filter(|&f| is_turned(f)) {
+                any = true;
+                let insert = |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
+                insert(&mut turned[2], &self.tables[2], f);
+                for c in mesh.face_offsets[f] as usize..mesh.face_offsets[f + 1] as usize {
+                    insert(&mut turned[1], &self.tables[1], c);
+                    insert(&mut turned[0], &self.tables[0], mesh.face_corners[c] as usize);
+                }
+            }
+            Ok(())
+        })?;
+        self.turned = any.then_some(turned);
+        Ok(self)
+    }
+}
+
+/// The old vertices of a result that one of its vertices has its values from.
+fn spread_of(spread: &Table, old: usize, v: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
+    let row = (v as usize).checked_sub(old);
+    let own = row.is_none().then_some((v, 1.0));
+    own.into_iter().chain(row.into_iter().flat_map(|k| spread.entries(k)))
+}
+
+/// The face that a corner belongs to.
+fn face_of(mesh: &Mesh, corner: u32) -> usize {
+    mesh.face_offsets.partition_point(|&start| start <= corner) - 1
+}

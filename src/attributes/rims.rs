@@ -1,0 +1,164 @@
+//! Where new faces hang on old ones.
+//!
+//! A **rim edge** is an edge of an old face that a new face has too. The **base** of a new face is a
+//! rim edge of its own, or that of a neighbour which is nearer to the rims: a search in breadth from
+//! all rim edges at once, so that the bases of a strip's faces meet in the middle.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::bit_set::BitSet;
+use crate::job::Job;
+use crate::mesh::{Mesh, NONE, unordered};
+use crate::sort::{Buckets, sort};
+
+const STAGE: &str = "finding origins";
+
+/// An end of a rim edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct End {
+    pub(super) vertex: u32,
+    pub(super) edge: u32,
+    /// The corner of the old face there.
+    pub(super) corner: u32,
+}
+
+/// The rim edges of a result, and the bases of its new faces.
+pub(super) struct Rims {
+    /// The corners of each rim edge's old face at its start and its end.
+    pub(super) edges: Vec<[u32; 2]>,
+    /// Per new face, its base; [`NONE`] if it hangs on no old face.
+    pub(super) bases: Vec<u32>,
+    /// Both ends of all edges, by vertex and edge.
+    pub(super) ends: Vec<End>,
+    /// For other old vertices of new faces, by vertex: some corner of an old face.
+    loose: Vec<(u32, u32)>,
+}
+
+impl Rims {
+    /// Those of the faces from `first_face` on. O(H log n) for H corners of the mesh and n of new
+    /// faces.
+    pub(super) fn find(mesh: &Mesh, first_face: usize, job: &Job<'_>) -> Result<Rims> {
+        let first_corner = mesh.face_offsets[first_face];
+        let new = &mesh.face_corners[first_corner as usize..];
+        let mut is_new = BitSet::new(mesh.positions.len())?;
+        new.iter().for_each(|&v| is_new.insert(v));
+
+        // All edges of new faces, and those of old ones that may be the same.
+        let mut sides = alloc::with_capacity(new.len())?;
+        for f in first_face..mesh.face_count() {
+            job.step_within(f, STAGE)?;
+            sides.extend(sides_of(mesh, f));
+        }
+        job.part(0.0, 0.4).ranges(STAGE, first_face, |faces| {
+            for f in faces {
+                let may = |&([u, v], _): &([u32; 2], u32)| is_new.contains(u) && is_new.contains(v);
+                alloc::extend(&mut sides, sides_of(mesh, f).filter(may))?;
+            }
+            Ok(())
+        })?;
+        let mut keyed = alloc::collect(sides.iter().map(|&(ends, corner)| (unordered(ends), corner)))?;
+        sort(&mut keyed, Ord::cmp, &job.part(0.4, 0.6), STAGE)?;
+        let count = mesh.face_count() - first_face;
+        let face_of = |corner: u32| mesh.face_offsets.partition_point(|&start| start <= corner) as u32 - 1;
+        let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
+        for together in keyed.chunk_by(|a, b| a.0 == b.0) {
+            job.step_within(edges.len() + links.len(), STAGE)?;
+            let old = together.partition_point(|&(_, corner)| corner < first_corner);
+            let faces = together[old..].iter().map(|&(_, corner)| face_of(corner) - first_face as u32);
+            if old > 0 && old < together.len() {
+                alloc::extend(&mut own, faces.zip(together[old..].iter()).map(|(f, side)| (f, side.1, edges.len() as u32)))?;
+                alloc::push(&mut edges, together[0].1)?;
+            } else if old == 0 {
+                alloc::extend(&mut links, faces.clone().zip(faces.skip(1)))?;
+            }
+        }
+        // In the order of the faces' corners.
+        sort(&mut own, |a, b| a.1.cmp(&b.1), &job.part(0.6, 0.7), STAGE)?;
+        let bases = bases(count, &own, &links, &job.part(0.7, 0.8))?;
+        let after = |corner: u32| {
+            let f = face_of(corner) as usize;
+            if corner + 1 == mesh.face_offsets[f + 1] { mesh.face_offsets[f] } else { corner + 1 }
+        };
+        let edges = alloc::collect(edges.into_iter().map(|corner| [corner, after(corner)]))?;
+        let at = |corner: u32| mesh.face_corners[corner as usize];
+        let mut ends = alloc::gather(
+            edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| End { vertex: at(corner), edge, corner })),
+        )?;
+        sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
+        let mut rims = Rims { edges, bases, ends, loose: Vec::new() };
+        rims.find_loose(mesh, first_corner as usize, &job.part(0.9, 1.0))?;
+        Ok(rims)
+    }
+
+    /// Corners of old faces at the old vertices of new faces that no rim edge ends at.
+    fn find_loose(&mut self, mesh: &Mesh, first_corner: usize, job: &Job<'_>) -> Result<()> {
+        let (old, new) = mesh.face_corners.split_at(first_corner);
+        let mut wanted = BitSet::new(mesh.positions.len())?;
+        let mut any = false;
+        for &v in new.iter().filter(|&&v| self.first_end(v).is_none()) {
+            wanted.insert(v);
+            any = true;
+        }
+        if any {
+            job.ranges(STAGE, old.len(), |range| {
+                let found = range.filter(|&c| wanted.contains(old[c])).map(|c| (old[c], c as u32));
+                alloc::extend(&mut self.loose, found)
+            })?;
+            sort(&mut self.loose, Ord::cmp, job, STAGE)?;
+            self.loose.dedup_by_key(|&mut (v, _)| v);
+        }
+        Ok(())
+    }
+
+    fn first_end(&self, v: u32) -> Option<&End> {
+        self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
+    }
+
+    /// The old corner whose values a new face with this base has at an old vertex, and its rim edge;
+    /// [`NONE`] where there is none.
+    pub(super) fn corner_at(&self, v: u32, base: u32) -> (u32, u32) {
+        let key = (v, base);
+        let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
+        match own.or_else(|| self.first_end(v)) {
+            Some(end) => (end.corner, end.edge),
+            None => match self.loose.binary_search_by_key(&v, |&(v, _)| v) {
+                Ok(at) => (self.loose[at].1, NONE),
+                Err(_) => (NONE, NONE),
+            },
+        }
+    }
+}
+
+/// The sides of a face: both vertices, and the corner where each starts.
+fn sides_of(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + use<'_> {
+    let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
+    let face = &mesh.face_corners[first..end];
+    face.iter().zip(face.iter().cycle().skip(1)).zip(first as u32..).map(|((&u, &v), corner)| ([u, v], corner))
+}
+
+/// The bases of so many faces. `own`: faces with rim edges of their own, as (face, _, edge);
+/// `links`: neighbours.
+fn bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<u32>> {
+    let both = links.iter().flat_map(|&(f, g)| [(f as usize, g), (g as usize, f)]);
+    let neighbours = Buckets::new(count, 0u32, both)?;
+    let mut bases = alloc::filled(NONE, count)?;
+    let mut queue = alloc::with_capacity(count)?;
+    for &(f, _, edge) in own {
+        if bases[f as usize] == NONE {
+            bases[f as usize] = edge;
+            queue.push(f);
+        }
+    }
+    let mut next = 0;
+    while let Some(&f) = queue.get(next) {
+        job.step_within(next, STAGE)?;
+        next += 1;
+        for &g in neighbours.get(f as usize) {
+            if bases[g as usize] == NONE {
+                bases[g as usize] = bases[f as usize];
+                queue.push(g);
+            }
+        }
+    }
+    Ok(bases)
+}

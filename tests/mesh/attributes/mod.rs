@@ -1,0 +1,74 @@
+//! Attributes carried over to results.
+
+mod fields;
+mod rules;
+mod textures;
+
+use crate::common::Soup;
+use glam::DVec3;
+use gusset::Job;
+use gusset::attributes::{Channel, Counts, Domain, Origins, Output, Rule, ValueType, apply};
+use gusset::mesh::Mesh;
+
+/// What [`apply`] writes of doubles.
+fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inputs: &[Vec<f64>]) -> Vec<f64> {
+    let mut channel = Channel::new(domain, ValueType::F64, components as u32, rule).unwrap();
+    for input in inputs {
+        channel.push(bytemuck::cast_slice(input), 0, input.len() / components).unwrap();
+    }
+    let count = origins.table(domain).len();
+    let mut out = vec![f64::NAN; count * components];
+    let mut output = Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, &channel).unwrap();
+    apply(origins, &channel, &mut output, &Job::default()).unwrap();
+    out
+}
+
+/// What an operation took: its pieces, and what it made.
+struct Case {
+    name: &'static str,
+    pieces: Vec<Soup>,
+    mesh: Mesh,
+    origins: Origins,
+}
+
+impl Case {
+    /// The values of a function of positions, of the elements of each piece.
+    fn given(&self, domain: Domain, of: impl Fn(DVec3) -> f64) -> Vec<Vec<f64>> {
+        let values = |soup: &Soup| {
+            let at = |v: u32| of(DVec3::from_array(soup.points[v as usize]));
+            match domain {
+                Domain::Vertices => (0..soup.points.len() as u32).map(at).collect(),
+                Domain::Corners => soup.corners.iter().map(|&v| at(v)).collect(),
+                Domain::Faces => soup.faces().map(|face| face.iter().map(|&v| at(v)).sum::<f64>()).collect(),
+            }
+        };
+        self.pieces.iter().map(values).collect()
+    }
+
+    fn at(&self, v: u32) -> DVec3 {
+        self.mesh.positions.get(v)
+    }
+
+    /// Sums, signs, counts.
+    fn assert_sound(&self) {
+        let name = self.name;
+        let counts = |soup: &Soup| Counts {
+            vertices: soup.points.len(),
+            corners: soup.corners.len(),
+            faces: soup.faces().count(),
+        };
+        assert_eq!(self.origins.inputs(), self.pieces.iter().map(counts).collect::<Vec<_>>(), "{name}");
+        let lengths = [self.mesh.positions.len(), self.mesh.face_corners.len(), self.mesh.face_count()];
+        for (domain, length) in [Domain::Vertices, Domain::Corners, Domain::Faces].into_iter().zip(lengths) {
+            let table = self.origins.table(domain);
+            assert_eq!(table.len(), length, "{name}: {domain:?}");
+            let total: usize = self.origins.inputs().iter().map(|counts| counts.of(domain)).sum();
+            for k in 0..length {
+                let (sources, weights) = table.row(k);
+                assert!(sources.iter().all(|&source| (source as usize) < total), "{name}: {domain:?} {k}");
+                assert!(weights.iter().all(|&w| w > 0.0), "{name}: {domain:?} {k}");
+                assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{name}: {domain:?} {k} {weights:?}");
+            }
+        }
+    }
+}
