@@ -1236,6 +1236,10 @@ enum gusset_status
      */
     GUSSET_ERROR_WRONG_HANDLE = 12,
     /**
+     * Values are given for another number of inputs, or of elements of one, than there are.
+     */
+    GUSSET_ERROR_COUNT_DIFFERS = 13,
+    /**
      * More vertices, faces or half-edges than this version takes.
      */
     GUSSET_ERROR_TOO_LARGE = 1000,
@@ -1499,6 +1503,19 @@ typedef struct gusset_net_validation gusset_net_validation;
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_orient gusset_orient;
+
+/**
+ * For each vertex, corner and face of a result, the elements of the inputs that it has its values
+ * from. Opaque and immutable; it keeps nothing of the result.
+ *
+ * An element that was there before has itself, and a vertex that several became all of them in
+ * equal parts. A new vertex has the vertices of the rims round it, by where it would be on plain
+ * triangles between them without fairing, and one that was put on an edge the ends of the edge. A
+ * new face has the face across the nearest edge of the rims (the first one of those as near), and at
+ * its corners what old faces have there: those on its own side where it has an edge in common with
+ * them.
+ */
+typedef struct gusset_origins gusset_origins;
 
 /**
  * The curves of outlines. Opaque and immutable; it keeps nothing of the points.
@@ -3044,6 +3061,76 @@ typedef struct gusset_assembly_view {
 } gusset_assembly_view;
 
 /**
+ * Elements of meshes, and of what meshes are made from.
+ */
+typedef uint32_t gusset_domain;
+
+/**
+ * The type of values.
+ */
+typedef uint32_t gusset_value_type;
+
+/**
+ * How the values of several sources become one. An element with one source has its value, bit for
+ * bit.
+ */
+typedef uint32_t gusset_channel_rule;
+
+/**
+ * What the values of elements are, and how they are mixed.
+ */
+typedef struct gusset_channel {
+    /**
+     * sizeof(gusset_channel), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_DOMAIN_...: the elements that have values.
+     */
+    gusset_domain domain;
+    /**
+     * GUSSET_VALUE_...; zero is no valid value.
+     */
+    gusset_value_type value_type;
+    /**
+     * How many values an element has, 1 to 4096.
+     */
+    uint32_t components;
+    /**
+     * GUSSET_RULE_...
+     */
+    gusset_channel_rule rule;
+    /**
+     * With GUSSET_RULE_SHARES, how many are kept of elements with several sources; 0: all.
+     */
+    uint32_t max_shares;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_channel;
+
+/**
+ * The values of one input's elements.
+ */
+typedef struct gusset_channel_values {
+    /**
+     * The components of each element at the start of every stride, at any alignment; NULL with count
+     * 0 if the input has no such values: its elements have 0 then, and new ones the values of the
+     * other sources.
+     */
+    const void *values;
+    /**
+     * The number of elements: of the input's vertices, corners or faces, all.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next; 0 if they are packed.
+     */
+    size_t stride;
+} gusset_channel_values;
+
+/**
  * How loops are found; all zero is the default.
  */
 typedef struct gusset_boundary_options {
@@ -3429,6 +3516,36 @@ typedef struct gusset_orient_view {
 } gusset_orient_view;
 
 /**
+ * The origins of the elements of one kind. Pointers are valid until the origins are destroyed.
+ */
+typedef struct gusset_origins_view {
+    /**
+     * sizeof(gusset_origins_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One more than there are elements: element k has the entries offsets[k] to
+     * offsets[k + 1] - 1 of sources and weights; none if it comes from nothing.
+     */
+    struct gusset_indices offsets;
+    /**
+     * The sources, numbered through all inputs.
+     */
+    struct gusset_indices sources;
+    /**
+     * How much each source counts: more than 0, with the sum 1 for each element; as many as sources;
+     * NULL without any.
+     */
+    const double *weights;
+    /**
+     * One more than there are inputs: the elements of input i are the sources starts[i] to
+     * starts[i + 1] - 1. The inputs are the meshes, pieces or polylines in their order, the one mesh,
+     * net or sheet.
+     */
+    struct gusset_indices starts;
+} gusset_origins_view;
+
+/**
  * What became of the old mesh. Lists are ascending; pointers are valid until the sewn mesh is
  * destroyed.
  */
@@ -3524,15 +3641,14 @@ typedef struct gusset_stitch_view {
      */
     struct gusset_indices matrix;
     /**
-     * Of each new vertex (they are the last ones of the result), the two vertices that it lies
-     * between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the vertex of
-     * each rim that is nearest to it.
+     * Of each new vertex (they are the last ones of the result), three vertices of the rims that it
+     * lies between: in a row the ends of its meridian, that on rim 1 twice; of a blend the corners
+     * of the triangle of the strip that it would be on without fairing.
      */
     struct gusset_indices parents;
     /**
-     * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
-     * this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as
-     * a part of the sum of both distances.
+     * How much it has of each of them, three numbers a vertex, at least 0 with sum 1; in row k of r
+     * rows 1 - k / (r + 1), k / (r + 1) and 0. NULL without new vertices.
      */
     const double *weights;
     /**
@@ -6469,6 +6585,78 @@ typedef struct gusset_cell_pairs_view {
 } gusset_cell_pairs_view;
 
 /**
+ * 32-bit floats.
+ */
+#define GUSSET_VALUE_F32 1
+
+/**
+ * 64-bit floats.
+ */
+#define GUSSET_VALUE_F64 2
+
+/**
+ * 8-bit unsigned integers.
+ */
+#define GUSSET_VALUE_U8 3
+
+/**
+ * 16-bit unsigned integers.
+ */
+#define GUSSET_VALUE_U16 4
+
+/**
+ * 32-bit unsigned integers.
+ */
+#define GUSSET_VALUE_U32 5
+
+/**
+ * The weighted mean, as of colours; of integers rounded.
+ */
+#define GUSSET_RULE_LINEAR 0
+
+/**
+ * Directions of three components, floats: the weighted mean on the sphere, of length 1. Those of
+ * faces that the operation turned over are turned, too.
+ */
+#define GUSSET_RULE_NORMAL 1
+
+/**
+ * Shares, at least 0, as of bones: the weighted mean, of which the max_shares largest are kept, the
+ * first of equal ones, and made to have the sum 1, or of integers the largest number of the type.
+ */
+#define GUSSET_RULE_SHARES 2
+
+/**
+ * The value of the source that counts most, the first of equal ones, as of materials and numbers.
+ */
+#define GUSSET_RULE_NEAREST 3
+
+/**
+ * Texture coordinates. At the corners of new faces they are the weighted mean where both sides are
+ * on one chart: on each rim as long as the old faces have the same values at its vertices, and
+ * across a gap where most of the new faces say so, to whom the values beyond are nearer to where
+ * their own side's chart would go on than half the way there. Elsewhere each new face goes on with
+ * the chart of the old face that it comes from, unfolded, and the charts meet in a seam in the
+ * middle. Of vertices and faces it is the weighted mean.
+ */
+#define GUSSET_RULE_TEXTURE 4
+
+/**
+ * Vertices; the points of polylines, the nodes of a net or a sheet.
+ */
+#define GUSSET_DOMAIN_VERTICES 0
+
+/**
+ * Corners of faces, in the order of face_corners; the nodes of a net or a sheet.
+ */
+#define GUSSET_DOMAIN_CORNERS 1
+
+/**
+ * Faces; the cells of a net or a sheet.
+ */
+#define GUSSET_DOMAIN_FACES 2
+
+/**
  * Along rows, from column to column.
  */
 #define GUSSET_DIRECTION_RIGHT 0
@@ -8402,6 +8590,40 @@ gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
                                        struct gusset_assembly_view *parts);
 
 /**
+ * Carries values of the inputs' elements over to the elements of a result.
+ *
+ * Elements of one source have its bits; the rule says what becomes of several. An element without
+ * sources, or whose sources all lack the channel, has 0.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param origins the origins of the result's elements.
+ * @param channel what the values are.
+ * @param inputs the values of each input of the origins, in their order; at any alignment.
+ * @param input_count their number.
+ * @param[out] values receives the components of each element at the start of every stride, at any
+ *     alignment; the bytes between are left alone. It must not overlap the inputs' values.
+ * @param count the number of elements that it has room for, at least those of the result.
+ * @param stride bytes from one element to the next; 0 for packed ones.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
+ *     OUT_OF_RANGE (components, or value_type and components that the rule does not take; a negative
+ *     share, with the element and the input), NOT_FINITE with the element and the input, but for
+ *     GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of inputs than there are, or of values, with
+ *     the input), BAD_STRIDE, SIZE_OVERFLOW, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(sources and elements); no memory; on the context's threads.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_attributes_apply(const struct gusset_context *context,
+                                      const struct gusset_origins *origins,
+                                      const struct gusset_channel *channel,
+                                      const struct gusset_channel_values *inputs,
+                                      size_t input_count,
+                                      void *values,
+                                      size_t count,
+                                      size_t stride);
+
+/**
  * Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
  *
  * Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise
@@ -8777,6 +8999,147 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
                                      struct gusset_orient_view *parts);
+
+/**
+ * The origins of a stitched mesh, whose inputs are its one or two meshes.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param stitch the stitched mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
+ *     face, and about 200 for each corner of a new face.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_origins_create(const struct gusset_context *context,
+                                           const struct gusset_stitch *stitch,
+                                           struct gusset_origins **origins);
+
+/**
+ * The origins of a strip, whose inputs are its two polylines; they have no corners and faces, and
+ * nor have its own any sources.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param strip the strip.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_stitch_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_origins_create(const struct gusset_context *context,
+                                          const struct gusset_strip *strip,
+                                          struct gusset_origins **origins);
+
+/**
+ * The origins of a mesh with holes filled.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param fill the mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_stitch_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_origins_create(const struct gusset_context *context,
+                                         const struct gusset_fill *fill,
+                                         struct gusset_origins **origins);
+
+/**
+ * The origins of an assembly, whose inputs are its pieces.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param assembly the assembly.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_stitch_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_origins_create(const struct gusset_context *context,
+                                             const struct gusset_assembly *assembly,
+                                             struct gusset_origins **origins);
+
+/**
+ * The origins of a welded mesh.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param weld the welded mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity O(size); 16 bytes for each vertex, corner and face.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_origins_create(const struct gusset_context *context,
+                                         const struct gusset_weld *weld,
+                                         struct gusset_origins **origins);
+
+/**
+ * The origins of a sewn mesh. A corner that a face gained on an edge has the face's corners at both
+ * ends of the edge.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sew the sewn mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_weld_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sew_origins_create(const struct gusset_context *context,
+                                        const struct gusset_sew *sew,
+                                        struct gusset_origins **origins);
+
+/**
+ * The origins of an oriented mesh.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param orient the oriented mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_weld_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_origins_create(const struct gusset_context *context,
+                                           const struct gusset_orient *orient,
+                                           struct gusset_origins **origins);
+
+/**
+ * Destroys origins; NULL is allowed.
+ *
+ * @param[in,out] origins the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_origins_destroy(struct gusset_origins *origins);
+
+/**
+ * Lends the origins of the result's vertices, corners or faces, valid until they are destroyed.
+ *
+ * @param origins the origins.
+ * @param domain GUSSET_DOMAIN_...
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_origins_get_view(const struct gusset_origins *origins,
+                                      gusset_domain domain,
+                                      struct gusset_origins_view *view);
 
 /**
  * Sews borders that lie on one another, also where their vertices do not match.
@@ -10240,6 +10603,26 @@ gusset_status gusset_net_mesh_create(const struct gusset_context *context,
                                      const struct gusset_net *net,
                                      const struct gusset_net_mesh_options *options,
                                      struct gusset_net_mesh **mesh);
+
+/**
+ * The origins of the mesh of a net: its one input is the net.
+ *
+ * A vertex has the first of its nodes, a corner the node of its own face's cell, which on either side
+ * of a seam is another, so that an image need not run back there, and a face its cell.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(corners); 16 bytes for each vertex, corner and face.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_origins_create(const struct gusset_context *context,
+                                             const struct gusset_net_mesh *mesh,
+                                             struct gusset_origins **origins);
 
 /**
  * Destroys the mesh of a net; NULL is allowed.
@@ -12409,6 +12792,28 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_sheet_mesh_get_view(const struct gusset_sheet_mesh *mesh,
                                          struct gusset_sheet_mesh_view *parts);
+
+/**
+ * The origins of the mesh of a sheet: its one input is the sheet, whose nodes are those between its
+ * cells, (rows + 1) * (columns + 1) of them, row after row.
+ *
+ * A vertex and a corner have the nodes of their cell, by its parameters; on a line that closes the
+ * sheet each corner has those of its own face's side, so that an image need not run back there.
+ * Faces have their cells.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(corners); 52 bytes for each vertex and corner.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_origins_create(const struct gusset_context *context,
+                                               const struct gusset_sheet_mesh *mesh,
+                                               struct gusset_origins **origins);
 
 /**
  * Tells what a sheet is.

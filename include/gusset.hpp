@@ -12,6 +12,7 @@
 #define GUSSET_HPP
 
 #include <gusset/assembly.hpp>
+#include <gusset/attributes.hpp>
 #include <gusset/boundary.hpp>
 #include <gusset/check.hpp>
 #include <gusset/curve.hpp>

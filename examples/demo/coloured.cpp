@@ -35,8 +35,7 @@ Joined joined(const Coloured &left, const Coloured &right, const gusset::Stitch 
               bool with_strip) {
     Joined out;
     const gusset::MeshView whole = stitch.mesh();
-    const gusset::Indices parents = stitch.parents();
-    const std::size_t old = whole.vertex_count() - parents.size() / 2;
+    const std::size_t old = stitch.vertex_map(0).size() + stitch.vertex_map(1).size();
     for (std::size_t v = 0; v < (with_strip ? whole.vertex_count() : old); ++v) {
         const gusset::Point3 p = whole.position(v);
         out.mesh.set_color(out.mesh.add_vertex({p[0], p[1], p[2]}), light(paints[2]));
@@ -67,9 +66,17 @@ Joined joined(const Coloured &left, const Coloured &right, const gusset::Stitch 
             out.mesh.set_color(face(faces[f]), piece.has_face_colours ? piece.mesh.color(face(f)) : paint);
         }
     }
-    for (std::size_t k = 0; with_strip && k < parents.size() / 2; ++k) {
-        const auto weight = static_cast<float>(stitch.weights()[k]);
-        out.mesh.set_color(vertex(old + k), out.mesh.color(vertex(parents[2 * k])) * (1 - weight) + out.mesh.color(vertex(parents[2 * k + 1])) * weight);
+    std::vector<std::array<float, 4>> colours[2];
+    for (const int side : {0, 1}) {
+        for (const uint32_t v : stitch.vertex_map(side)) {
+            const HostMesh::Color own = out.mesh.color(vertex(v));
+            colours[side].push_back({own[0], own[1], own[2], own[3]});
+        }
+    }
+    // Between the rims, of both.
+    const auto all = stitch.origins().apply<std::array<float, 4>>(gusset::Domain::vertices, gusset::Rule::linear, {colours[0], colours[1]});
+    for (std::size_t v = old; with_strip && v < all.size(); ++v) {
+        out.mesh.set_color(vertex(v), {all[v][0], all[v][1], all[v][2], all[v][3]});
     }
     return out;
 }

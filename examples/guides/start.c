@@ -67,21 +67,19 @@ static void print_loops(const gusset_context *context, const gusset_mesh_view *m
 //! [loops]
 
 //! [attributes]
-/* What you keep for vertices goes with them: old ones by the map, new ones by their two parents. */
-static void carry_normals(const gusset_stitch_view *parts, const vertex *const old[2], vertex *result, size_t count) {
-    const size_t new_count = parts->parents.count / 2, first_new = count - new_count;
-    size_t mesh, v, k;
-    for (mesh = 0; mesh < 2; ++mesh) {
-        for (v = 0; v < parts->vertex_map[mesh].count; ++v) {
-            memcpy(result[parts->vertex_map[mesh].data[v]].normal, old[mesh][v].normal, sizeof old[mesh][v].normal);
-        }
-    }
-    for (v = 0; v < new_count; ++v) {
-        const float *a = result[parts->parents.data[2 * v]].normal, *b = result[parts->parents.data[2 * v + 1]].normal;
-        for (k = 0; k < 3; ++k) {
-            result[first_new + v].normal[k] = (float)((1.0 - parts->weights[v]) * a[k] + parts->weights[v] * b[k]);
-        }
-    }
+/* What you keep for vertices goes with them: each vertex of the result has its sources. */
+static void carry_normals(const gusset_stitch *stitch, const vertex *const old[2], vertex *result, size_t count) {
+    gusset_channel normals = {0};
+    const gusset_channel_values given[2] = {{old[0][0].normal, 5, sizeof(vertex)}, {old[1][0].normal, 5, sizeof(vertex)}};
+    gusset_origins *origins = NULL;
+    normals.struct_size = sizeof normals;
+    normals.domain = GUSSET_DOMAIN_VERTICES;
+    normals.value_type = GUSSET_VALUE_F32;
+    normals.components = 3;
+    normals.rule = GUSSET_RULE_NORMAL;
+    must(gusset_stitch_origins_create(NULL, stitch, &origins), NULL);
+    must(gusset_attributes_apply(NULL, origins, &normals, given, 2, result[0].normal, count, sizeof(vertex)), NULL);
+    gusset_origins_destroy(origins);
 }
 //! [attributes]
 
@@ -134,7 +132,7 @@ int main(void) {
     for (v = 0; v < whole.vertex_count; ++v) {
         memcpy(result[v].position, (const float *)whole.positions + 3 * v, sizeof result[v].position);
     }
-    carry_normals(&parts, old, result, whole.vertex_count);
+    carry_normals(stitch, old, result, whole.vertex_count);
     printf("the first new vertex has the normal %g %g %g\n", result[10].normal[0], result[10].normal[1], result[10].normal[2]);
 
     free(result);

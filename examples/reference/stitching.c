@@ -64,8 +64,8 @@ static void two_loops_joined(void) {
     /* The faces of A, those of B, then the strip; old vertices keep their bits. */
     HOLDS(parts.strip_face_first == 8 && whole.face_count == 8 + strip.face_count);
     HOLDS(memcmp(whole.positions, up, sizeof up) == 0);
-    /* Each new vertex has two parents and a weight, by which a host interpolates what it keeps of vertices. */
-    HOLDS(parts.parents.count == 2 * (whole.vertex_count - 10) && parts.weights[0] == 0.5);
+    /* Each new vertex has parents on the rims: in a row the ends of its meridian, the second one twice. */
+    HOLDS(parts.parents.count == 3 * (whole.vertex_count - 10) && parts.weights[0] == 0.5 && parts.weights[2] == 0.0);
     gusset_stitch_destroy(stitch);
 }
 //! [stitch]

@@ -2,6 +2,7 @@
 #ifndef GUSSET_ASSEMBLY_HPP
 #define GUSSET_ASSEMBLY_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/stitch.hpp>
@@ -81,6 +82,10 @@ public:
     /// The holes that were considered after joining.
     Span<const gusset_hole> holes() const & { return {view().holes, view().hole_count}; }
     Span<const gusset_hole> holes() const && = delete;
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_assembly_origins_create, assembly_.get()));
+    }
 
 private:
     detail::Handle<gusset_assembly, gusset_assembly_destroy> assembly_;

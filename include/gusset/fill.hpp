@@ -2,6 +2,7 @@
 #ifndef GUSSET_FILL_HPP
 #define GUSSET_FILL_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/mesh.hpp>
 #include <gusset/stitch.hpp>
 
@@ -125,6 +126,10 @@ public:
     Indices turned_outwards() const & { return detail::indices(view().turned_outwards); }
     Indices turned_outwards() const && = delete;
     gusset_quality_report quality() const { return detail::lent(gusset_fill_get_quality, fill_.get()); }
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_fill_origins_create, fill_.get()));
+    }
 
 private:
     void create(const MeshView &mesh, const gusset_indices *loops, std::size_t count, const FillOptions &options,

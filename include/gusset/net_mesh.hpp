@@ -2,6 +2,7 @@
 #ifndef GUSSET_NET_MESH_HPP
 #define GUSSET_NET_MESH_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/mesh.hpp>
 #include <gusset/net.hpp>
 
@@ -66,6 +67,10 @@ public:
         return {reinterpret_cast<const std::array<double, 2> *>(found.texture_coordinates), found.texture_count};
     }
     Span<const std::array<double, 2>> texture_coordinates() const && = delete;
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_net_mesh_origins_create, mesh_.get()));
+    }
 
 private:
     gusset_net_mesh_view view() const { return detail::lent(gusset_net_mesh_get_view, mesh_.get()); }

@@ -2,6 +2,7 @@
 #ifndef GUSSET_REPAIR_HPP
 #define GUSSET_REPAIR_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/mesh.hpp>
 
 namespace gusset {
@@ -65,6 +66,10 @@ public:
     double tolerance() const { return view().tolerance; }
     /// The number of faces dropped.
     uint32_t dropped_faces() const { return view().dropped_faces; }
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_weld_origins_create, weld_.get()));
+    }
 
 private:
     gusset_weld_view view() const { return detail::lent(gusset_weld_get_view, weld_.get()); }
@@ -108,6 +113,10 @@ public:
     uint32_t dropped_faces() const { return view().dropped_faces; }
     /// How far apart what lies together was allowed to be, short edges apart; 0 for equal positions.
     double tolerance() const { return view().tolerance; }
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_sew_origins_create, sew_.get()));
+    }
 
 private:
     gusset_sew_view view() const { return detail::lent(gusset_sew_get_view, sew_.get()); }
@@ -143,6 +152,10 @@ public:
     /// For each one-sided component a half-edge where two faces disagree.
     Indices one_sided_half_edges() const & { return detail::indices(view().one_sided_half_edges); }
     Indices one_sided_half_edges() const && = delete;
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_orient_origins_create, orient_.get()));
+    }
 
 private:
     gusset_orient_view view() const { return detail::lent(gusset_orient_get_view, orient_.get()); }

@@ -2,6 +2,7 @@
 #ifndef GUSSET_SHEET_MESH_HPP
 #define GUSSET_SHEET_MESH_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/mesh.hpp>
 #include <gusset/sheet.hpp>
 
@@ -49,6 +50,10 @@ public:
     /// A bound of the distance between the surface and the triangles, or either pair of triangles
     /// of quads.
     double deviation() const { return view().deviation; }
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_sheet_mesh_origins_create, mesh_.get()));
+    }
 
 private:
     gusset_sheet_mesh_view view() const { return detail::lent(gusset_sheet_mesh_get_view, mesh_.get()); }

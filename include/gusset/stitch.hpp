@@ -2,6 +2,7 @@
 #ifndef GUSSET_STITCH_HPP
 #define GUSSET_STITCH_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/facing.hpp>
 #include <gusset/mesh.hpp>
 #include <gusset/strip.hpp>
@@ -113,14 +114,11 @@ public:
     Indices matrix() const && = delete;
     /// The number of interior rows.
     uint32_t row_count() const { return view().row_count; }
-    /// Of each new vertex its two parents, interleaved.
+    /// Of each new vertex its three parents, interleaved.
     Indices parents() const & { return detail::indices(view().parents); }
     Indices parents() const && = delete;
-    /// Of each new vertex the weight of its second parent.
-    Span<const double> weights() const & {
-        const gusset_stitch_view found = view();
-        return {found.weights, found.parents.count / 2};
-    }
+    /// How much each new vertex has of its parents, three numbers a vertex.
+    Span<const double> weights() const & { return {view().weights, view().parents.count}; }
     Span<const double> weights() const && = delete;
     /// The strip is a closed band between whole loops.
     bool is_closed_band() const { return view().closed != 0; }
@@ -151,6 +149,10 @@ public:
         stitch_.reset(context.result(gusset_stitch_create, &a.get(), loop_a != nullptr ? &first : nullptr,
                                      b != nullptr ? &b->get() : nullptr, loop_b != nullptr ? &second : nullptr,
                                      &given));
+    }
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_stitch_origins_create, stitch_.get()));
     }
 
 private:

@@ -2,6 +2,7 @@
 #ifndef GUSSET_STRIP_HPP
 #define GUSSET_STRIP_HPP
 
+#include <gusset/attributes.hpp>
 #include <gusset/mesh.hpp>
 
 namespace gusset {
@@ -96,6 +97,10 @@ public:
         return {found.weights, found.parents.count / 2};
     }
     Span<const double> weights() const && = delete;
+    /// Where the result's vertices, corners and faces come from.
+    Origins origins(const Context &context = Context()) const {
+        return Origins(context.result(gusset_strip_origins_create, strip_.get()));
+    }
 
 private:
     gusset_strip_view view() const { return detail::lent(gusset_strip_get_view, strip_.get()); }

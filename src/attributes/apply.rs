@@ -1,8 +1,10 @@
 //! A channel carried over to a result.
 
-use super::channel::{Channel, Output, Rule, ValueType};
-use super::origins::{Domain, Origins};
+use super::channel::{Channel, Rule};
+use super::domain::Domain;
+use super::origins::Origins;
 use super::table::Table;
+use super::values::{Output, ValueType};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bit_set::BitSet;
@@ -26,15 +28,18 @@ const ROUNDING: f64 = 1e-15;
 ///
 /// # Errors
 /// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`], [`Error::ArrayTooShort`] if
-/// `out` has no room for all, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// `out` has no room for all, [`Error::OptionOutOfRange`] if its values are of another type or number,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
-    channel.check(origins, &job.part(0.0, 0.2))?;
+    channel.check(origins.inputs(), &job.part(0.0, 0.2))?;
     let table = origins.table(channel.domain);
+    // Of the same values as the channel.
+    Error::require(out.value_type == channel.value_type && out.components == channel.components, "output", 0.0)?;
     let needed = (table.len() * out.stride).saturating_sub(out.stride - channel.size().min(out.stride));
     if out.bytes.len() < needed {
         return Err(Error::ArrayTooShort { what: "values", needed: needed as u64, given: out.bytes.len() as u64 });
     }
-    let mixer = Mixer::new(origins, channel)?;
+    let mixer = Mixer::new(origins, channel);
     let chunks = out.bytes.chunks_mut(CHUNK * out.stride).zip(par::ranges(table.len(), CHUNK));
     let chunks = alloc::collect(chunks)?;
     let stride = out.stride;
@@ -53,29 +58,23 @@ struct Mixer<'a> {
     channel: &'a Channel<'a>,
     table: &'a Table,
     turned: Option<&'a BitSet>,
-    /// The first source of each input.
-    starts: Vec<u32>,
+    /// The first source of each input, and the number of all.
+    starts: &'a [u32],
 }
 
 impl<'a> Mixer<'a> {
-    fn new(origins: &'a Origins, channel: &'a Channel<'a>) -> Result<Self> {
-        let mut starts = alloc::with_capacity(origins.inputs().len())?;
-        let mut first = 0;
-        for counts in origins.inputs() {
-            starts.push(first as u32);
-            first += counts.of(channel.domain);
-        }
+    fn new(origins: &'a Origins, channel: &'a Channel<'a>) -> Self {
         let turned = origins.turned.as_ref().map(|sets| &sets[channel.domain as usize]);
         let turned = turned.filter(|_| channel.rule == Rule::Normal);
-        Ok(Mixer { channel, table: origins.table(channel.domain), turned, starts })
+        Mixer { channel, table: origins.table(channel.domain), turned, starts: origins.starts(channel.domain) }
     }
 
     /// The values of a source, if its input has the channel.
     #[inline]
     fn source(&self, source: u32) -> Option<&'a [u8]> {
         let input = match self.starts.len() {
-            1 => 0,
-            2 => usize::from(source >= self.starts[1]),
+            2 => 0,
+            3 => usize::from(source >= self.starts[1]),
             _ => self.starts.partition_point(|&start| start <= source) - 1,
         };
         let values = self.channel.inputs[input].as_ref()?;
@@ -126,7 +125,8 @@ impl<'a> Mixer<'a> {
         };
         match self.channel.rule {
             Rule::Nearest => {
-                let heavier = |best: (&'a [u8], f64), (_, values, weight)| if weight > best.1 { (values, weight) } else { best };
+                let heavier =
+                    |best: (&'a [u8], f64), (_, values, weight)| if weight > best.1 { (values, weight) } else { best };
                 return out.copy_from_slice(entries().fold((first, f64::NEG_INFINITY), heavier).0);
             }
             Rule::Normal => {

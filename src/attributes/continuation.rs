@@ -15,8 +15,8 @@
 //! affine map has at (x, -y), where the old face itself has its third corner at y > 0. These are
 //! affine weights for the three corners of the old face: the same for all channels.
 
-use super::channel::Output;
 use super::rims::{End, Rims};
+use super::values::Output;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
@@ -198,7 +198,8 @@ impl Base {
         let at = |corner: u32| mesh.positions.get(mesh.face_corners[corner as usize]);
         let (p, way) = (at(start), at(end) - at(start));
         let off = |corner: u32| (at(corner) - p).reject_from_normalized(way.normalize_or_zero()).length_squared();
-        let others = (mesh.face_offsets[f]..mesh.face_offsets[f + 1]).filter(|&corner| corner != start && corner != end);
+        let others =
+            (mesh.face_offsets[f]..mesh.face_offsets[f + 1]).filter(|&corner| corner != start && corner != end);
         let mut far = (f64::NEG_INFINITY, start);
         for corner in others {
             if off(corner) > far.0 {

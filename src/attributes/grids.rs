@@ -1,6 +1,7 @@
 //! Origins of the meshes of nets and of sheets, whose sources are nodes and cells.
 
-use super::origins::{Counts, Kept, Origins};
+use super::domain::Counts;
+use super::origins::{Kept, Origins};
 use super::table::Table;
 use crate::error::Result;
 use crate::job::Job;
@@ -37,7 +38,7 @@ impl Origins {
             }
         }
         let inputs = vec![counts(net.vertex_of_node.len() / columns, columns)];
-        Ok(Origins::of_kept(Kept { inputs, vertices, corners, faces }))
+        Origins::of_kept(Kept { inputs, vertices, corners, faces })
     }
 
     /// Those of the mesh of a sheet: a vertex and a corner have the nodes of their cell, by its
@@ -69,6 +70,6 @@ impl Origins {
             faces.push([(cell[0] * columns as u32 + cell[1], 1.0)])?;
         }
         let inputs = vec![counts(rows + 1, columns + 1)];
-        Ok(Origins::of_kept(Kept { inputs, vertices, corners, faces }))
+        Origins::of_kept(Kept { inputs, vertices, corners, faces })
     }
 }

@@ -1,7 +1,8 @@
 //! Origins of results that keep all faces of their inputs: stitched, filled and oriented meshes;
 //! and of strips.
 
-use super::origins::{Counts, Kept, Origins};
+use super::domain::Counts;
+use super::origins::{Kept, Origins};
 use super::table::Table;
 use crate::alloc;
 use crate::error::Result;
@@ -35,7 +36,11 @@ impl Origins {
         let old = inputs.iter().map(|counts| counts.vertices).sum();
         let kept = unchanged(mesh, inputs, old, first_face, is_turned, &job.part(0.0, 0.3))?;
         let parents = stitch.parents.iter().copied().zip(stitch.weights.iter().copied());
-        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(mesh, |f| f < first_face && is_turned(f), &job.part(0.9, 1.0))
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
+            mesh,
+            |f| f < first_face && is_turned(f),
+            &job.part(0.9, 1.0),
+        )
     }
 
     /// Those of a mesh whose holes were filled.
@@ -52,7 +57,11 @@ impl Origins {
         let counts = Counts { vertices: old, corners: mesh.face_offsets[old_faces] as usize, faces: old_faces };
         let kept = unchanged(mesh, vec![counts], old, old_faces, is_turned, &job.part(0.0, 0.3))?;
         let parents = filled.parents.iter().copied().zip(filled.weights.iter().copied());
-        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(mesh, |f| f < old_faces && is_turned(f), &job.part(0.9, 1.0))
+        Origins::new(mesh, kept, parents, &job.part(0.3, 0.9))?.with_turned(
+            mesh,
+            |f| f < old_faces && is_turned(f),
+            &job.part(0.9, 1.0),
+        )
     }
 
     /// Those of an oriented mesh.
@@ -64,17 +73,18 @@ impl Origins {
         let (vertices, corners, faces) = (mesh.positions.len(), mesh.face_corners.len(), mesh.face_count());
         let counts = Counts { vertices, corners, faces };
         let kept = unchanged(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
-        Origins::of_kept(kept).with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+        Origins::of_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
     }
 
     /// Those of a strip between two polylines: its inputs are these, of points alone.
     ///
     /// # Errors
     /// As [`Origins::of_stitch`].
-    pub fn of_ruled(ruled: &Ruled, lengths: [usize; 2], job: &Job<'_>) -> Result<Origins> {
-        let old = lengths[0] + lengths[1];
-        let inputs = alloc::collect(lengths.into_iter().map(|vertices| Counts { vertices, ..Counts::default() }))?;
-        let vertices = Table::of_single(0..old as u32, &job.part(0.0, 0.1))?;
+    pub fn of_ruled(ruled: &Ruled, job: &Job<'_>) -> Result<Origins> {
+        let [n, m] = ruled.counts;
+        let points = |count: u32| Counts { vertices: count as usize, ..Counts::default() };
+        let inputs = vec![points(n), points(m)];
+        let vertices = Table::of_single(0..n + m, &job.part(0.0, 0.1))?;
         let none = || Table::with_capacity(0, 0);
         let kept = Kept { inputs, vertices, corners: none()?, faces: none()? };
         let parents = ruled.parents.iter().zip(&ruled.weights);

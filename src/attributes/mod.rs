@@ -6,6 +6,7 @@
 //!
 //! | file | what it does |
 //! |---|---|
+//! | [`domain`](self) | vertices, corners, faces |
 //! | [`table`](self) | rows of sources with weights |
 //! | [`origins`](self) | the tables of a result; those of new vertices and faces |
 //! | [`rims`](self) | where new faces hang on old ones |
@@ -13,20 +14,25 @@
 //! | [`joined`](self) | results that keep all faces: of stitching, filling, orienting; strips |
 //! | [`repaired`](self) | results of welding, sewing, assembling |
 //! | [`grids`](self) | meshes of nets and sheets |
+//! | [`values`](self) | types of values, and where those of a result go |
 //! | [`channel`](self) | values of one kind, and the rule by which they are mixed |
 //! | [`apply`](mod@apply) | a channel carried over |
 
 mod apply;
 mod channel;
 mod continuation;
+mod domain;
 mod grids;
 mod joined;
 mod origins;
 mod repaired;
 mod rims;
 mod table;
+mod values;
 
 pub use apply::apply;
-pub use channel::{Channel, Output, Rule, ValueType};
-pub use origins::{Counts, Domain, Origins};
+pub use channel::{Channel, Rule};
+pub use domain::{Counts, Domain};
+pub use origins::Origins;
 pub use table::Table;
+pub use values::{Output, ValueType};

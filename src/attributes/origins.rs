@@ -1,10 +1,11 @@
 //! Where the elements of a result come from.
 
 use super::continuation::Continuation;
+use super::domain::{Counts, Domain};
 use super::rims::Rims;
 use super::table::Table;
 use crate::alloc;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
@@ -12,40 +13,6 @@ use crate::mesh::{Mesh, NONE};
 const STAGE: &str = "finding origins";
 /// Of a vertex that very many old ones became, new vertices have no more sources than this.
 const MAX_SHARED: usize = 16;
-
-/// What elements are counted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Domain {
-    /// Vertices; nodes of a net or a sheet.
-    #[default]
-    Vertices,
-    /// Corners of faces, face after face.
-    Corners,
-    /// Faces; cells of a net or a sheet.
-    Faces,
-}
-
-/// How many elements an input has, by [`Domain`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Counts {
-    /// Vertices.
-    pub vertices: usize,
-    /// Corners.
-    pub corners: usize,
-    /// Faces.
-    pub faces: usize,
-}
-
-impl Counts {
-    /// Those of a domain.
-    pub fn of(&self, domain: Domain) -> usize {
-        match domain {
-            Domain::Vertices => self.vertices,
-            Domain::Corners => self.corners,
-            Domain::Faces => self.faces,
-        }
-    }
-}
 
 /// For each vertex, corner and face of a result the elements of the inputs that it has its values
 /// from.
@@ -57,7 +24,9 @@ impl Counts {
 /// corners what the old faces there have.
 #[derive(Debug)]
 pub struct Origins {
-    pub(super) inputs: Vec<Counts>,
+    inputs: Vec<Counts>,
+    /// By domain, the first source of each input, and the number of all.
+    starts: [Vec<u32>; 3],
     pub(super) tables: [Table; 3],
     /// By domain, the sources whose faces were turned over; none of any if there is no set.
     pub(super) turned: Option<[BitSet; 3]>,
@@ -87,10 +56,30 @@ impl Origins {
         &self.inputs
     }
 
+    /// The first source of each input in a domain, and after them the number of all sources.
+    pub fn starts(&self, domain: Domain) -> &[u32] {
+        &self.starts[domain as usize]
+    }
+
     /// Of a result without new faces.
-    pub(super) fn of_kept(kept: Kept) -> Origins {
+    pub(super) fn of_kept(kept: Kept) -> Result<Origins> {
         let Kept { inputs, vertices, corners, faces } = kept;
-        Origins { inputs, tables: [vertices, corners, faces], turned: None, continuation: Continuation::default() }
+        Origins::of_tables(inputs, [vertices, corners, faces], Continuation::default())
+    }
+
+    fn of_tables(inputs: Vec<Counts>, tables: [Table; 3], continuation: Continuation) -> Result<Origins> {
+        let starts = |domain| {
+            let mut starts = alloc::with_capacity(inputs.len() + 1)?;
+            starts.push(0);
+            for counts in &inputs {
+                let end = u64::from(starts[starts.len() - 1]) + counts.of(domain) as u64;
+                Error::check_count("sources", end, u32::MAX.into())?;
+                starts.push(end as u32);
+            }
+            Ok::<_, Error>(starts)
+        };
+        let starts = [starts(Domain::Vertices)?, starts(Domain::Corners)?, starts(Domain::Faces)?];
+        Ok(Origins { inputs, starts, tables, turned: None, continuation })
     }
 
     /// Of a result whose vertices after those kept have `parents`, which come before them, and whose
@@ -137,7 +126,10 @@ impl Origins {
                 for (v, weight) in spread_of(&spread, old_vertices, v) {
                     let (corner, _) = corner_source(v, base);
                     if corner != NONE {
-                        alloc::extend(&mut row, corners.entries(corner as usize).map(|(s, share)| (s, weight * share)))?;
+                        alloc::extend(
+                            &mut row,
+                            corners.entries(corner as usize).map(|(s, share)| (s, weight * share)),
+                        )?;
                     }
                 }
                 corners.push(row.iter().copied())?;
@@ -146,20 +138,21 @@ impl Origins {
             let source = across.map_or(NONE, |face| faces.main_source(face));
             faces.push((source != NONE).then_some((source, 1.0)))?;
         }
-        let continuation = Continuation::new(mesh, old_faces, rims, |v| spread_of(&spread, old_vertices, v), &job.part(0.7, 1.0))?;
-        Ok(Origins { inputs, tables: [vertices, corners, faces], turned: None, continuation })
+        let continuation =
+            Continuation::new(mesh, old_faces, rims, |v| spread_of(&spread, old_vertices, v), &job.part(0.7, 1.0))?;
+        Origins::of_tables(inputs, [vertices, corners, faces], continuation)
     }
 
     /// The same of a result in which the faces `is_turned` run the other way than their sources do.
     pub(super) fn with_turned(mut self, mesh: &Mesh, is_turned: impl Fn(usize) -> bool, job: &Job<'_>) -> Result<Self> {
-        let total = |domain| self.inputs.iter().map(|counts| counts.of(domain)).sum();
-        let set = |domain| BitSet::new(total(domain));
+        let set = |domain| BitSet::new(self.starts(domain).last().map_or(0, |&count| count as usize));
         let mut turned = [set(Domain::Vertices)?, set(Domain::Corners)?, set(Domain::Faces)?];
         let mut any = false;
         job.ranges(STAGE, mesh.face_count(), |faces| {
             for f in faces.filter(|&f| is_turned(f)) {
                 any = true;
-                let insert = |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
+                let insert =
+                    |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
                 insert(&mut turned[2], &self.tables[2], f);
                 for c in mesh.face_offsets[f] as usize..mesh.face_offsets[f + 1] as usize {
                     insert(&mut turned[1], &self.tables[1], c);

@@ -1,8 +1,9 @@
 //! Origins of meshes some of whose vertices and faces are one now, or gone: welded, sewn and
 //! assembled ones.
 
+use super::domain::Counts;
 use super::joined::places;
-use super::origins::{Counts, Kept, Origins};
+use super::origins::{Kept, Origins};
 use super::table::Table;
 use crate::alloc;
 use crate::error::Result;
@@ -16,36 +17,38 @@ use crate::stitch::assemble::Assembly;
 const STAGE: &str = "finding origins";
 
 impl Origins {
-    /// Those of a welded mesh; `corners`: how many the old one has.
+    /// Those of a welded mesh.
     ///
     /// # Errors
     /// As [`Origins::of_stitch`].
-    pub fn of_weld(weld: &Weld, corners: usize, job: &Job<'_>) -> Result<Origins> {
-        let (vertices, faces) = (weld.vertex_map.len(), weld.face_map.len());
+    pub fn of_weld(weld: &Weld, job: &Job<'_>) -> Result<Origins> {
+        let (vertices, corners, faces) = (weld.vertex_map.len(), weld.old_corners, weld.face_map.len());
         let repaired = Repaired {
             mesh: &weld.mesh,
             faces: weld.mesh.face_count(),
             new_vertices: 0,
             corner_origins: weld.corners_left.as_deref().map(|corners| (corners, &[][..])),
         };
-        let face_origin = alloc::gather(weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE).map(|(_, old)| old))?;
+        let face_origin =
+            alloc::gather(weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE).map(|(_, old)| old))?;
         let counts = vec![Counts { vertices, corners, faces }];
         let kept = repaired.kept(counts, weld.vertex_map.iter().copied(), Some(&face_origin), |_| false, job)?;
-        Ok(Origins::of_kept(kept))
+        Origins::of_kept(kept)
     }
 
-    /// Those of a sewn mesh; `corners`: how many the old one has.
+    /// Those of a sewn mesh.
     ///
     /// # Errors
     /// As [`Origins::of_stitch`].
-    pub fn of_sew(sew: &Sew, corners: usize, job: &Job<'_>) -> Result<Origins> {
+    pub fn of_sew(sew: &Sew, job: &Job<'_>) -> Result<Origins> {
         let repaired = Repaired {
             mesh: &sew.mesh,
             faces: sew.mesh.face_count(),
             new_vertices: sew.new_vertices.len(),
             corner_origins: sew.corner_origins.as_ref().map(parts),
         };
-        let counts = vec![Counts { vertices: sew.vertex_map.len(), corners, faces: sew.face_map.len() }];
+        let (vertices, corners, faces) = (sew.vertex_map.len(), sew.old_corners, sew.face_map.len());
+        let counts = vec![Counts { vertices, corners, faces }];
         let map = sew.vertex_map.iter().copied();
         let kept = repaired.kept(counts, map, Some(&sew.face_origin), |_| false, &job.part(0.0, 0.7))?;
         let new = sew.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0]));

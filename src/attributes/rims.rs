@@ -66,7 +66,10 @@ impl Rims {
             let old = together.partition_point(|&(_, corner)| corner < first_corner);
             let faces = together[old..].iter().map(|&(_, corner)| face_of(corner) - first_face as u32);
             if old > 0 && old < together.len() {
-                alloc::extend(&mut own, faces.zip(together[old..].iter()).map(|(f, side)| (f, side.1, edges.len() as u32)))?;
+                alloc::extend(
+                    &mut own,
+                    faces.zip(together[old..].iter()).map(|(f, side)| (f, side.1, edges.len() as u32)),
+                )?;
                 alloc::push(&mut edges, together[0].1)?;
             } else if old == 0 {
                 alloc::extend(&mut links, faces.clone().zip(faces.skip(1)))?;
@@ -82,7 +85,10 @@ impl Rims {
         let edges = alloc::collect(edges.into_iter().map(|corner| [corner, after(corner)]))?;
         let at = |corner: u32| mesh.face_corners[corner as usize];
         let mut ends = alloc::gather(
-            edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| End { vertex: at(corner), edge, corner })),
+            edges
+                .iter()
+                .zip(0..)
+                .flat_map(|(corners, edge)| corners.map(|corner| End { vertex: at(corner), edge, corner })),
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
         let mut rims = Rims { edges, bases, ends, loose: Vec::new() };

@@ -277,7 +277,9 @@ impl From<Error> for Failure {
             }
             NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
             BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
-            InputsDiffer { given, needed } => Failure { value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) },
+            InputsDiffer { given, needed } => {
+                Failure { value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
+            }
             ValuesDiffer { input, given, needed } => {
                 Failure { input, value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
             }

@@ -244,7 +244,8 @@ impl Border<'_> {
         for (k, of_face) in splits.chunk_by(|a, b| face(a) == face(b)).enumerate() {
             job.part(1.0, 1.0).step_every(FACES_PER_REPORT, k, splits.len(), STAGE)?;
             let f = face(&of_face[0]) as usize;
-            let places = of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
+            let places =
+                of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
             split_face.set(self.mesh, f, places)?;
             let fits = is_upright(self.mesh, f, &split_face);
             upright.extend(of_face.iter().map(|_| fits));

@@ -33,6 +33,8 @@ pub struct Sew {
     pub face_map: Vec<u32>,
     /// Per new face, the old one that it is, or is a part of; ascending.
     pub face_origin: Vec<u32>,
+    /// The number of the old mesh's corners.
+    pub old_corners: usize,
     /// Per corner of the mesh the old one; `None` if all are left and none came to them.
     pub corner_origins: Option<CornerOrigins>,
     /// The new vertices that are left, the last ones of the mesh: the vertices of the mesh at the
@@ -104,6 +106,7 @@ impl Sew {
         Ok(Sew {
             seam_vertices: several(&sources)?,
             face_origin: alloc::gather(kept.map(|(_, old)| old))?,
+            old_corners: weld.old_corners,
             corner_origins: weld.corners_left.map(|corners| CornerOrigins { corners, on_edges: Vec::new() }),
             new_vertices: Vec::new(),
             mesh: weld.mesh,

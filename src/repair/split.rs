@@ -41,9 +41,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
         mesh: Mesh { positions, face_offsets: alloc::filled(0, 1)?, face_corners: Vec::new() },
         face_origin: Vec::new(),
         corner_origins: CornerOrigins::default(),
-        new_vertices: alloc::collect(splits.iter().map(|split| {
-            (edges[split.edge as usize].ends, split.at)
-        }))?,
+        new_vertices: alloc::collect(splits.iter().map(|split| (edges[split.edge as usize].ends, split.at)))?,
         split_faces: 0,
     };
     let face_of = |k: usize| splits.get(k).map(|split| edges[split.edge as usize].face as usize);

@@ -71,6 +71,8 @@ pub struct Weld {
     pub vertex_map: Vec<u32>,
     /// Per old face, the new one; [`NONE`] if it was dropped.
     pub face_map: Vec<u32>,
+    /// The number of the old mesh's corners.
+    pub old_corners: usize,
     /// Per corner of the mesh, the old one; `None` if all are left.
     pub corners_left: Option<Vec<u32>>,
     /// Vertices that became one with a smaller one.
@@ -202,6 +204,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
         mesh: Mesh { positions, face_offsets, face_corners },
         vertex_map,
         face_map,
+        old_corners: faces.half_edge_count(),
         corners_left: (left.len() != mesh.faces().half_edge_count()).then_some(left).filter(|_| options.collapse),
         tolerance: 0.0,
         sewn_edges: 0,

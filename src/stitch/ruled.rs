@@ -35,6 +35,8 @@ pub struct RuledOptions {
 pub struct Ruled {
     /// The points that the first meridian joins.
     pub start: [u32; 2],
+    /// The number of points of each polyline.
+    pub counts: [u32; 2],
     /// The meridians as places counted from there: from (0, 0) to (N, M) between closed polylines
     /// of N and M points, place N being place 0 again, else to (N - 1, M - 1).
     pub meridians: Vec<Pair>,
@@ -103,6 +105,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
     Ok(Ruled {
         start: [strip.a.vertices[0], strip.b.vertices[0]],
+        counts: [n, b.len() as u32],
         rows: (matrix.len() / strip.meridians.len()) as u32 - 2,
         matrix,
         parents: alloc::collect(strip.parents.iter().map(|parents| [0, 1].map(|k| name(parents.vertices[k]))))?,

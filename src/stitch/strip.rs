@@ -89,10 +89,10 @@ impl Strip {
         };
         let grid = Grid::new(&a, &b, &meridians, rows)?;
         let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
-        let parents = grid.meridian_ends().zip(&grid.new).map(|([a, b], &(_, weight))| Parents {
-            vertices: [a, b, b],
-            weights: [1.0 - weight, weight, 0.0],
-        });
+        let parents = grid
+            .meridian_ends()
+            .zip(&grid.new)
+            .map(|([a, b], &(_, weight))| Parents { vertices: [a, b, b], weights: [1.0 - weight, weight, 0.0] });
         let parents = alloc::gather(parents)?;
         Ok(Strip { a, b, meridians, grid, faces, parents })
     }

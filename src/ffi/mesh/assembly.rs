@@ -246,7 +246,7 @@ pub struct gusset_assembly_view {
 
 /// An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
 pub struct gusset_assembly {
-    done: Assembly,
+    pub(crate) done: Assembly,
     pieces: Vec<gusset_piece_map>,
     joints: Vec<gusset_joint>,
     left: Vec<gusset_left_loop>,

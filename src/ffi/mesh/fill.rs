@@ -88,7 +88,7 @@ pub const GUSSET_HOLE_NO_TRIANGULATION: u32 = 8;
 
 /// A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
 pub struct gusset_fill {
-    filled: Filled,
+    pub(crate) filled: Filled,
     holes: Vec<gusset_hole>,
 }
 

@@ -1,11 +1,13 @@
 //! C interface: meshes, as arrays of the host or of a result.
 
 pub mod assembly;
+pub mod attributes;
 pub mod boundary;
 pub mod check;
 pub mod facing;
 pub mod fill;
 pub mod orient;
+pub mod origins;
 pub mod sew;
 pub mod stitch;
 pub mod stitch_options;

@@ -16,7 +16,7 @@ pub const GUSSET_OUTWARD_CLOSED: u32 = 1;
 
 /// An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
 pub struct gusset_orient {
-    done: Oriented,
+    pub(crate) done: Oriented,
     one_sided: [Vec<u32>; 2],
 }
 

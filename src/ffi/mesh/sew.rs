@@ -6,7 +6,7 @@ use crate::ffi::prelude::*;
 use crate::repair::sew::{Sew, sew};
 
 /// A sewn mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
-pub struct gusset_sew(Sew);
+pub struct gusset_sew(pub(crate) Sew);
 
 handle! { gusset_sew }
 

@@ -6,7 +6,7 @@ use crate::ffi::prelude::*;
 use crate::stitch::{Quality, Request, Stitch, stitch};
 
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
-pub struct gusset_stitch(Stitch);
+pub struct gusset_stitch(pub(crate) Stitch);
 
 handle! { gusset_stitch }
 
@@ -36,13 +36,12 @@ pub struct gusset_stitch_view {
     /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices
     /// of the result.
     pub matrix: gusset_indices,
-    /// Of each new vertex (they are the last ones of the result), the two vertices that it lies
-    /// between, on rim 0 and on rim 1, by turns: the ends of its meridian; of a blend the vertex of
-    /// each rim that is nearest to it.
+    /// Of each new vertex (they are the last ones of the result), three vertices of the rims that it
+    /// lies between: in a row the ends of its meridian, that on rim 1 twice; of a blend the corners
+    /// of the triangle of the strip that it would be on without fairing.
     pub parents: gusset_indices,
-    /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less
-    /// this. In row k of r rows it is k / (r + 1); of a blend the distance from the first parent as
-    /// a part of the sum of both distances.
+    /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; in row k of r
+    /// rows 1 - k / (r + 1), k / (r + 1) and 0. NULL without new vertices.
     pub weights: *const f64,
     /// The first of the strip's faces in the result; they are the last ones.
     pub strip_face_first: usize,

@@ -8,7 +8,7 @@ use crate::ffi::prelude::*;
 use crate::stitch::{Ruled, RuledOptions, Start, ruled};
 
 /// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
-pub struct gusset_strip(Ruled);
+pub struct gusset_strip(pub(crate) Ruled);
 
 handle! { gusset_strip }
 

@@ -22,7 +22,7 @@ pub const GUSSET_UNUSED_KEEP: u32 = 0;
 pub const GUSSET_UNUSED_REMOVE: u32 = 1;
 
 /// A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
-pub struct gusset_weld(Weld);
+pub struct gusset_weld(pub(crate) Weld);
 
 handle! { gusset_weld }
 

@@ -1,5 +1,7 @@
 //! C interface: nets to meshes and back, and nets of height fields.
 
+use crate::attributes::Origins;
+use crate::ffi::mesh::origins::gusset_origins;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::net::{gusset_net, read};
 use crate::ffi::prelude::*;
@@ -167,6 +169,30 @@ pub unsafe extern "C" fn gusset_net_mesh_create(
     create(context, mesh, "mesh", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         Ok(gusset_net_mesh(read(net)?.to_mesh(&options, job)?))
+    })
+}
+
+/// The origins of the mesh of a net: its one input is the net.
+///
+/// A vertex has the first of its nodes, a corner the node of its own face's cell, which on either side
+/// of a seam is another, so that an image need not run back there, and a face its cell.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(corners); 16 bytes for each vertex, corner and face.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_mesh_origins_create(
+    context: *const gusset_context,
+    mesh: *const gusset_net_mesh,
+    origins: *mut *mut gusset_origins,
+) -> gusset_status {
+    create(context, origins, "origins", |job| {
+        Ok(gusset_origins(Origins::of_net_mesh(&handle::get(mesh, "mesh")?.0, job)?))
     })
 }
 

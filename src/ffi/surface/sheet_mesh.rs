@@ -1,18 +1,17 @@
 //! C interface: meshes of sheets.
 
+use crate::attributes::Origins;
+use crate::ffi::mesh::origins::gusset_origins;
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::ffi::surface::gusset_surface_place;
 use crate::ffi::surface::sheet::gusset_sheet;
-use crate::mesh::Mesh;
-use crate::surface::SurfaceMeshOptions;
+use crate::surface::{SurfaceMesh, SurfaceMeshOptions};
 
 /// The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
 pub struct gusset_sheet_mesh {
-    mesh: Mesh,
+    made: SurfaceMesh,
     places: Vec<gusset_surface_place>,
-    normals: Vec<DVec3>,
-    deviation: f64,
 }
 
 handle! { gusset_sheet_mesh }
@@ -90,8 +89,8 @@ pub unsafe extern "C" fn gusset_sheet_mesh_create(
     create(context, mesh, "mesh", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let made = handle::get(sheet, "sheet")?.0.to_mesh(&options, job)?;
-        let places = alloc::collect(made.places.into_iter().map(gusset_surface_place::from))?;
-        Ok(gusset_sheet_mesh { mesh: made.mesh, places, normals: made.normals, deviation: made.deviation })
+        let places = alloc::collect(made.places.iter().map(|&place| gusset_surface_place::from(place)))?;
+        Ok(gusset_sheet_mesh { made, places })
     })
 }
 
@@ -117,7 +116,7 @@ pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
     mesh: *const gusset_sheet_mesh,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    lend!(mesh, view, |made| self::mesh::lend(&made.mesh))
+    lend!(mesh, view, |mesh| self::mesh::lend(&mesh.made.mesh))
 }
 
 /// Lends places and normals of the vertices.
@@ -132,11 +131,37 @@ pub unsafe extern "C" fn gusset_sheet_mesh_get_view(
     mesh: *const gusset_sheet_mesh,
     parts: *mut gusset_sheet_mesh_view,
 ) -> gusset_status {
-    lend!(mesh, parts, |made| gusset_sheet_mesh_view {
+    lend!(mesh, parts, |mesh| gusset_sheet_mesh_view {
         struct_size: 0,
-        vertex_count: made.places.len(),
-        places: lent(&made.places),
-        normals: lent(&made.normals).cast(),
-        deviation: made.deviation,
+        vertex_count: mesh.places.len(),
+        places: lent(&mesh.places),
+        normals: lent(&mesh.made.normals).cast(),
+        deviation: mesh.made.deviation,
+    })
+}
+
+/// The origins of the mesh of a sheet: its one input is the sheet, whose nodes are those between its
+/// cells, (rows + 1) * (columns + 1) of them, row after row.
+///
+/// A vertex and a corner have the nodes of their cell, by its parameters; on a line that closes the
+/// sheet each corner has those of its own face's side, so that an image need not run back there.
+/// Faces have their cells.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(corners); 52 bytes for each vertex and corner.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_mesh_origins_create(
+    context: *const gusset_context,
+    mesh: *const gusset_sheet_mesh,
+    origins: *mut *mut gusset_origins,
+) -> gusset_status {
+    create(context, origins, "origins", |job| {
+        Ok(gusset_origins(Origins::of_surface_mesh(&handle::get(mesh, "mesh")?.made, job)?))
     })
 }

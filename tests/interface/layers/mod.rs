@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 
 /// From the bottom up.
-const LAYERS: [&[&str]; 10] = [
+const LAYERS: [&[&str]; 11] = [
     &["error", "alloc", "choice", "job", "par", "reserve", "simd", "testing", "threads"],
     &["sort", "geom"],
     &["mesh"],
@@ -18,6 +18,7 @@ const LAYERS: [&[&str]; 10] = [
     &["outline"],
     &["net"],
     &["surface"],
+    &["attributes"],
     &["filters"],
     &["ffi"],
 ];

@@ -2,6 +2,7 @@
 
 use super::{Case, carried};
 use crate::common::{Soup, cap, sheet, torus};
+use glam::DVec3;
 use gusset::Job;
 use gusset::attributes::{Domain, Origins, Rule};
 use gusset::fill::{self, Selection, fill_holes};
@@ -10,7 +11,6 @@ use gusset::repair::sew::sew;
 use gusset::repair::weld::{self, weld};
 use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{self, Cells, Finish, Options, Request, Rows, stitch};
-use glam::DVec3;
 
 pub(super) fn job() -> Job<'static> {
     Job::default()
@@ -46,13 +46,13 @@ fn assembled(name: &'static str, pieces: Vec<Soup>, options: &assemble::Options<
 fn sewn(name: &'static str, soup: Soup, options: &weld::Options) -> Case {
     let done = sew(&soup.view(), options, &job()).unwrap();
     assert!(done.splits > 0, "{name}");
-    let origins = Origins::of_sew(&done, soup.corners.len(), &job()).unwrap();
+    let origins = Origins::of_sew(&done, &job()).unwrap();
     Case { name, mesh: done.mesh, origins, pieces: vec![soup] }
 }
 
 fn welded(name: &'static str, soup: Soup, options: &weld::Options) -> Case {
     let done = weld(&soup.view(), options, &job()).unwrap();
-    let origins = Origins::of_weld(&done, soup.corners.len(), &job()).unwrap();
+    let origins = Origins::of_weld(&done, &job()).unwrap();
     Case { name, mesh: done.mesh, origins, pieces: vec![soup] }
 }
 
@@ -60,7 +60,11 @@ fn welded(name: &'static str, soup: Soup, options: &weld::Options) -> Case {
 fn junctions() -> Soup {
     let mut upper = sheet(3, 1);
     upper.points.iter_mut().for_each(|p| (p[0], p[1]) = (p[0] * 4.0 / 3.0, p[1] + 2.0));
-    let mut triangles = Soup { points: vec![[0.0, -1.0, 0.0], [4.0, -1.0, 0.0], [4.0, 0.0, 0.0], [0.0, 0.0, 0.0]], offsets: vec![0], ..Soup::default() };
+    let mut triangles = Soup {
+        points: vec![[0.0, -1.0, 0.0], [4.0, -1.0, 0.0], [4.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+        offsets: vec![0],
+        ..Soup::default()
+    };
     triangles.face(&[0, 1, 2]);
     triangles.face(&[0, 2, 3]);
     sheet(4, 2).and(&upper).and(&triangles)
@@ -108,7 +112,7 @@ pub(super) fn cases() -> Vec<Case> {
             let turned: Vec<u32> = face.iter().rev().copied().collect();
             mixed.face(if f % 5 == 2 { &turned } else { face });
         }
-        let options = orient::Options { outward: orient::Outward::Closed, ..orient::Options::default() };
+        let options = orient::Options { outward: orient::Outward::Closed };
         let done = orient(&mixed.view(), &options, &job()).unwrap();
         let origins = Origins::of_oriented(&done, &job()).unwrap();
         Case { name: "oriented", pieces: vec![mixed], mesh: done.mesh, origins }
@@ -179,9 +183,13 @@ fn faces_have_the_numbers_of_faces() {
             first += piece.faces().count() as f64;
         }
         let found = carried(&case.origins, Domain::Faces, Rule::Nearest, 1, &numbers);
-        let all: Vec<Vec<DVec3>> = case.pieces.iter().flat_map(|piece| piece.faces().map(|face| {
-            face.iter().map(|&v| DVec3::from_array(piece.points[v as usize])).collect()
-        })).collect();
+        let all: Vec<Vec<DVec3>> = case
+            .pieces
+            .iter()
+            .flat_map(|piece| {
+                piece.faces().map(|face| face.iter().map(|&v| DVec3::from_array(piece.points[v as usize])).collect())
+            })
+            .collect();
         let mut same = 0;
         for (f, &number) in found.iter().enumerate() {
             let own: Vec<DVec3> = case.mesh.faces().nth(f).unwrap().iter().map(|&v| case.at(v)).collect();

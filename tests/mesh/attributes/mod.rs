@@ -18,7 +18,7 @@ fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inp
     }
     let count = origins.table(domain).len();
     let mut out = vec![f64::NAN; count * components];
-    let mut output = Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, &channel).unwrap();
+    let mut output = Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.values()).unwrap();
     apply(origins, &channel, &mut output, &Job::default()).unwrap();
     out
 }

@@ -19,7 +19,7 @@ fn caps() -> super::Case {
 fn applied<T: bytemuck::Pod>(origins: &Origins, channel: &Channel<'_>, components: usize) -> Result<Vec<T>, Error> {
     let count = origins.table(Domain::Vertices).len();
     let mut out = vec![T::zeroed(); count * components];
-    apply(origins, channel, &mut Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel)?, &job())?;
+    apply(origins, channel, &mut Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.values())?, &job())?;
     Ok(out)
 }
 
@@ -104,7 +104,8 @@ fn shares_are_few_and_whole() {
 #[test]
 fn other_types_are_rounded_and_numbers_are_those_of_sources() {
     let case = caps();
-    let numbers: Vec<Vec<u32>> = case.pieces.iter().map(|piece| (0..piece.points.len() as u32).map(|v| v * 1000 + 7).collect()).collect();
+    let numbers: Vec<Vec<u32>> =
+        case.pieces.iter().map(|piece| (0..piece.points.len() as u32).map(|v| v * 1000 + 7).collect()).collect();
     for rule in [Rule::Linear, Rule::Nearest] {
         let mut channel = Channel::new(Domain::Vertices, ValueType::U32, 1, rule).unwrap();
         numbers.iter().for_each(|input| channel.push(bytemuck::cast_slice(input), 0, input.len()).unwrap());
@@ -136,7 +137,7 @@ fn the_same_for_any_threads_and_strides() {
     let soup = sheet(200, 150).and(&sheet(150, 100));
     let options = weld::Options { vertices: weld::Vertices::All, tolerance: Some(0.0), ..weld::Options::default() };
     let done = weld::weld(&soup.view(), &options, &job()).unwrap();
-    let origins = Origins::of_weld(&done, soup.corners.len(), &job()).unwrap();
+    let origins = Origins::of_weld(&done, &job()).unwrap();
     let values: Vec<f32> = (0..4 * soup.points.len()).map(|k| (k as f32).sin()).collect();
     let mut all = Vec::new();
     for (threads, stride) in [(1, 0), (2, 0), (3, 17), (2, 17)] {
@@ -146,7 +147,7 @@ fn the_same_for_any_threads_and_strides() {
         let count = origins.table(Domain::Vertices).len();
         let step = if stride == 0 { 12 } else { stride };
         let mut out = vec![0xAAu8; 1 + (count - 1) * step + 12];
-        let mut output = Output::new(&mut out[1..], stride, count, &channel).unwrap();
+        let mut output = Output::new(&mut out[1..], stride, count, channel.values()).unwrap();
         apply(&origins, &channel, &mut output, &Job::new(threads, &crate::common::Silent)).unwrap();
         if step > 12 {
             assert!(out[1 + 12..].chunks(step).all(|gap| gap.iter().take(step - 12).all(|&byte| byte == 0xAA)));
@@ -191,9 +192,12 @@ fn what_does_not_fit_is_refused() {
         (2, ValueType::F32, Rule::Normal),
         (3, ValueType::U8, Rule::Normal),
     ] {
-        assert!(matches!(Channel::new(Domain::Faces, value_type, components, rule), Err(Error::OptionOutOfRange { .. })));
+        assert!(matches!(
+            Channel::new(Domain::Faces, value_type, components, rule),
+            Err(Error::OptionOutOfRange { .. })
+        ));
     }
     let channel = Channel::new(Domain::Vertices, ValueType::F64, 1, Rule::Linear).unwrap();
-    assert!(matches!(Output::new(&mut [0; 23], 0, 3, &channel), Err(Error::ArrayTooShort { .. })));
-    assert!(matches!(Output::new(&mut [0; 24], 7, 3, &channel), Err(Error::StrideTooSmall { .. })));
+    assert!(matches!(Output::new(&mut [0; 23], 0, 3, channel.values()), Err(Error::ArrayTooShort { .. })));
+    assert!(matches!(Output::new(&mut [0; 24], 7, 3, channel.values()), Err(Error::StrideTooSmall { .. })));
 }

@@ -96,7 +96,10 @@ fn charts_that_do_not_fit_go_on_to_a_seam() {
         assert!(of_a.abs_diff(of_b) <= (of_a + of_b) / 3 + 2, "{of_a} {of_b}");
         // Other rules mix them.
         let mixed = carried(&case.origins, Domain::Corners, Rule::Linear, 2, &inputs);
-        assert_eq!(mixed[..2 * case.mesh.face_offsets[old] as usize], found[..2 * case.mesh.face_offsets[old] as usize]);
+        assert_eq!(
+            mixed[..2 * case.mesh.face_offsets[old] as usize],
+            found[..2 * case.mesh.face_offsets[old] as usize]
+        );
         assert!(mixed != found);
     }
 }
@@ -160,7 +163,12 @@ fn values_stay_finite() {
                 soup.points.iter_mut().for_each(|p| *p = p.map(|x| x * scale));
                 soup
             };
-            let case = stitched("odd", &scaled(&a), Some(&scaled(&b)), &Options { rows: Rows::Count(2), ..Options::default() });
+            let case = stitched(
+                "odd",
+                &scaled(&a),
+                Some(&scaled(&b)),
+                &Options { rows: Rows::Count(2), ..Options::default() },
+            );
             let inputs = [mapped(&a, plain), mapped(&b, elsewhere)];
             let found = carried(&case.origins, Domain::Corners, Rule::Texture, 2, &inputs);
             assert!(found.iter().all(|x| x.is_finite()));
