@@ -33,6 +33,10 @@ From arrays to ordered loops. `read` is one pass over the indices, the limit of 
 that is built already. `boundary` is GUSSET_SURVEY_BOUNDARY_ONLY, `boundary-full` the default, which reports everything unusual.""",
     "boundary-full": "",
     "winged": "## Winged-edge tables\n\nFrom arrays to the table; the peers build their half-edges.",
+    "attributes": """## Attributes
+
+Normals of vertices, texture coordinates of corners and numbers of faces carried over to two joined grids of half a million faces;
+`limit` copies as many bytes on one thread. `values_per_second`: numbers written.""",
     "join": """## Joins, from arrays to arrays
 
 Loops found, the strip made, the whole mesh handed back. `gusset-index` and the like are other choices of meridians of our own

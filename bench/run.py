@@ -28,7 +28,7 @@ def in_cpp(report, tools, folder, only, slow):
             if not path.exists():
                 meshes.write(mesh(), path)
             wanted += ["--mesh", f"{name}={path}"]
-    if wanted or only in "meridians/index-100000":
+    if wanted or only in "meridians/index-100000" or only in "attributes/apply/limit":
         out = folder / "cpp.json"
         sys.stdout.flush()
         subprocess.run([tools / "bench", *wanted, "--only", only, "--runs", "5", "--out", out], check=True)

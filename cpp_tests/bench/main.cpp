@@ -12,6 +12,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -122,10 +124,10 @@ public:
 
     bool wants(const std::string &id) const { return id.find(only_) != std::string::npos; }
 
-    /// Runs ours and the peers by turns and enters the medians.
+    /// Runs ours and the peers by turns and enters the medians; with a number of values, how many a second.
     template <class Result>
     void compare(const std::string &id, const std::string &what, const std::function<Result()> &ours,
-                 const std::map<std::string, std::function<Result()>> &peers) {
+                 const std::map<std::string, std::function<Result()>> &peers, double values = 0) {
         std::vector<double> own;
         std::map<std::string, std::vector<double>> others;
         bool agree = true;
@@ -143,12 +145,16 @@ public:
             std::printf("%-30s %-22s %10.2f %10.2f ms  %9.2f   %s%s\n", id.c_str(), name.c_str(), mine, theirs, theirs / mine,
                         what.c_str(), agree ? "" : "  RESULTS DIFFER");
             std::fflush(stdout);
+            nlohmann::json quality = {{"same_result", agree}};
+            if (values > 0) {
+                quality["values_per_second"] = std::round(1000 * values / mine);
+            }
             report_.push_back({{"id", id + "/" + name},
                                {"ours", mine},
                                {"peer", theirs},
                                {"unit", "ms"},
                                {"ratio", theirs / mine},
-                               {"quality", {{"same_result", agree}}}});
+                               {"quality", quality}});
         }
     }
 
@@ -187,6 +193,75 @@ void boundary(Bench &bench, const std::string &name, const std::string &file) {
                                    {{"openmesh", [&] { return edges_by_openmesh(mesh); }},
                                     {"cgal", [&] { return edges_by_cgal(mesh); }}});
     }
+}
+
+/// A grid of n x n quads.
+struct Grid {
+    std::vector<std::array<float, 3>> points;
+    std::vector<uint32_t> corners;
+
+    Grid(uint32_t n, float y) {
+        for (uint32_t v = 0; v < (n + 1) * (n + 1); ++v) {
+            points.push_back({static_cast<float>(v % (n + 1)), static_cast<float>(v / (n + 1)) + y, 0.0F});
+        }
+        for (uint32_t f = 0; f < n * n; ++f) {
+            const uint32_t v = f / n * (n + 1) + f % n;
+            corners.insert(corners.end(), {v, v + 1, v + n + 2, v + n + 1});
+        }
+    }
+};
+
+/// Normals of vertices, texture coordinates of corners and numbers of faces, for two grids of half a million faces that are joined;
+/// and as many bytes copied by one thread.
+void attributes(Bench &bench) {
+    using Normal = std::array<float, 3>;
+    using Uv = std::array<float, 2>;
+    const uint32_t n = 700;
+    const Grid a(n, 0.0F), b(n, static_cast<float>(n) + 1.5F);
+    const gusset::StitchOptions arcs = [] {
+        gusset::StitchOptions options;
+        options.extent = gusset::StitchExtent::open_arcs;
+        return options;
+    }();
+    const gusset::Stitch stitch =
+        gusset::stitch(gusset::MeshView::uniform(a.points, a.corners, 4), gusset::MeshView::uniform(b.points, b.corners, 4), arcs);
+    const gusset::Origins origins = stitch.origins();
+    const std::vector<Normal> normals(a.points.size(), Normal{0, 0, 1});
+    std::vector<Uv> uv;
+    for (std::size_t c = 0; c < a.corners.size(); ++c) {
+        uv.push_back({a.points[a.corners[c]][0] / n, a.points[a.corners[c]][1] / n});
+    }
+    const std::vector<uint32_t> numbers(n * n, 7);
+    const std::size_t vertices = origins.size(gusset::Domain::vertices), corners = origins.size(gusset::Domain::corners),
+                      faces = origins.size(gusset::Domain::faces);
+    std::vector<Normal> to_vertices(vertices);
+    std::vector<Uv> to_corners(corners);
+    std::vector<uint32_t> to_faces(faces);
+    const gusset::Context context;
+    const auto carry = [&](gusset::Domain domain, gusset::Rule rule, uint32_t type, uint32_t components, const void *from, std::size_t count,
+                           void *to, std::size_t room) {
+        gusset_channel channel{sizeof channel, static_cast<uint32_t>(domain), type, components, static_cast<uint32_t>(rule), 0, 0};
+        const gusset_channel_values given[2] = {{from, count, 0}, {from, count, 0}};
+        context.call(gusset_attributes_apply, origins.get(), &channel, +given, std::size_t{2}, to, room, std::size_t{0});
+    };
+    const double values = static_cast<double>(3 * vertices + 2 * corners + faces);
+    bench.compare<std::size_t>(
+        "attributes/apply", "normals, texture coordinates and numbers of a million faces",
+        [&] {
+            carry(gusset::Domain::vertices, gusset::Rule::normal, GUSSET_VALUE_F32, 3, normals.data(), normals.size(), to_vertices.data(), vertices);
+            carry(gusset::Domain::corners, gusset::Rule::texture, GUSSET_VALUE_F32, 2, uv.data(), uv.size(), to_corners.data(), corners);
+            carry(gusset::Domain::faces, gusset::Rule::nearest, GUSSET_VALUE_U32, 1, numbers.data(), numbers.size(), to_faces.data(), faces);
+            return vertices;
+        },
+        {{"limit", [&] {
+              for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+                  std::copy_n(normals.data(), normals.size(), to_vertices.data() + half * normals.size());
+                  std::copy_n(uv.data(), uv.size(), to_corners.data() + half * uv.size());
+                  std::copy_n(numbers.data(), numbers.size(), to_faces.data() + half * numbers.size());
+              }
+              return vertices;
+          }}},
+        values);
 }
 } // namespace
 
@@ -229,6 +304,9 @@ int main(int argc, char **argv) {
                                                        }
                                                        return row;
                                                    }}});
+        }
+        if (bench.wants("attributes/apply/limit")) {
+            attributes(bench);
         }
         for (const std::string &given : meshes) {
             const std::size_t equals = given.find('=');
