@@ -1278,6 +1278,10 @@ enum gusset_status
      */
     GUSSET_ERROR_BAD_WINGS = 1008,
     /**
+     * A merge map leads to a vertex that does not exist, or to one that is not one with itself.
+     */
+    GUSSET_ERROR_BAD_MERGE = 1009,
+    /**
      * There is no boundary loop that can be stitched, or of one mesh there are no two.
      */
     GUSSET_ERROR_NO_LOOP = 1100,
@@ -2424,7 +2428,7 @@ typedef struct gusset_sections_view {
  * unused ones may hold anything. The arrays may have any alignment. They must be as long as the
  * counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
  * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
- * and SIZE_OVERFLOW; counts are held against the limits before any element is read.
+ * BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read.
  *
  * As output: packed positions, face_offsets given, face_size 0.
  */
@@ -2475,6 +2479,14 @@ typedef struct gusset_mesh_view {
      * 0.
      */
     uint32_t reserved;
+    /**
+     * For each vertex the vertex that it is one with, of the type that index names: itself, or one
+     * that is one with itself; NULL if none is one with another. So can vertices be kept apart that
+     * carry different values, as at seams of texture coordinates, and the surface has no border
+     * there: see gusset_mesh_find_merge. Positions are those of the vertices that others are one
+     * with. Results name these in lists of vertices; their faces have the vertices that were given.
+     */
+    const void *merge;
 } gusset_mesh_view;
 
 /**
@@ -8622,6 +8634,29 @@ gusset_status gusset_attributes_apply(const struct gusset_context *context,
                                       void *values,
                                       size_t count,
                                       size_t stride);
+
+/**
+ * Finds which vertices of a mesh are one: those with equal keys, as of the vertices that were split
+ * at seams of texture coordinates or normals, or those at equal positions, where -0 equals 0.
+ *
+ * For each vertex it gives the smallest of those that it is one with, as the field merge of
+ * gusset_mesh_view takes it. A vertex whose position is not finite is one with itself alone, without
+ * keys.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the mesh.
+ * @param keys one for each vertex, at any alignment; NULL: positions.
+ * @param[out] merge room for as many numbers as the mesh has vertices; at any alignment.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(V log V) for V vertices; 8 bytes for each.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_mesh_find_merge(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *mesh,
+                                     const uint32_t *keys,
+                                     uint32_t *merge);
 
 /**
  * Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.

@@ -428,6 +428,12 @@ typedef struct gusset_plugin_mesh {
      * 0.
      */
     uint32_t reserved;
+    /**
+     * For each vertex the one that it is one with, itself or one that is one with itself; 32-bit; NULL
+     * if none is one with another. Vertices that are kept apart for their texture coordinates or
+     * normals leave no border then.
+     */
+    const void *merge;
 } gusset_plugin_mesh;
 
 /**

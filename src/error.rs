@@ -186,6 +186,9 @@ pub enum Error {
         corner: u32,
         vertex: u32,
     },
+    /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
+    #[error("vertex {vertex} is said to be one with vertex {value}, which does not exist or is one with another")]
+    BadMerge { vertex: u32, value: u32 },
     /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point, the
     /// tangent of a constraint, a node.
     #[error("{element} {index} has a coordinate that is {}", Number(.value))]

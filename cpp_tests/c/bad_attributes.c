@@ -1,6 +1,7 @@
 /* What a host can get wrong with origins and attributes, and what it gets if it does not. */
 #include "check.h"
 #include <math.h>
+#include <stddef.h>
 
 static gusset_context *context;
 
@@ -129,10 +130,42 @@ static void values_that_do_not_fit(void) {
     gusset_origins_destroy(origins);
 }
 
+static void merge_maps(void) {
+    gusset_mesh_view mesh = pyramid(pyramid_up);
+    uint32_t merge[5] = {0, 0, 0, 0, 0}, keys[5] = {7, 7, 9, 9, 7};
+    gusset_check *check = NULL;
+    gusset_error_report report = {0};
+
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_mesh_find_merge(context, NULL, NULL, merge));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_mesh_find_merge(context, &mesh, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_mesh_find_merge(context, misaligned(), NULL, merge));
+    EXPECT(GUSSET_OK, gusset_mesh_find_merge(context, &mesh, NULL, merge));
+    CHECK(merge[0] == 0 && merge[1] == 1 && merge[4] == 4);
+    EXPECT(GUSSET_OK, gusset_mesh_find_merge(context, &mesh, keys, merge));
+    CHECK(merge[0] == 0 && merge[1] == 0 && merge[2] == 2 && merge[3] == 2 && merge[4] == 0);
+    mesh.merge = merge;
+    merge[3] = 5;
+    EXPECT(GUSSET_ERROR_BAD_MERGE, gusset_check_create(context, &mesh, &check));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_VERTEX && report.index == 3 && report.value == 5);
+    /* A chain is no map. */
+    merge[1] = 1, merge[2] = 1, merge[3] = 2, merge[4] = 4;
+    EXPECT(GUSSET_ERROR_BAD_MERGE, gusset_check_create(context, &mesh, &check));
+    merge[3] = 1;
+    EXPECT(GUSSET_OK, gusset_check_create(context, &mesh, &check));
+    gusset_check_destroy(check);
+    /* A caller of an earlier version has none. */
+    mesh.struct_size = offsetof(gusset_mesh_view, merge), merge[3] = 77;
+    EXPECT(GUSSET_OK, gusset_check_create(context, &mesh, &check));
+    gusset_check_destroy(check);
+}
+
 int main(void) {
     EXPECT(GUSSET_OK, gusset_context_create(&context));
     origins_of_results();
     values_that_do_not_fit();
+    merge_maps();
     gusset_context_destroy(context);
     return failures != 0;
 }

@@ -18,7 +18,7 @@ NUMBERS = {"double": "F64", "float": "F32", "uint32_t": "U32", "int32_t": "I32",
 VECTORS = {"point", "normal", "direction", "query"}
 # What lies behind a `const void *`: coordinates in the type that the field `scalar` names, or numbers.
 UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "values": "SCALARS", "x": "SCALARS", "y": "SCALARS",
-           "z": "SCALARS", "face_offsets": "OFFSET", "face_corners": "U32"}
+           "z": "SCALARS", "face_offsets": "OFFSET", "face_corners": "U32", "merge": "U32"}
 # Arrays of points: three coordinates each, or as many as a field `dimension` says.
 POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points"}
 # Arrays that are results: what they hold after a failure is unspecified. Of other outputs, the first element is looked at.

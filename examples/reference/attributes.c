@@ -246,7 +246,45 @@ static void values_on_the_mesh_of_a_sheet(void) {
 }
 //! [sheet]
 
+//! [merge]
+static void split_vertices_are_no_border(void) {
+    /* Two triangles with an edge in common, whose vertices are split there as a seam of texture coordinates has them. */
+    const float points[6][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const uint32_t corners[6] = {0, 1, 2, 3, 4, 5};
+    uint32_t merge[6];
+    gusset_mesh_view mesh = {.struct_size = sizeof mesh,
+                             .positions = points,
+                             .vertex_count = 6,
+                             .face_corners = corners,
+                             .face_count = 2,
+                             .scalar = GUSSET_F32,
+                             .face_size = 3};
+    gusset_mesh_view whole = {.struct_size = sizeof whole};
+    gusset_boundary *boundary = NULL;
+    gusset_fill *fill = NULL;
+
+    MUST(gusset_boundary_create(NULL, &mesh, NULL, &boundary));
+    HOLDS(gusset_boundary_loop_count(boundary) == 2);
+    gusset_boundary_destroy(boundary);
+
+    MUST(gusset_mesh_find_merge(NULL, &mesh, NULL, merge));
+    HOLDS(merge[3] == 1 && merge[5] == 2 && merge[4] == 4);
+    mesh.merge = merge;
+    MUST(gusset_boundary_create(NULL, &mesh, NULL, &boundary));
+    HOLDS(gusset_boundary_loop_count(boundary) == 1);
+    gusset_boundary_destroy(boundary);
+
+    /* Old faces keep their vertices, and the result has a merge map, too. */
+    MUST(gusset_fill_create(NULL, &mesh, NULL, 0, NULL, &fill));
+    MUST(gusset_fill_get_mesh(fill, &whole));
+    HOLDS(whole.face_count == 4 && memcmp(whole.face_corners, corners, sizeof corners) == 0);
+    HOLDS(((const uint32_t *)whole.merge)[5] == 2);
+    gusset_fill_destroy(fill);
+}
+//! [merge]
+
 int main(void) {
+    split_vertices_are_no_border();
     colours_across_a_strip();
     texture_coordinates_in_a_hole();
     materials_of_pieces();

@@ -54,6 +54,22 @@ public:
     template <class... Arguments, class = std::enable_if_t<(detail::is_temporary<Arguments> || ...)>>
     static MeshView polygons(Arguments &&...) = delete;
 
+    /// The same mesh, whose vertices are one with others: merge[v] is the vertex that v is one with, itself
+    /// or one that is one with itself; see find_merge(). The indices must outlive the view. Throws
+    /// std::invalid_argument if there is not one for each vertex.
+    MeshView merged(Indices merge) const {
+        if (merge.size() != view_.vertex_count) {
+            throw std::invalid_argument("gusset: there is not one entry of the merge map for each vertex");
+        }
+        MeshView same(*this);
+        same.view_.merge = merge.data();
+        return same;
+    }
+    /// The vertex that each vertex is one with; empty if none is one with another.
+    Indices merge() const noexcept {
+        return {static_cast<const uint32_t *>(view_.merge), view_.merge == nullptr ? 0 : view_.vertex_count};
+    }
+
     const gusset_mesh_view &get() const noexcept { return view_; }
     /// The number of vertices.
     std::size_t vertex_count() const noexcept { return view_.vertex_count; }
@@ -106,6 +122,17 @@ enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_
 /// The side that closed components face: that of most of their faces, or as they are, in results of stitching and filling;
 /// or outwards.
 enum class Outward : uint32_t { keep = GUSSET_OUTWARD_KEEP, closed = GUSSET_OUTWARD_CLOSED };
+
+/// For each vertex the smallest one with an equal key, or without keys at the same position; see
+/// gusset_mesh_find_merge. Throws std::invalid_argument if there is not one key for each vertex.
+inline std::vector<uint32_t> find_merge(const MeshView &mesh, Indices keys = {}, const Context &context = Context()) {
+    if (!keys.empty() && keys.size() != mesh.vertex_count()) {
+        throw std::invalid_argument("gusset: there is not one key for each vertex");
+    }
+    std::vector<uint32_t> merge(mesh.vertex_count());
+    context.call(gusset_mesh_find_merge, &mesh.get(), keys.empty() ? nullptr : keys.data(), merge.data());
+    return merge;
+}
 
 } // namespace gusset
 

@@ -69,7 +69,7 @@ impl Continuation {
         spread: impl Fn(u32) -> I,
         job: &Job<'_>,
     ) -> Result<Continuation> {
-        let at = |corner: u32| mesh.positions.get(mesh.face_corners[corner as usize]);
+        let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
         let bases = alloc::collect(rims.edges.iter().map(|&edge| Base::new(mesh, edge)))?;
         let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
         let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
@@ -82,8 +82,8 @@ impl Continuation {
                     weights.push([0.0; 3]);
                     continue;
                 };
-                let v = mesh.face_corners[corner as usize];
-                let [start, end, _] = own.corners.map(|corner| mesh.face_corners[corner as usize]);
+                let v = mesh.corner(corner as usize);
+                let [start, end, _] = own.corners.map(|corner| mesh.corner(corner as usize));
                 weights.push(match v {
                     v if v == start => [1.0, 0.0, 0.0],
                     v if v == end => [0.0, 1.0, 0.0],
@@ -195,7 +195,7 @@ impl Base {
     /// With the corner of the face that is farthest from the line of the edge.
     fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> Base {
         let f = mesh.face_offsets.partition_point(|&offset| offset <= start) - 1;
-        let at = |corner: u32| mesh.positions.get(mesh.face_corners[corner as usize]);
+        let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
         let (p, way) = (at(start), at(end) - at(start));
         let off = |corner: u32| (at(corner) - p).reject_from_normalized(way.normalize_or_zero()).length_squared();
         let others =

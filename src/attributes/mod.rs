@@ -14,6 +14,7 @@
 //! | [`joined`](self) | results that keep all faces: of stitching, filling, orienting; strips |
 //! | [`repaired`](self) | results of welding, sewing, assembling |
 //! | [`grids`](self) | meshes of nets and sheets |
+//! | [`splits`](self) | vertices that are kept apart for their values |
 //! | [`values`](self) | types of values, and where those of a result go |
 //! | [`channel`](self) | values of one kind, and the rule by which they are mixed |
 //! | [`apply`](mod@apply) | a channel carried over |
@@ -27,6 +28,7 @@ mod joined;
 mod origins;
 mod repaired;
 mod rims;
+mod splits;
 mod table;
 mod values;
 
@@ -34,5 +36,6 @@ pub use apply::apply;
 pub use channel::{Channel, Rule};
 pub use domain::{Counts, Domain};
 pub use origins::Origins;
+pub use splits::KeepSplits;
 pub use table::Table;
 pub use values::{Output, ValueType};

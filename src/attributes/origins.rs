@@ -121,9 +121,9 @@ impl Origins {
         for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
             job.step_within(f, STAGE)?;
             let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
-            for &v in &mesh.face_corners[first..end] {
+            for corner in first..end {
                 row.clear();
-                for (v, weight) in spread_of(&spread, old_vertices, v) {
+                for (v, weight) in spread_of(&spread, old_vertices, mesh.corner(corner)) {
                     let (corner, _) = corner_source(v, base);
                     if corner != NONE {
                         alloc::extend(

@@ -39,7 +39,7 @@ impl Rims {
     /// faces.
     pub(super) fn find(mesh: &Mesh, first_face: usize, job: &Job<'_>) -> Result<Rims> {
         let first_corner = mesh.face_offsets[first_face];
-        let new = &mesh.face_corners[first_corner as usize..];
+        let new = alloc::collect((first_corner as usize..mesh.face_corners.len()).map(|corner| mesh.corner(corner)))?;
         let mut is_new = BitSet::new(mesh.positions.len())?;
         new.iter().for_each(|&v| is_new.insert(v));
 
@@ -83,7 +83,7 @@ impl Rims {
             if corner + 1 == mesh.face_offsets[f + 1] { mesh.face_offsets[f] } else { corner + 1 }
         };
         let edges = alloc::collect(edges.into_iter().map(|corner| [corner, after(corner)]))?;
-        let at = |corner: u32| mesh.face_corners[corner as usize];
+        let at = |corner: u32| mesh.corner(corner as usize);
         let mut ends = alloc::gather(
             edges
                 .iter()
@@ -92,13 +92,13 @@ impl Rims {
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
         let mut rims = Rims { edges, bases, ends, loose: Vec::new() };
-        rims.find_loose(mesh, first_corner as usize, &job.part(0.9, 1.0))?;
+        rims.find_loose(mesh, &new, &job.part(0.9, 1.0))?;
         Ok(rims)
     }
 
     /// Corners of old faces at the old vertices of new faces that no rim edge ends at.
-    fn find_loose(&mut self, mesh: &Mesh, first_corner: usize, job: &Job<'_>) -> Result<()> {
-        let (old, new) = mesh.face_corners.split_at(first_corner);
+    fn find_loose(&mut self, mesh: &Mesh, new: &[u32], job: &Job<'_>) -> Result<()> {
+        let old = mesh.face_corners.len() - new.len();
         let mut wanted = BitSet::new(mesh.positions.len())?;
         let mut any = false;
         for &v in new.iter().filter(|&&v| self.first_end(v).is_none()) {
@@ -106,8 +106,9 @@ impl Rims {
             any = true;
         }
         if any {
-            job.ranges(STAGE, old.len(), |range| {
-                let found = range.filter(|&c| wanted.contains(old[c])).map(|c| (old[c], c as u32));
+            job.ranges(STAGE, old, |range| {
+                let named = range.map(|corner| (mesh.corner(corner), corner as u32));
+                let found = named.filter(|&(v, _)| wanted.contains(v));
                 alloc::extend(&mut self.loose, found)
             })?;
             sort(&mut self.loose, Ord::cmp, job, STAGE)?;
@@ -138,8 +139,8 @@ impl Rims {
 /// The sides of a face: both vertices, and the corner where each starts.
 fn sides_of(mesh: &Mesh, f: usize) -> impl Iterator<Item = ([u32; 2], u32)> + use<'_> {
     let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
-    let face = &mesh.face_corners[first..end];
-    face.iter().zip(face.iter().cycle().skip(1)).zip(first as u32..).map(|((&u, &v), corner)| ([u, v], corner))
+    let after = move |corner: usize| if corner + 1 == end { first } else { corner + 1 };
+    (first..end).map(move |corner| ([mesh.corner(corner), mesh.corner(after(corner))], corner as u32))
 }
 
 /// The bases of so many faces. `own`: faces with rim edges of their own, as (face, _, edge);

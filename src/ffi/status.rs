@@ -62,6 +62,8 @@ pub enum gusset_status {
     GUSSET_ERROR_MIXED_SCALARS = 1007,
     /// A record of a winged-edge table fits no mesh.
     GUSSET_ERROR_BAD_WINGS = 1008,
+    /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
+    GUSSET_ERROR_BAD_MERGE = 1009,
     /// There is no boundary loop that can be stitched, or of one mesh there are no two.
     GUSSET_ERROR_NO_LOOP = 1100,
     /// A loop of fewer than three vertices.
@@ -275,6 +277,7 @@ impl From<Error> for Failure {
             IndexOutOfRange { corner, vertex, .. } => {
                 at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner, vertex.into())
             }
+            BadMerge { vertex, value } => at(GUSSET_ERROR_BAD_MERGE, GUSSET_ELEMENT_VERTEX, vertex, value.into()),
             NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
             BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
             InputsDiffer { given, needed } => {

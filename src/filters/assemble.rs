@@ -2,6 +2,7 @@ use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, EDGE, FACE};
 use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};
+use crate::attributes::KeepSplits;
 use crate::fill;
 use crate::repair::weld;
 use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, assemble};
@@ -96,7 +97,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         },
         ..Options::default()
     };
-    let done = assemble(&pieces, &options, job)?;
+    let mut done = assemble(&pieces, &options, job)?;
+    done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }

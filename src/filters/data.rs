@@ -164,5 +164,5 @@ pub(super) fn with_positions(mesh: &MeshView<'_>, positions: PositionBuffer) -> 
     let faces = mesh.faces();
     let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
     let face_corners = alloc::collect(faces.corners(0..faces.half_edge_count()))?;
-    Ok(Mesh { positions, face_offsets: alloc::collect(offsets)?, face_corners })
+    Ok(Mesh::new(positions, alloc::collect(offsets)?, face_corners))
 }

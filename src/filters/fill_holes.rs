@@ -1,5 +1,6 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
+use crate::attributes::KeepSplits;
 use crate::fill::{
     Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
@@ -76,7 +77,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
     };
     let old = inputs[0].mesh()?;
-    let done = fill_holes(old, Selection::All, &options, job)?;
+    let mut done = fill_holes(old, Selection::All, &options, job)?;
+    done.keep_splits(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }

@@ -1,5 +1,6 @@
 use super::prelude::*;
 use super::report::{FACE, PIECE};
+use crate::attributes::KeepSplits;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.
@@ -20,7 +21,8 @@ pub(super) const FILTER: Filter = Filter {
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let outward = values.choice("outward", Outward::CHOICES);
-    let done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
+    let mut done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
+    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }

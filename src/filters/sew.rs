@@ -1,6 +1,7 @@
 use super::prelude::*;
 use super::report::{EDGE, FACE, VERTEX};
 use super::weld::{TOLERANCES, UNUSED_PARAM, removes_unused, tolerance};
+use crate::attributes::KeepSplits;
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::Options;
 
@@ -25,7 +26,8 @@ pub(super) const FILTER: Filter = Filter {
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options { tolerance: tolerance(values), remove_unused: removes_unused(values), ..Options::default() };
-    let done = sew(inputs[0].mesh()?, &options, job)?;
+    let mut done = sew(inputs[0].mesh()?, &options, job)?;
+    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }

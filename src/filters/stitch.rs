@@ -2,6 +2,7 @@ use super::facing_arcs::RUN_HELP;
 use super::fill_holes::{OUTWARD_HELP, cuts, turned_outwards};
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
+use crate::attributes::KeepSplits;
 use crate::boundary::{self, boundary_loops};
 use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
@@ -111,7 +112,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
         ..Options::default()
     };
-    let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
+    let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
+    done.keep_splits(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }

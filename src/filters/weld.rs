@@ -1,5 +1,6 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_EDGE, EDGE, FACE, VERTEX};
+use crate::attributes::KeepSplits;
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 
 pub(super) const FILTER: Filter = Filter {
@@ -59,7 +60,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         collapse: values.choice("collapse", COLLAPSE),
         remove_unused: removes_unused(values),
     };
-    let done = weld(inputs[0].mesh()?, &options, job)?;
+    let mut done = weld(inputs[0].mesh()?, &options, job)?;
+    done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
 }

@@ -57,11 +57,8 @@ pub(crate) fn empty<'m, 'a: 'm>(
     check_size(counts[0], counts[2])?;
     let mut face_offsets = alloc::with_capacity(counts[1] as usize + 1)?;
     face_offsets.push(0);
-    Ok(Mesh {
-        positions: PositionBuffer::with_capacity(scalar, counts[0] as usize)?,
-        face_offsets,
-        face_corners: alloc::with_capacity(counts[2] as usize)?,
-    })
+    let positions = PositionBuffer::with_capacity(scalar, counts[0] as usize)?;
+    Ok(Mesh::new(positions, face_offsets, alloc::with_capacity(counts[2] as usize)?))
 }
 
 /// Appends a piece to a mesh that has room for it; the faces that `turn` names are turned over,

@@ -6,6 +6,7 @@
 //!   the algorithms need not.
 //! * [`Mesh`] owns its arrays; it is what the algorithms return.
 //! * [`concatenate`] puts many meshes side by side in one.
+//! * [`merge`]: which vertices are one, of those that are kept apart for the values that they carry.
 //! * [`Topology`] says which half-edges share an edge.
 //!
 //! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of
@@ -13,6 +14,7 @@
 
 pub(crate) mod concat;
 mod defect;
+pub mod merge;
 mod owned;
 mod pairing;
 mod topology;

@@ -102,9 +102,23 @@ pub struct Mesh {
     pub face_offsets: Vec<u32>,
     /// Vertex indices, face after face.
     pub face_corners: Vec<u32>,
+    /// For each vertex the one that it is one with, where faces name vertices that are kept apart for
+    /// the values that they carry; see [`Faces::merged`].
+    pub merge: Option<Vec<u32>>,
 }
 
 impl Mesh {
+    /// A mesh none of whose vertices is one with another.
+    pub(crate) fn new(positions: PositionBuffer, face_offsets: Vec<u32>, face_corners: Vec<u32>) -> Mesh {
+        Mesh { positions, face_offsets, face_corners, merge: None }
+    }
+
+    /// The vertex at a corner, as the one that it is one with.
+    pub(crate) fn corner(&self, corner: usize) -> u32 {
+        let v = self.face_corners[corner];
+        self.merge.as_ref().map_or(v, |merge| merge[v as usize])
+    }
+
     /// The number of faces.
     pub fn face_count(&self) -> usize {
         self.face_offsets.len() - 1
@@ -135,6 +149,11 @@ impl Mesh {
 
     /// A validated view; see [`MeshView::new`] for the errors.
     pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
-        MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)
+        let faces = Faces::polygons(&self.face_offsets, &self.face_corners)?;
+        let faces = match &self.merge {
+            Some(merge) => faces.merged(bytemuck::cast_slice(merge), self.positions.len())?,
+            None => faces,
+        };
+        MeshView::new(self.positions.view(), faces, job)
     }
 }

@@ -194,6 +194,8 @@ pub struct Faces<'a> {
     corners: Indices<'a>,
     layout: Layout<'a>,
     count: usize,
+    /// For each vertex the one that it is one with.
+    merge: Option<Indices<'a>>,
 }
 
 impl<'a> Faces<'a> {
@@ -203,7 +205,12 @@ impl<'a> Faces<'a> {
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`], [`Error::ArrayTooShort`].
     pub fn uniform(corners: &'a [u8], face_size: u32, count: usize) -> Result<Self> {
         let needed = Self::corner_count(face_size, count)? * 4;
-        Ok(Faces { corners: indices(corners, needed, "corners")?, layout: Layout::Uniform(face_size), count })
+        Ok(Faces {
+            corners: indices(corners, needed, "corners")?,
+            layout: Layout::Uniform(face_size),
+            count,
+            merge: None,
+        })
     }
 
     /// Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`; both are native-endian
@@ -215,7 +222,55 @@ impl<'a> Faces<'a> {
     pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
         let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         let needed = offsets.get(count) as usize * 4;
-        Ok(Faces { corners: indices(corners, needed, "corners")?, layout: Layout::Offsets(offsets), count })
+        Ok(Faces {
+            corners: indices(corners, needed, "corners")?,
+            layout: Layout::Offsets(offsets),
+            count,
+            merge: None,
+        })
+    }
+
+    /// The same faces, of which vertices are one with others: `merge` holds for each vertex a native-endian
+    /// `u32`, the vertex that it is one with, itself or one that is so. Faces have these vertices at
+    /// their corners from now on.
+    ///
+    /// # Errors
+    /// [`Error::ArrayTooShort`]. The map itself is checked by [`MeshView::new`].
+    pub fn merged(self, merge: &'a [u8], vertices: usize) -> Result<Self> {
+        let needed =
+            vertices.checked_mul(4).ok_or(Error::SizeOverflow { what: "merged vertices", count: vertices as u64 })?;
+        Ok(Faces { merge: Some(indices(merge, needed, "merged vertices")?), ..self })
+    }
+
+    /// True if some vertices may be one with others.
+    pub fn is_merged(&self) -> bool {
+        self.merge.is_some()
+    }
+
+    /// The vertex that one is one with; itself if it is beyond all.
+    pub fn merge_of(&self, v: u32) -> u32 {
+        match self.merge {
+            Some(merge) if (v as usize) < merge.len() => merge.get(v as usize),
+            _ => v,
+        }
+    }
+
+    /// The vertex that corner `h` names, before vertices are made one.
+    pub fn split_corner(&self, h: u32) -> u32 {
+        self.corners.get(h as usize)
+    }
+
+    /// Each vertex is one with itself, or with one that is so.
+    fn check_merge(&self, vertices: usize) -> Result<()> {
+        let Some(merge) = self.merge else { return Ok(()) };
+        let is_bad = |&v: &usize| {
+            let of = merge.get(v);
+            of as usize >= vertices || merge.get(of as usize) != of
+        };
+        match (0..vertices).find(is_bad) {
+            Some(v) => Err(Error::BadMerge { vertex: v as u32, value: merge.get(v) }),
+            None => Ok(()),
+        }
     }
 
     /// The number of corners of `count` faces of `face_size` corners.
@@ -314,18 +369,20 @@ impl<'a> Faces<'a> {
 
     /// The vertex at corner `h`, where half-edge `h` starts.
     pub fn corner(&self, h: u32) -> u32 {
-        self.corners.get(h as usize)
+        let v = self.corners.get(h as usize);
+        self.merge.map_or(v, |merge| merge.get(v as usize))
     }
 
     /// The vertices of the corners in `range`.
     pub fn corners(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
-        self.corners.slice(range)
+        let merge = self.merge;
+        self.corners.slice(range).map(move |v| merge.map_or(v, |merge| merge.get(v as usize)))
     }
 
     /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has
     /// more than four corners.
     pub(crate) fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
-        if let Layout::Uniform(3) = self.layout {
+        if let (Layout::Uniform(3), None) = (self.layout, self.merge) {
             let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
             for (f, triangle) in faces.zip(corners) {
                 visitor.face(3 * f as u32, &bytemuck::pod_read_unaligned::<[u32; 3]>(triangle))?;
@@ -381,7 +438,8 @@ impl<'a> MeshView<'a> {
     ///
     /// # Errors
     /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`],
-    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], each with the first offending element;
+    /// [`Error::IndexOutOfRange`], [`Error::BadMerge`], [`Error::NotFinite`], each with the first
+    /// offending element;
     /// [`Error::Cancelled`].
     pub fn new(positions: Positions<'a>, faces: Faces<'a>, job: &Job<'_>) -> Result<Self> {
         let mesh = MeshView { positions, faces };
@@ -395,6 +453,7 @@ impl<'a> MeshView<'a> {
         if let Layout::Offsets(offsets) = faces.layout {
             offsets.check(job)?;
         }
+        faces.check_merge(positions.len())?;
         job.step(0.3, "checking the mesh")?;
         // Both arrays in as many parts, so that the threads start once.
         let (corners, vertices) = (faces.half_edge_count(), positions.len());
@@ -439,11 +498,13 @@ impl<'a> MeshView<'a> {
         let count = self.positions.len();
         // Whether at all first: a loop without an exit runs several times as fast.
         let beyond = |any, v: u32| any | u32::from(v >= count as u32);
-        if self.faces.corners(range.clone()).fold(0, beyond) == 0 {
+        let named = self.faces.corners.slice(range.clone());
+        if named.clone().fold(0, beyond) == 0 {
             return Ok(());
         }
-        let corner = self.faces.corners(range.clone()).position(|v| v as usize >= count).unwrap_or(0);
+        let corner = named.clone().position(|v| v as usize >= count).unwrap_or(0);
         let corner = (range.start + corner) as u32;
-        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex: self.faces.corner(corner) })
+        let vertex = self.faces.split_corner(corner);
+        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex })
     }
 }

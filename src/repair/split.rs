@@ -38,7 +38,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view())?;
 
     let mut done = SplitMesh {
-        mesh: Mesh { positions, face_offsets: alloc::filled(0, 1)?, face_corners: Vec::new() },
+        mesh: Mesh::new(positions, alloc::filled(0, 1)?, Vec::new()),
         face_origin: Vec::new(),
         corner_origins: CornerOrigins::default(),
         new_vertices: alloc::collect(splits.iter().map(|split| (edges[split.edge as usize].ends, split.at)))?,

@@ -201,7 +201,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     Ok(Weld {
         welded_vertices: representative.iter().enumerate().filter(|&(v, &r)| r as usize != v).count() as u32,
         dropped_faces: (faces.len() + 1 - face_offsets.len()) as u32,
-        mesh: Mesh { positions, face_offsets, face_corners },
+        mesh: Mesh::new(positions, face_offsets, face_corners),
         vertex_map,
         face_map,
         old_corners: faces.half_edge_count(),

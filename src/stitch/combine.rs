@@ -64,7 +64,7 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
 /// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.
 pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
     let faces = strip.faces;
-    Ok(Mesh { positions: whole.positions.select(names)?, face_offsets: faces.offsets, face_corners: faces.corners })
+    Ok(Mesh::new(whole.positions.select(names)?, faces.offsets, faces.corners))
 }
 
 /// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in
@@ -82,9 +82,6 @@ pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Me
         job.step(0.5 + 0.5 * face_corners.len() as f64 / corners.len() as f64, STAGE)?;
         face_corners.extend(part.iter().map(|v| names.partition_point(|name| name < v) as u32));
     }
-    Ok(Mesh {
-        positions: whole.positions.select(&names)?,
-        face_offsets: alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?,
-        face_corners,
-    })
+    let face_offsets = alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?;
+    Ok(Mesh::new(whole.positions.select(&names)?, face_offsets, face_corners))
 }

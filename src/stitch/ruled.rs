@@ -103,6 +103,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     positions.extend(a.iter().chain(b).copied())?;
     positions.extend(strip.grid.points[rims..].iter().map(|&p| p * unit))?;
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
+    let face_corners = alloc::collect(strip.faces.corners.iter().map(|&v| name(v)))?;
     Ok(Ruled {
         start: [strip.a.vertices[0], strip.b.vertices[0]],
         counts: [n, b.len() as u32],
@@ -110,11 +111,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         matrix,
         parents: alloc::collect(strip.parents.iter().map(|parents| [0, 1].map(|k| name(parents.vertices[k]))))?,
         weights: alloc::collect(strip.parents.iter().map(|parents| parents.weights[1]))?,
-        mesh: Mesh {
-            positions,
-            face_corners: alloc::collect(strip.faces.corners.iter().map(|&v| name(v)))?,
-            face_offsets: strip.faces.offsets,
-        },
+        mesh: Mesh::new(positions, strip.faces.offsets, face_corners),
         meridians: strip.meridians,
     })
 }

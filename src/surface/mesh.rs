@@ -262,7 +262,7 @@ impl<'a> Lattice<'a> {
                 }
             }
         }
-        let mesh = Mesh { positions: PositionBuffer::F64(positions), face_offsets, face_corners };
+        let mesh = Mesh::new(PositionBuffer::F64(positions), face_offsets, face_corners);
         let with_end = |k: usize| {
             let mut lines = alloc::copied(&self.lines[k])?;
             if self.sheet.is_closed()[k] {

@@ -1,5 +1,6 @@
 //! C interface to the assembly of many pieces.
 
+use crate::attributes::KeepSplits;
 use crate::ffi::mesh::fill::{gusset_fill_options, gusset_hole};
 use crate::ffi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
 use crate::ffi::mesh::weld::gusset_weld_options;
@@ -408,11 +409,18 @@ pub unsafe extern "C" fn gusset_assembly_create(
 ) -> gusset_status {
     create(context, assembly, "assembly", |job| {
         let options = input::read(options, true, "options")?;
-        let given = pairs(options.pairs, options.pair_count, "pairs")?;
-        let excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
-        let options = options.checked(&given, &excluded)?;
+        let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
+        let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
         let views = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        Ok(gusset_assembly::new(assemble(&views, &options, &job.part(0.1, 1.0))?)?)
+        for selector in given.iter_mut().chain(&mut excluded).flatten() {
+            if let Some(view) = views.get(selector.piece as usize) {
+                selector.vertex = view.faces().merge_of(selector.vertex);
+            }
+        }
+        let options = options.checked(&given, &excluded)?;
+        let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
+        done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
+        Ok(gusset_assembly::new(done)?)
     })
 }
 

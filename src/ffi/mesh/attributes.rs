@@ -2,9 +2,11 @@
 
 use crate::attributes::{Channel, Output, Rule, ValueType, apply};
 use crate::ffi::mesh::origins::{gusset_domain, gusset_origins};
+use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
 use crate::geom::strided::Strided;
+use crate::mesh::merge::merge_map;
 
 /// The type of values.
 pub type gusset_value_type = u32;
@@ -164,5 +166,40 @@ pub unsafe extern "C" fn gusset_attributes_apply(
         let out = input::results(values.cast::<u8>(), room, "values")?;
         let mut out = Output::new(out, stride, count, channel.values())?;
         Ok(apply(origins, &channel, &mut out, job)?)
+    })
+}
+
+/// Finds which vertices of a mesh are one: those with equal keys, as of the vertices that were split
+/// at seams of texture coordinates or normals, or those at equal positions, where -0 equals 0.
+///
+/// For each vertex it gives the smallest of those that it is one with, as the field merge of
+/// gusset_mesh_view takes it. A vertex whose position is not finite is one with itself alone, without
+/// keys.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param mesh the mesh.
+/// @param keys one for each vertex, at any alignment; NULL: positions.
+/// @param[out] merge room for as many numbers as the mesh has vertices; at any alignment.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(V log V) for V vertices; 8 bytes for each.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_mesh_find_merge(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    keys: *const u32,
+    merge: *mut u32,
+) -> gusset_status {
+    guard(context, |job| {
+        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let count = mesh.positions().len();
+        let keys = (!keys.is_null()).then(|| input::list(keys, count, "keys")).transpose()?;
+        let found = merge_map(&mesh, keys.as_deref(), &job.part(0.1, 1.0))?;
+        if merge.is_null() {
+            return Err(Failure::null("merge"));
+        }
+        input::results(merge.cast::<u8>(), 4 * count, "merge")?.copy_from_slice(bytemuck::cast_slice(&found));
+        Ok(())
     })
 }

@@ -1,5 +1,6 @@
 //! C interface: hole filling.
 
+use crate::attributes::KeepSplits;
 use crate::ffi::mesh::stitch::gusset_quality_report;
 use crate::ffi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
@@ -386,6 +387,9 @@ pub unsafe extern "C" fn gusset_fill_create(
         let options = given_options.checked()?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let given = given(loops, loop_count)?;
+        let merged =
+            |loops: Vec<Vec<u32>>| alloc::gather(loops.into_iter().map(|vertices| mesh::merged(&mesh, vertices)));
+        let given = given.map(merged).transpose()?;
         let slices = given.as_ref().map(|loops| alloc::collect(loops.iter().map(Vec::as_slice))).transpose()?;
         let numbers = given_options.groups(loops, loop_count)?;
         let groups = match (&slices, &numbers) {
@@ -397,7 +401,8 @@ pub unsafe extern "C" fn gusset_fill_create(
             (Some(loops), None) => Selection::Loops(loops),
             (Some(_), Some(_)) => Selection::Groups(&groups),
         };
-        let filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 1.0))?;
+        let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
+        filled.keep_splits(&[&mesh], &job.part(0.95, 1.0))?;
         let holes = alloc::collect(filled.holes.iter().map(gusset_hole::of))?;
         Ok(gusset_fill { filled, holes })
     })

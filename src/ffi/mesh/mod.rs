@@ -47,7 +47,7 @@ pub struct gusset_indices {
 /// unused ones may hold anything. The arrays may have any alignment. They must be as long as the
 /// counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS
-/// and SIZE_OVERFLOW; counts are held against the limits before any element is read.
+/// BAD_MERGE and SIZE_OVERFLOW; counts are held against the limits before any element is read.
 ///
 /// As output: packed positions, face_offsets given, face_size 0.
 #[repr(C)]
@@ -77,6 +77,12 @@ pub struct gusset_mesh_view {
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
+    /// For each vertex the vertex that it is one with, of the type that index names: itself, or one
+    /// that is one with itself; NULL if none is one with another. So can vertices be kept apart that
+    /// carry different values, as at seams of texture coordinates, and the surface has no border
+    /// there: see gusset_mesh_find_merge. Positions are those of the vertices that others are one
+    /// with. Results name these in lists of vertices; their faces have the vertices that were given.
+    pub merge: *const c_void,
 }
 
 versioned! { gusset_mesh_view: 72 reserved }
@@ -138,6 +144,12 @@ pub(crate) fn checked<'a>(
         let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
         Faces::with_offsets(offsets, corners, view.face_count)?
     };
+    let faces = if view.merge.is_null() {
+        faces
+    } else {
+        let merge = input::bytes(view.merge, view.vertex_count, 4, "merge")?;
+        faces.merged(merge, view.vertex_count)?
+    };
     Ok(MeshView::new(positions, faces, job)?)
 }
 
@@ -159,6 +171,7 @@ pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
         index: GUSSET_U32,
         face_size: 0,
         reserved: 0,
+        merge: mesh.merge.as_ref().map_or(ptr::null(), |merge| lent(merge).cast()),
     }
 }
 
@@ -167,6 +180,12 @@ impl gusset_indices {
     pub(crate) fn lend(indices: &[u32]) -> Self {
         gusset_indices { data: lent(indices), count: indices.len() }
     }
+}
+
+/// Vertices of a mesh, each as the one that it is one with.
+pub(crate) fn merged(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
+    vertices.iter_mut().for_each(|v| *v = mesh.faces().merge_of(*v));
+    vertices
 }
 
 /// The caller's indices, copied as they may have any alignment; `None` for a NULL struct.

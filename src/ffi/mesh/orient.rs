@@ -1,5 +1,6 @@
 //! C interface: orientation.
 
+use crate::attributes::KeepSplits;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
@@ -92,7 +93,8 @@ pub unsafe extern "C" fn gusset_orient_create(
     create(context, orient, "orient", |job| {
         let options = Options { outward: choice(input::read(options, true, "options")?.outward)? };
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let done = self::orient(&mesh, &options, &job.part(0.2, 1.0))?;
+        let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
+        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         let one_sided = [
             alloc::collect(done.one_sided.iter().map(|found| found.face))?,
             alloc::collect(done.one_sided.iter().map(|found| found.half_edge))?,

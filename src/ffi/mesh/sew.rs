@@ -1,5 +1,6 @@
 //! C interface: sewing.
 
+use crate::attributes::KeepSplits;
 use crate::ffi::mesh::weld::gusset_weld_options;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
@@ -84,7 +85,9 @@ pub unsafe extern "C" fn gusset_sew_create(
     create(context, sew, "sew", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        Ok(gusset_sew(self::sew(&mesh, &options, &job.part(0.1, 1.0))?))
+        let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
+        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
+        Ok(gusset_sew(done))
     })
 }
 

@@ -1,5 +1,6 @@
 //! C interface: stitching.
 
+use crate::attributes::KeepSplits;
 use crate::ffi::mesh::stitch_options::gusset_stitch_options;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
@@ -169,10 +170,14 @@ pub unsafe extern "C" fn gusset_stitch_create(
         let options = input::read(options, true, "options")?.checked()?;
         let a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
-        let loop_a = mesh::indices(loop_a, "loop_a")?;
+        let loop_a = mesh::indices(loop_a, "loop_a")?.map(|vertices| mesh::merged(&a, vertices));
         let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.of_input(1))?;
+        let loop_b = loop_b.map(|vertices| mesh::merged(b.as_ref().unwrap_or(&a), vertices));
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
-        Ok(gusset_stitch(self::stitch(&request, &options, &job.part(0.2, 1.0))?))
+        let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;
+        let inputs = [Some(&a), b.as_ref()];
+        done.keep_splits(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
+        Ok(gusset_stitch(done))
     })
 }
 

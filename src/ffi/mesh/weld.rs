@@ -1,5 +1,6 @@
 //! C interface: welding.
 
+use crate::attributes::KeepSplits;
 use crate::ffi::mesh::stitch_options::tolerance;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
@@ -136,7 +137,9 @@ pub unsafe extern "C" fn gusset_weld_create(
     create(context, weld, "weld", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        Ok(gusset_weld(self::weld(&mesh, &options, &job.part(0.1, 1.0))?))
+        let mut done = self::weld(&mesh, &options, &job.part(0.1, 0.9))?;
+        done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
+        Ok(gusset_weld(done))
     })
 }
 

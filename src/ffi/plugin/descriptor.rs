@@ -83,6 +83,10 @@ pub struct gusset_plugin_mesh {
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
+    /// For each vertex the one that it is one with, itself or one that is one with itself; 32-bit; NULL
+    /// if none is one with another. Vertices that are kept apart for their texture coordinates or
+    /// normals leave no border then.
+    pub merge: *const c_void,
 }
 
 versioned! {

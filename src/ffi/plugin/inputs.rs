@@ -21,7 +21,7 @@ const _: () = assert!(GUSSET_PLUGIN_F32 == GUSSET_F32 && GUSSET_PLUGIN_F64 == GU
 laid_out_like! {
     gusset_plugin_mesh: gusset_mesh_view {
         struct_size, positions, position_stride, vertex_count, face_offsets, face_corners, face_count, scalar, index,
-        face_size, reserved,
+        face_size, reserved, merge,
     }
 }
 

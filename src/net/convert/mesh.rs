@@ -370,7 +370,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         })?;
         let nodes = node_of_vertex.iter().map(|&node| self.places.of_class(node));
         let positions = positions(self.planes, nodes, &part(0.8, 1.0))?;
-        let mesh = Mesh { positions, face_offsets: self.offsets, face_corners: self.nodes };
+        let mesh = Mesh::new(positions, self.offsets, self.nodes);
         let columns = self.planes.shape().columns();
         let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
         job.step(1.0, NUMBERS)?;

@@ -2,6 +2,7 @@
 
 mod fields;
 mod rules;
+mod splits;
 mod textures;
 
 use crate::common::Soup;
