@@ -68,7 +68,7 @@ static void results(void) {
     gusset_indices loops[5];
     gusset_fill_view parts = {0};
     parts.struct_size = sizeof parts;
-    gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
+    gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL};
     gusset_quality_report quality = {sizeof quality, 0, 0, 0, 0, 0, 0, 0, 0};
     gusset_fill *fill = NULL;
     char bytes[1 + sizeof rim];

@@ -478,7 +478,7 @@ static void odd_addresses(void) {
     char *points = malloc(size), *faces = malloc(1 + sizeof pyramid_faces);
     gusset_mesh_view mesh = pyramid(pyramid_up);
     const gusset_mesh_view down = pyramid(pyramid_down);
-    gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
+    gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL};
     gusset_stitch *stitch = NULL;
     int i;
     CHECK(points != NULL && faces != NULL);

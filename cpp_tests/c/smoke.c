@@ -8,7 +8,7 @@ static void layouts(void) {
     CHECK(gusset_abi() == 1);
     if (sizeof(void *) == 8) {
         CHECK(sizeof(gusset_indices) == 16);
-        CHECK(sizeof(gusset_mesh_view) == 72 && offsetof(gusset_mesh_view, scalar) == 56);
+        CHECK(sizeof(gusset_mesh_view) == 80 && offsetof(gusset_mesh_view, merge) == 72);
         CHECK(sizeof(gusset_boundary_options) == 16);
         CHECK(sizeof(gusset_loop_view) == 80 && offsetof(gusset_loop_view, length) == 64);
         CHECK(sizeof(gusset_defect) == 16);
@@ -62,7 +62,7 @@ static void stitch_two_pyramids(gusset_context *context) {
     const uint32_t rim[4] = {3, 2, 1, 4};
     const gusset_indices loop = {rim, 4};
     gusset_stitch_options options = {0};
-    gusset_mesh_view whole = {sizeof whole, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0}, strip = whole;
+    gusset_mesh_view whole = {sizeof whole, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL}, strip = whole;
     gusset_stitch_view parts;
     gusset_quality_report quality;
     gusset_stitch *stitch = NULL;

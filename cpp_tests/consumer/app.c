@@ -7,8 +7,8 @@ int main(void) {
     const double up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
     const double down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -1}, {0, 1, -1}};
     const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
-    gusset_mesh_view a = {sizeof a, up, 0, 5, NULL, faces, 4, GUSSET_F64, GUSSET_U32, 3, 0};
-    gusset_mesh_view b = a, joined = {sizeof joined, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
+    gusset_mesh_view a = {sizeof a, up, 0, 5, NULL, faces, 4, GUSSET_F64, GUSSET_U32, 3, 0, NULL};
+    gusset_mesh_view b = a, joined = {sizeof joined, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0, NULL};
     gusset_stitch *stitch = NULL;
     size_t vertices, faces_joined;
     b.positions = down;

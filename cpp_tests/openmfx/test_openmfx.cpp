@@ -350,7 +350,8 @@ TEST_CASE("parameters left alone suit the inputs, unless that is switched off") 
                                          GUSSET_PLUGIN_F32,
                                          0,
                                          0,
-                                         0};
+                                         0,
+                                         nullptr};
         const gusset_input input = {sizeof input, &view, GUSSET_KIND_MESH, 0};
         std::vector<double> values(filter.value_count);
         REQUIRE(filter.suggest(&filter, &input, 1, values.data()) == GUSSET_PLUGIN_DONE);
