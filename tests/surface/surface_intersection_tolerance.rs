@@ -2,11 +2,11 @@
 //! by default.
 
 use crate::common::some_of;
-use crate::pairs::check;
+use crate::pairs::{check, distance};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::surface_intersection::Options;
-use gusset::surface::{ContactKind, Grid, Nodes, Patches, Paths, Scheme, Sheet, Surface};
+use gusset::surface::{Contact, ContactKind, Grid, Nodes, Patches, Paths, Scheme, Sheet, Surface};
 use std::f64::consts::TAU;
 
 /// From far below the cells to far above them.
@@ -201,11 +201,26 @@ fn bumps(seed: u64, cells: usize) -> Surface<'static> {
     })
 }
 
+/// How far paths with another tolerance may be from those of the default, whose chords are near to
+/// the curve within 2e-4.
+const REACH: f64 = 1e-3;
+
+/// Points of the paths that are expected are on those that are found, or within a contact, or in
+/// cells that are listed.
+fn assert_none_is_lost_silently(paths: &Paths, expected: &Paths, a: &Surface<'_>, what: &str) {
+    for (&point, place) in expected.points.iter().zip(&expected.places) {
+        let is_of = |contact: &Contact| a.jet(contact.place).point.distance(point) <= contact.radius + REACH;
+        let is_listed = || paths.unresolved.iter().any(|other| (other.sheet, other.cell) == (place.sheet, place.cell));
+        let is_said = is_listed() || paths.contacts.iter().any(is_of);
+        assert!(is_said || distance(paths, point) <= REACH, "{what}: {point} is lost");
+    }
+}
+
 /// Random sheets: with any tolerance the paths are those of the default, but for contacts and for
 /// cells that are said to be unresolved.
 #[test]
 fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
-    let (mut same, mut compared) = (0, 0);
+    let (mut same, mut short, mut compared) = (0, 0, 0);
     for seed in some_of(15, 0..60u64) {
         let cells = 6 + (seed as usize * 7) % 35;
         let (a, b) = (bumps(seed, cells), bumps(seed + 1000, 11));
@@ -221,12 +236,19 @@ fn random_sheets_meet_in_the_same_paths_with_any_tolerance() {
                 assert!(paths.len() == expected.len() && (found - whole).abs() <= 1e-9 * whole, "{what}");
                 assert_eq!(paths.closed, expected.closed, "{what}");
             } else {
-                // The sheets are 1 wide, and within the widest tolerance of each other nearly all over.
                 let what = format!("{seed} {cells} {tolerance}: {found} of {whole}");
-                assert!((found / whole - 1.0).abs() <= 0.1, "{what}");
+                assert_none_is_lost_silently(&paths, &expected, &a, &what);
+                // And nothing else is found.
+                assert!(paths.points.iter().all(|&point| distance(&expected, point) <= REACH), "{what}");
+                // The sheets are 1 wide, and within the widest tolerances of each other nearly all
+                // over: branches in cells that are listed may be short by more, but seldom are.
+                let off = (found / whole - 1.0).abs();
+                assert!(off <= if tolerance < 0.1 { 0.1 } else { 0.3 }, "{what}");
+                short += usize::from(off > 0.1);
             }
         }
     }
+    assert!(short <= compared / 50, "{short} of {compared}");
     assert!(same >= compared / 3, "{same} of {compared}");
 }
 

@@ -30,6 +30,8 @@ const REPEATED_RESOLUTIONS: [f64; 2] = [8.0, 2.0];
 pub(super) trait Surroundings {
     /// The sheets of a pair of cells.
     fn sheets(&self, pair: u32) -> [u32; 2];
+    /// The cell of the first surface, which is listed where something is not resolved.
+    fn cell(&self, pair: u32) -> [u32; 2];
     /// The point at parameters of a pair of cells.
     fn point(&self, pair: u32, x: DVec4) -> DVec3;
     /// Whether a chord is as near to both surfaces as those of the curves are.
@@ -98,8 +100,15 @@ impl<S: Surroundings> Bridges<'_, S> {
         Ok(found)
     }
 
-    /// Leaves out scraps: short chains all of whose points are in balls, which are reported.
-    pub(super) fn drop_scraps(&self, chains: &[Chain], dropped: &mut [bool]) -> Result<()> {
+    /// Leaves out scraps: short chains all of whose points are in balls, each in one of its own
+    /// cell, which is reported; balls may be as wide as cells, and whole branches of others may be
+    /// in them. `is_used`: by ball, whether there may be arcs in it.
+    pub(super) fn drop_scraps(
+        &self,
+        chains: &[Chain],
+        dropped: &mut [bool],
+        is_used: &dyn Fn(u32) -> bool,
+    ) -> Result<()> {
         let arcs = &self.pieces.arcs;
         let is_scrap = |chain: &Chain| {
             !chain.closed && chain.arcs.len() < MIN_CHAIN_ARCS
@@ -112,7 +121,10 @@ impl<S: Surroundings> Bridges<'_, S> {
             alloc::extend(&mut points, self.points(arc).map(|point| (point, arc.pair)))?;
         }
         let mut within = alloc::filled(false, points.len())?;
-        self.members(&points)?.into_iter().for_each(|(_, point)| within[point as usize] = true);
+        for (ball, point) in self.members(&points)? {
+            let [own, other] = [self.pieces.balls[ball as usize].pair, points[point as usize].1];
+            within[point as usize] |= is_used(ball) && self.surroundings.cell(own) == self.surroundings.cell(other);
+        }
         let mut rest = within.as_slice();
         for chain in short() {
             let count = chain.arcs.iter().map(|&arc| arcs[arc as usize].point_count()).sum();

@@ -3,7 +3,7 @@
 //! Cost: O(n log n) for n arcs.
 
 use super::bridge::{Bridges, JoinedCrossings, Surroundings};
-use super::contact::{CriticalPoints, UNRESOLVED};
+use super::contact::{APART, CriticalPoints, UNRESOLVED};
 use super::links::{Chain, Links};
 use super::solve::{Arc, FoundArcs};
 use crate::geom::kd_tree::{KdTree, Radius};
@@ -131,7 +131,7 @@ pub(super) fn chains(
     if pieces.balls.is_empty() {
         return Ok(Chained { chains: links.chains(&dropped)?, ..Chained::default() });
     }
-    bridges.drop_scraps(&chains, &mut dropped)?;
+    bridges.drop_scraps(&chains, &mut dropped, &|ball| critical.of_ball[ball as usize] != APART)?;
     bridges.drop_within_contacts(&critical.points, &chains, &mut dropped)?;
     // Branches that cross are joined when each is whole elsewhere.
     let elsewhere = |ball: u32| critical.of_ball[ball as usize] == UNRESOLVED;

@@ -211,6 +211,10 @@ impl Surroundings for Intersection<'_> {
         self.places.pairs[pair as usize].sheets
     }
 
+    fn cell(&self, pair: u32) -> [u32; 2] {
+        self.places.pairs[pair as usize].cells[0]
+    }
+
     fn point(&self, pair: u32, x: DVec4) -> DVec3 {
         self.places.point(pair, x)
     }
