@@ -191,6 +191,110 @@ TEST_CASE("arcs of every length from 1 to 50: both hosts take every face") {
     }
 }
 
+namespace {
+/// Half-way between two bowls, one of which is all 1 and the other all 3, is 2, in every kind of property.
+template <class Read>
+void check_means(const gusset::Stitch &stitch, Read &&value) {
+    const std::size_t first = stitch.vertex_map(0).size(), old = first + stitch.vertex_map(1).size();
+    for (std::size_t v = 0; v < stitch.mesh().vertex_count(); ++v) {
+        CHECK(value(v) == doctest::Approx(v < first ? 1 : v < old ? 3 : 2));
+    }
+}
+} // namespace
+
+TEST_CASE("properties of OpenMesh are carried over") {
+    HostMesh a = host_mesh(tube(9, 0)).value(), b = host_mesh(tube(7, 1.5)).value();
+    double value = 1;
+    for (HostMesh *mesh : {&a, &b}) {
+        OpenMesh::VPropHandleT<double> own;
+        mesh->add_property(own, "own");
+        mesh->request_vertex_normals();
+        mesh->request_halfedge_texcoords2D();
+        mesh->request_face_texture_index();
+        for (const auto v : mesh->vertices()) {
+            mesh->property(own, v) = value;
+            mesh->set_normal(v, HostMesh::Normal(1, 0, 0));
+        }
+        for (const auto f : mesh->faces()) {
+            mesh->set_texture_index(f, static_cast<int>(-value));
+            for (auto h = mesh->cfh_ccwbegin(f); h.is_valid(); ++h) {
+                const auto p = mesh->point(mesh->to_vertex_handle(*h));
+                mesh->set_texcoord2D(*h, {static_cast<float>(std::atan2(p[1], p[0])), static_cast<float>(p[2])});
+            }
+        }
+        value = 3;
+    }
+    const gusset::openmesh::Input<HostMesh> left(a), right(b);
+    gusset::StitchOptions options;
+    options.rows = gusset::StripRows::exactly(1);
+    const gusset::Stitch stitch = gusset::stitch(left.view(), right.view(), options);
+    HostMesh joined;
+    CHECK(gusset::openmesh::append(joined, stitch.mesh(), stitch.origins(), {&a, &b}).empty());
+    OpenMesh::VPropHandleT<double> own;
+    REQUIRE(joined.get_property_handle(own, "own"));
+    check_means(stitch, [&](std::size_t v) { return joined.property(own, OpenMesh::VertexHandle(static_cast<int>(v))); });
+    REQUIRE(joined.has_vertex_normals());
+    REQUIRE(joined.has_halfedge_texcoords2D());
+    REQUIRE(joined.has_face_texture_index());
+    for (const auto v : joined.vertices()) {
+        CHECK(joined.normal(v)[0] == doctest::Approx(1));
+    }
+    for (const auto f : joined.faces()) {
+        CHECK((joined.texture_index(f) == -1 || joined.texture_index(f) == -3));
+        if (static_cast<std::size_t>(f.idx()) < a.n_faces()) {
+            for (auto h = joined.cfh_ccwbegin(f); h.is_valid(); ++h) {
+                const auto p = joined.point(joined.to_vertex_handle(*h));
+                CHECK(joined.texcoord2D(*h)[0] == static_cast<float>(std::atan2(p[1], p[0])));
+            }
+        }
+    }
+}
+
+TEST_CASE("property maps of CGAL are carried over") {
+    CgalMesh a = cgal_mesh(tube(9, 0)), b = cgal_mesh(tube(7, 1.5));
+    double value = 1;
+    for (CgalMesh *mesh : {&a, &b}) {
+        const auto own = mesh->add_property_map<CgalMesh::Vertex_index, double>("own").first;
+        const auto normals = mesh->add_property_map<CgalMesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+        const auto colours = mesh->add_property_map<CgalMesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+        const auto uv = mesh->add_property_map<CgalMesh::Halfedge_index, std::array<double, 2>>("h:uv").first;
+        for (const auto v : mesh->vertices()) {
+            own[v] = value, normals[v] = Kernel::Vector_3(0, 1, 0), colours[v] = CGAL::IO::Color(static_cast<unsigned char>(10 * value), 0, 0);
+        }
+        for (const auto f : mesh->faces()) {
+            for (const auto h : mesh->halfedges_around_face(mesh->halfedge(f))) {
+                const auto p = mesh->point(mesh->target(h));
+                uv[h] = {p.x(), p.z()};
+            }
+        }
+        value = 3;
+    }
+    const gusset::cgal::Input<Kernel::Point_3> left(a), right(b);
+    gusset::StitchOptions options;
+    options.rows = gusset::StripRows::exactly(1);
+    const gusset::Stitch stitch = gusset::stitch(left.view(), right.view(), options);
+    CgalMesh joined;
+    CHECK(gusset::cgal::append(joined, stitch.mesh(), stitch.origins(), {&a, &b}).empty());
+    const auto own = joined.property_map<CgalMesh::Vertex_index, double>("own");
+    const auto normals = joined.property_map<CgalMesh::Vertex_index, Kernel::Vector_3>("v:normal");
+    const auto colours = joined.property_map<CgalMesh::Vertex_index, CGAL::IO::Color>("v:color");
+    const auto uv = joined.property_map<CgalMesh::Halfedge_index, std::array<double, 2>>("h:uv");
+    REQUIRE((own.second && normals.second && colours.second && uv.second));
+    check_means(stitch, [&](std::size_t v) { return own.first[CgalMesh::Vertex_index(static_cast<CgalMesh::size_type>(v))]; });
+    check_means(stitch, [&](std::size_t v) { return colours.first[CgalMesh::Vertex_index(static_cast<CgalMesh::size_type>(v))].red() / 10.0; });
+    for (const auto v : joined.vertices()) {
+        CHECK(normals.first[v].y() == doctest::Approx(1));
+    }
+    std::size_t face = 0;
+    for (const auto f : joined.faces()) {
+        for (const auto h : joined.halfedges_around_face(joined.halfedge(f))) {
+            const auto p = joined.point(joined.target(h));
+            CHECK((face >= a.number_of_faces() || uv.first[h] == std::array<double, 2>{p.x(), p.z()}));
+        }
+        ++face;
+    }
+}
+
 TEST_CASE("the strip goes into the hosts' own meshes, new vertices too") {
     Soup both = tube(12, 0.0);
     const Soup high = tube(9, 1.5);

@@ -8,6 +8,7 @@
 #define GUSSET_CGAL_HPP
 
 #include <gusset.hpp>
+#include <gusset/cgal_properties.hpp>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -51,7 +52,7 @@ public:
         // Removed vertices keep their places in the array until garbage is collected.
         const std::size_t count = mesh_->number_of_vertices() + mesh_->number_of_removed_vertices();
         const Point *first = count == 0 ? nullptr : &mesh_->point(typename Mesh::Vertex_index(0));
-        auto view = detail::sized<gusset_mesh_view>();
+        auto view = gusset::detail::sized<gusset_mesh_view>();
         view.positions = first;
         view.position_stride = sizeof(Point);
         view.vertex_count = count;
@@ -105,6 +106,66 @@ std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &re
         vertices.push_back(mesh.add_vertex(Point(p[0], p[1], p[2])));
     }
     return detail::add_faces(mesh, result, vertices);
+}
+
+/// Appends a whole result, and carries over what its inputs have: all property maps of numbers, arrays of them, colours and vectors, of
+/// vertices, halfedges and faces, by their names. Halfedges count as the corners that they end at. Vectors whose name has "normal" in
+/// it are directions, and turned with what is turned over; "f:normal" is left to the host. `inputs`: the meshes that the result was made
+/// of, in their order. Returns the faces that CGAL refused.
+template <class Point>
+std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &result, const Origins &origins,
+                             const std::vector<const CGAL::Surface_mesh<Point> *> &inputs, const Context &context = Context()) {
+    using Mesh = CGAL::Surface_mesh<Point>;
+    std::vector<typename Mesh::Vertex_index> vertices;
+    for (std::size_t v = 0; v < result.vertex_count(); ++v) {
+        const auto p = result.position(v);
+        vertices.push_back(mesh.add_vertex(Point(p[0], p[1], p[2])));
+    }
+    std::vector<uint32_t> refused;
+    std::vector<typename Mesh::Face_index> faces;
+    std::vector<typename Mesh::Halfedge_index> corners;
+    std::vector<typename Mesh::Vertex_index> around;
+    for (std::size_t f = 0; f < result.face_count(); ++f) {
+        around.clear();
+        for (const uint32_t v : result.face(f)) {
+            around.push_back(vertices[v]);
+        }
+        faces.push_back(mesh.add_face(around));
+        const bool there = faces.back() != Mesh::null_face();
+        if (!there) {
+            refused.push_back(static_cast<uint32_t>(f));
+        }
+        for (const auto v : around) {
+            auto end = Mesh::null_halfedge();
+            if (there) {
+                for (const auto h : mesh.halfedges_around_face(mesh.halfedge(faces.back()))) {
+                    end = mesh.target(h) == v ? h : end;
+                }
+            }
+            corners.push_back(end);
+        }
+    }
+    std::vector<std::vector<typename Mesh::Vertex_index>> old_vertices;
+    std::vector<std::vector<typename Mesh::Halfedge_index>> old_corners;
+    std::vector<std::vector<typename Mesh::Face_index>> old_faces;
+    for (const Mesh *input : inputs) {
+        old_vertices.emplace_back(), old_corners.emplace_back(), old_faces.emplace_back();
+        // Removed ones too: the view has them.
+        const std::size_t count = input->number_of_vertices() + input->number_of_removed_vertices();
+        for (std::size_t v = 0; v < count; ++v) {
+            old_vertices.back().emplace_back(static_cast<typename Mesh::size_type>(v));
+        }
+        for (const auto face : input->faces()) {
+            old_faces.back().push_back(face);
+            for (const auto h : input->halfedges_around_face(input->halfedge(face))) {
+                old_corners.back().push_back(h);
+            }
+        }
+    }
+    detail::carry_all(mesh, Domain::vertices, vertices, origins, inputs, old_vertices, context);
+    detail::carry_all(mesh, Domain::corners, corners, origins, inputs, old_corners, context);
+    detail::carry_all(mesh, Domain::faces, faces, origins, inputs, old_faces, context);
+    return refused;
 }
 
 /// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep

@@ -7,6 +7,7 @@
 #define GUSSET_OPENMESH_HPP
 
 #include <gusset.hpp>
+#include <gusset/openmesh_properties.hpp>
 
 #include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <OpenMesh/Core/Mesh/Handles.hh>
@@ -96,6 +97,59 @@ std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
         vertices.push_back(detail::add_vertex(mesh, result.position(v)));
     }
     return detail::add_faces(mesh, result, vertices);
+}
+
+/// Appends a whole result, and carries over what its inputs have: the normals, colours and texture coordinates that OpenMesh keeps, and
+/// all properties of numbers and of vectors of them, of vertices, halfedges and faces, by their names. Halfedges count as the corners
+/// that they end at. Normals are turned with what is turned over, those of faces are left to update_face_normals(). `inputs`: the
+/// meshes that the result was made of, in their order. Returns the faces that OpenMesh refused.
+template <class Mesh>
+std::vector<uint32_t> append(Mesh &mesh, const MeshView &result, const Origins &origins, const std::vector<const Mesh *> &inputs,
+                             const Context &context = Context()) {
+    std::vector<OpenMesh::VertexHandle> vertices;
+    for (std::size_t v = 0; v < result.vertex_count(); ++v) {
+        vertices.push_back(detail::add_vertex(mesh, result.position(v)));
+    }
+    const std::size_t first = mesh.n_faces();
+    const std::vector<uint32_t> refused = detail::add_faces(mesh, result, vertices);
+    // The faces of the result that are there, and the halfedge that ends at each corner.
+    std::vector<OpenMesh::FaceHandle> faces;
+    std::vector<OpenMesh::HalfedgeHandle> corners;
+    std::size_t next = first, skipped = 0;
+    for (std::size_t f = 0; f < result.face_count(); ++f) {
+        const bool there = skipped == refused.size() || refused[skipped] != f;
+        skipped += there ? 0 : 1;
+        faces.push_back(there ? OpenMesh::FaceHandle(static_cast<int>(next++)) : OpenMesh::FaceHandle());
+        for (const uint32_t v : result.face(f)) {
+            OpenMesh::HalfedgeHandle end;
+            for (auto h = there ? mesh.cfh_ccwbegin(faces.back()) : typename Mesh::ConstFaceHalfedgeCCWIter(); there && h.is_valid(); ++h) {
+                end = mesh.to_vertex_handle(*h) == vertices[v] ? *h : end;
+            }
+            corners.push_back(end);
+        }
+    }
+    std::vector<std::vector<OpenMesh::VertexHandle>> old_vertices;
+    std::vector<std::vector<OpenMesh::HalfedgeHandle>> old_corners;
+    std::vector<std::vector<OpenMesh::FaceHandle>> old_faces;
+    for (const Mesh *input : inputs) {
+        old_vertices.emplace_back(), old_corners.emplace_back(), old_faces.emplace_back();
+        for (std::size_t v = 0; v < input->n_vertices(); ++v) {
+            old_vertices.back().push_back(OpenMesh::VertexHandle(static_cast<int>(v)));
+        }
+        for (auto face = input->faces_begin(); face != input->faces_end(); ++face) {
+            if (input->has_face_status() && input->status(*face).deleted()) {
+                continue;
+            }
+            old_faces.back().push_back(*face);
+            for (auto h = input->cfh_ccwbegin(*face); h != input->cfh_ccwend(*face); ++h) {
+                old_corners.back().push_back(*h);
+            }
+        }
+    }
+    detail::carry_all<detail::OfVertices>(mesh, vertices, origins, inputs, old_vertices, context);
+    detail::carry_all<detail::OfCorners>(mesh, corners, origins, inputs, old_corners, context);
+    detail::carry_all<detail::OfFaces>(mesh, faces, origins, inputs, old_faces, context);
+    return refused;
 }
 
 /// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep

@@ -1,0 +1,54 @@
+// Values of a host's elements, carried over: what the adapters share. Include an adapter, not this.
+#ifndef GUSSET_HOST_VALUES_HPP
+#define GUSSET_HOST_VALUES_HPP
+
+#include <gusset/attributes.hpp>
+
+#include <string>
+
+namespace gusset::detail {
+
+/// One channel: of each input so many elements from an address on, or none at NULL.
+struct HostChannel {
+    Domain domain;
+    Rule rule;
+    uint32_t value_type, components;
+    std::vector<gusset_channel_values> inputs;
+
+    void apply(const Origins &origins, void *out, std::size_t count, const Context &context) const {
+        auto channel = sized<gusset_channel>();
+        channel.domain = static_cast<uint32_t>(domain);
+        channel.value_type = value_type;
+        channel.components = components;
+        channel.rule = static_cast<uint32_t>(rule);
+        context.call(gusset_attributes_apply, origins.get(), &channel, inputs.data(), inputs.size(), out, count, std::size_t{0});
+    }
+};
+
+/// What a property is, by its type and its name: normals are directions, integers are numbers, and texture coordinates of
+/// corners go on as charts; all else is mixed. Colours of bytes are mixed, too.
+inline Rule rule_of(const std::string &name, Domain domain, uint32_t value_type, uint32_t components) {
+    const auto has = [&](const char *word) { return name.find(word) != std::string::npos; };
+    const bool floats = value_type == GUSSET_VALUE_F32 || value_type == GUSSET_VALUE_F64;
+    if (floats && components == 3 && has("normal")) {
+        return Rule::normal;
+    }
+    if (domain == Domain::corners && (has("texcoord") || has("uv"))) {
+        return Rule::texture;
+    }
+    return floats || has("color") || has("colour") ? Rule::linear : Rule::nearest;
+}
+
+/// Integers of any sign are carried as numbers, by their bits.
+template <class Value>
+constexpr uint32_t host_value_type() {
+    if constexpr (std::is_floating_point_v<Value>) {
+        return value_type<Value>();
+    } else {
+        return value_type<std::make_unsigned_t<Value>>();
+    }
+}
+
+} // namespace gusset::detail
+
+#endif // GUSSET_HOST_VALUES_HPP
