@@ -1,12 +1,10 @@
 //! Vertices that are kept apart for the values that they carry.
 //!
 //! Formats with one index for all that a vertex has split vertices where texture coordinates or
-//! normals jump. A merge map says which of them are one ([`Faces::merged`]): operations see the
+//! normals jump. A merge map says which of them are one ([`MeshView::merged`]): operations see the
 //! surface, without borders at such seams. Afterwards the faces of the result get the split vertices
 //! back: old corners their own, and a new corner at an old vertex that of the old corner whose values
 //! it has ([`Origins`]). The result's own merge map says again which vertices are one.
-//!
-//! [`Faces::merged`]: crate::mesh::Faces::merged
 
 use super::domain::Domain;
 use super::origins::Origins;

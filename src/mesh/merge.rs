@@ -11,7 +11,7 @@ const STAGE: &str = "finding vertices that are one";
 
 /// For each vertex the smallest one with the same key, or without keys at the same place, where -0
 /// equals 0; a vertex whose position is not finite is one with itself alone. A merge map as
-/// [`Faces::merged`](super::Faces::merged) takes it. O(n log n).
+/// [`MeshView::merged_corners`] takes it. O(n log n).
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).

@@ -103,7 +103,7 @@ pub struct Mesh {
     /// Vertex indices, face after face.
     pub face_corners: Vec<u32>,
     /// For each vertex the one that it is one with, where faces name vertices that are kept apart for
-    /// the values that they carry; see [`Faces::merged`].
+    /// the values that they carry; see [`MeshView::merged`].
     pub merge: Option<Vec<u32>>,
 }
 
@@ -147,13 +147,8 @@ impl Mesh {
         if sum > 0.0 { sum / count } else { f64::INFINITY }
     }
 
-    /// A validated view; see [`MeshView::new`] for the errors.
+    /// A validated view, in which no vertex is one with another; see [`MeshView::new`] for the errors.
     pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
-        let faces = Faces::polygons(&self.face_offsets, &self.face_corners)?;
-        let faces = match &self.merge {
-            Some(merge) => faces.merged(bytemuck::cast_slice(merge), self.positions.len())?,
-            None => faces,
-        };
-        MeshView::new(self.positions.view(), faces, job)
+        MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)
     }
 }

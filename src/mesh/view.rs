@@ -194,8 +194,16 @@ pub struct Faces<'a> {
     corners: Indices<'a>,
     layout: Layout<'a>,
     count: usize,
+    /// Where vertices are one with others.
+    split: Option<Split<'a>>,
+}
+
+/// Faces before vertices are made one.
+#[derive(Debug, Clone, Copy)]
+struct Split<'a> {
     /// For each vertex the one that it is one with.
-    merge: Option<Indices<'a>>,
+    merge: Indices<'a>,
+    corners: Indices<'a>,
 }
 
 impl<'a> Faces<'a> {
@@ -209,7 +217,7 @@ impl<'a> Faces<'a> {
             corners: indices(corners, needed, "corners")?,
             layout: Layout::Uniform(face_size),
             count,
-            merge: None,
+            split: None,
         })
     }
 
@@ -226,51 +234,26 @@ impl<'a> Faces<'a> {
             corners: indices(corners, needed, "corners")?,
             layout: Layout::Offsets(offsets),
             count,
-            merge: None,
+            split: None,
         })
-    }
-
-    /// The same faces, of which vertices are one with others: `merge` holds for each vertex a native-endian
-    /// `u32`, the vertex that it is one with, itself or one that is so. Faces have these vertices at
-    /// their corners from now on.
-    ///
-    /// # Errors
-    /// [`Error::ArrayTooShort`]. The map itself is checked by [`MeshView::new`].
-    pub fn merged(self, merge: &'a [u8], vertices: usize) -> Result<Self> {
-        let needed =
-            vertices.checked_mul(4).ok_or(Error::SizeOverflow { what: "merged vertices", count: vertices as u64 })?;
-        Ok(Faces { merge: Some(indices(merge, needed, "merged vertices")?), ..self })
     }
 
     /// True if some vertices may be one with others.
     pub fn is_merged(&self) -> bool {
-        self.merge.is_some()
+        self.split.is_some()
     }
 
     /// The vertex that one is one with; itself if it is beyond all.
     pub fn merge_of(&self, v: u32) -> u32 {
-        match self.merge {
-            Some(merge) if (v as usize) < merge.len() => merge.get(v as usize),
+        match self.split {
+            Some(split) if (v as usize) < split.merge.len() => split.merge.get(v as usize),
             _ => v,
         }
     }
 
-    /// The vertex that corner `h` names, before vertices are made one.
+    /// The vertex at corner `h` before vertices are made one.
     pub fn split_corner(&self, h: u32) -> u32 {
-        self.corners.get(h as usize)
-    }
-
-    /// Each vertex is one with itself, or with one that is so.
-    fn check_merge(&self, vertices: usize) -> Result<()> {
-        let Some(merge) = self.merge else { return Ok(()) };
-        let is_bad = |&v: &usize| {
-            let of = merge.get(v);
-            of as usize >= vertices || merge.get(of as usize) != of
-        };
-        match (0..vertices).find(is_bad) {
-            Some(v) => Err(Error::BadMerge { vertex: v as u32, value: merge.get(v) }),
-            None => Ok(()),
-        }
+        self.split.map_or(self.corners, |split| split.corners).get(h as usize)
     }
 
     /// The number of corners of `count` faces of `face_size` corners.
@@ -369,20 +352,18 @@ impl<'a> Faces<'a> {
 
     /// The vertex at corner `h`, where half-edge `h` starts.
     pub fn corner(&self, h: u32) -> u32 {
-        let v = self.corners.get(h as usize);
-        self.merge.map_or(v, |merge| merge.get(v as usize))
+        self.corners.get(h as usize)
     }
 
     /// The vertices of the corners in `range`.
     pub fn corners(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
-        let merge = self.merge;
-        self.corners.slice(range).map(move |v| merge.map_or(v, |merge| merge.get(v as usize)))
+        self.corners.slice(range)
     }
 
     /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has
     /// more than four corners.
     pub(crate) fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
-        if let (Layout::Uniform(3), None) = (self.layout, self.merge) {
+        if let Layout::Uniform(3) = self.layout {
             let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
             for (f, triangle) in faces.zip(corners) {
                 visitor.face(3 * f as u32, &bytemuck::pod_read_unaligned::<[u32; 3]>(triangle))?;
@@ -438,8 +419,7 @@ impl<'a> MeshView<'a> {
     ///
     /// # Errors
     /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`],
-    /// [`Error::IndexOutOfRange`], [`Error::BadMerge`], [`Error::NotFinite`], each with the first
-    /// offending element;
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], each with the first offending element;
     /// [`Error::Cancelled`].
     pub fn new(positions: Positions<'a>, faces: Faces<'a>, job: &Job<'_>) -> Result<Self> {
         let mesh = MeshView { positions, faces };
@@ -453,7 +433,6 @@ impl<'a> MeshView<'a> {
         if let Layout::Offsets(offsets) = faces.layout {
             offsets.check(job)?;
         }
-        faces.check_merge(positions.len())?;
         job.step(0.3, "checking the mesh")?;
         // Both arrays in as many parts, so that the threads start once.
         let (corners, vertices) = (faces.half_edge_count(), positions.len());
@@ -489,6 +468,44 @@ impl<'a> MeshView<'a> {
         &self.faces
     }
 
+    /// The corners of the mesh where vertices are one with others: `merge` holds for each vertex a
+    /// native-endian `u32`, the vertex that it is one with, itself or one that is so. For
+    /// [`MeshView::merged`]. O(V + H).
+    ///
+    /// # Errors
+    /// [`Error::ArrayTooShort`], [`Error::BadMerge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn merged_corners(&self, merge: &[u8], job: &Job<'_>) -> Result<Vec<u32>> {
+        const STAGE: &str = "merging vertices";
+        let count = self.positions.len();
+        let merge = indices(merge, 4 * count, "merged vertices")?;
+        let is_bad = |&v: &usize| {
+            let of = merge.get(v);
+            of as usize >= count || merge.get(of as usize) != of
+        };
+        job.part(0.0, 0.3).ranges(STAGE, count, |mut range| match range.find(is_bad) {
+            Some(v) => Err(Error::BadMerge { vertex: v as u32, value: merge.get(v) }),
+            None => Ok(()),
+        })?;
+        let mut corners = alloc::with_capacity(self.faces.half_edge_count())?;
+        job.part(0.3, 1.0).ranges(STAGE, self.faces.half_edge_count(), |range| {
+            corners.extend(self.faces.corners(range).map(|v| merge.get(v as usize)));
+            Ok(())
+        })?;
+        Ok(corners)
+    }
+
+    /// The mesh whose faces have these [`merged_corners`](MeshView::merged_corners) by `merge`; its
+    /// own are kept beside them.
+    #[must_use]
+    pub fn merged<'b>(&self, merge: &'b [u8], corners: &'b [u32]) -> MeshView<'b>
+    where
+        'a: 'b,
+    {
+        let split = Split { merge: Indices(&merge[..4 * self.positions.len()]), corners: self.faces.corners };
+        let corners = Indices(bytemuck::cast_slice(corners));
+        MeshView { positions: self.positions, faces: Faces { corners, split: Some(split), ..self.faces } }
+    }
+
     /// The vertices of face `f`, in order.
     pub fn face(&self, f: usize) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
         self.faces.corners(self.faces.range(f))
@@ -498,13 +515,11 @@ impl<'a> MeshView<'a> {
         let count = self.positions.len();
         // Whether at all first: a loop without an exit runs several times as fast.
         let beyond = |any, v: u32| any | u32::from(v >= count as u32);
-        let named = self.faces.corners.slice(range.clone());
-        if named.clone().fold(0, beyond) == 0 {
+        if self.faces.corners(range.clone()).fold(0, beyond) == 0 {
             return Ok(());
         }
-        let corner = named.clone().position(|v| v as usize >= count).unwrap_or(0);
+        let corner = self.faces.corners(range.clone()).position(|v| v as usize >= count).unwrap_or(0);
         let corner = (range.start + corner) as u32;
-        let vertex = self.faces.split_corner(corner);
-        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex })
+        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex: self.faces.corner(corner) })
     }
 }

@@ -77,6 +77,8 @@ fn pages_show_what_is_compiled_and_run() {
                 // The project's programs: `add_executable(name file)`.
                 Some(name) if project.contains(&format!(" {name})\n")) => "--build-and-test ${guides} ".to_owned(),
                 Some(name) => format!("${{guides}}/{name}"),
+                // The examples of the reference are built one by one, by their names.
+                None if file.starts_with("examples/reference/") => "/examples/reference/${name}.c".to_owned(),
                 None => format!("${{root}}/{file}"),
             };
             assert!(built.contains(&name), "{}: no test builds {file}", path.display());

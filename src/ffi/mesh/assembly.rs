@@ -4,7 +4,7 @@ use crate::attributes::KeepSplits;
 use crate::ffi::mesh::fill::{gusset_fill_options, gusset_hole};
 use crate::ffi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
 use crate::ffi::mesh::weld::gusset_weld_options;
-use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::IndexMap;
@@ -411,7 +411,8 @@ pub unsafe extern "C" fn gusset_assembly_create(
         let options = input::read(options, true, "options")?;
         let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
-        let views = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
         for selector in given.iter_mut().chain(&mut excluded).flatten() {
             if let Some(view) = views.get(selector.piece as usize) {
                 selector.vertex = view.faces().merge_of(selector.vertex);

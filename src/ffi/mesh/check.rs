@@ -85,7 +85,8 @@ pub unsafe extern "C" fn gusset_check_create(
     check: *mut *mut gusset_check,
 ) -> gusset_status {
     create(context, check, "check", |job| {
-        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let mesh = given_mesh.view();
         Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
     })
 }

@@ -385,7 +385,8 @@ pub unsafe extern "C" fn gusset_fill_create(
     create(context, fill, "fill", |job| {
         let given_options = input::read(options, true, "options")?;
         let options = given_options.checked()?;
-        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let mesh = given_mesh.view();
         let given = given(loops, loop_count)?;
         let merged =
             |loops: Vec<Vec<u32>>| alloc::gather(loops.into_iter().map(|vertices| mesh::merged(&mesh, vertices)));

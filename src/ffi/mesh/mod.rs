@@ -87,8 +87,20 @@ pub struct gusset_mesh_view {
 
 versioned! { gusset_mesh_view: 72 reserved }
 
+/// A mesh of the caller's, and the corners of its faces where vertices are one with others.
+pub(crate) struct GivenMesh<'a> {
+    mesh: MeshView<'a>,
+    merged: Option<(&'a [u8], Vec<u32>)>,
+}
+
+impl GivenMesh<'_> {
+    pub(crate) fn view(&self) -> MeshView<'_> {
+        self.merged.as_ref().map_or(self.mesh, |(merge, corners)| self.mesh.merged(merge, corners))
+    }
+}
+
 /// The caller's mesh number `number`, held to the rules.
-pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
+pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<GivenMesh<'a>, Failure> {
     checked(view, "mesh", job).map_err(|failure| failure.of_input(number))
 }
 
@@ -97,7 +109,7 @@ pub(crate) fn meshes<'a>(
     views: *const gusset_mesh_view,
     count: usize,
     job: &Job<'_>,
-) -> Result<Vec<MeshView<'a>>, Failure> {
+) -> Result<Vec<GivenMesh<'a>>, Failure> {
     Error::check_count("pieces", count as u64, MAX_ELEMENTS)?;
     let views = input::structs(views, count, "pieces")?.enumerate();
     alloc::try_collect(views.map(|(k, view)| {
@@ -111,7 +123,7 @@ pub(crate) fn checked<'a>(
     view: *const gusset_mesh_view,
     name: &'static str,
     job: &Job<'_>,
-) -> Result<MeshView<'a>, Failure> {
+) -> Result<GivenMesh<'a>, Failure> {
     let view = input::read(view, false, name)?;
     let scalar = choice(view.scalar)?;
     if view.index != GUSSET_U32 {
@@ -144,13 +156,13 @@ pub(crate) fn checked<'a>(
         let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
         Faces::with_offsets(offsets, corners, view.face_count)?
     };
-    let faces = if view.merge.is_null() {
-        faces
-    } else {
-        let merge = input::bytes(view.merge, view.vertex_count, 4, "merge")?;
-        faces.merged(merge, view.vertex_count)?
-    };
-    Ok(MeshView::new(positions, faces, job)?)
+    if view.merge.is_null() {
+        return Ok(GivenMesh { mesh: MeshView::new(positions, faces, job)?, merged: None });
+    }
+    let merge = input::bytes(view.merge, view.vertex_count, 4, "merge")?;
+    let mesh = MeshView::new(positions, faces, &job.part(0.0, 0.7))?;
+    let corners = mesh.merged_corners(merge, &job.part(0.7, 1.0))?;
+    Ok(GivenMesh { mesh, merged: Some((merge, corners)) })
 }
 
 /// The arrays of `mesh`.

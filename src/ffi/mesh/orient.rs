@@ -92,7 +92,8 @@ pub unsafe extern "C" fn gusset_orient_create(
 ) -> gusset_status {
     create(context, orient, "orient", |job| {
         let options = Options { outward: choice(input::read(options, true, "options")?.outward)? };
-        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let mesh = given_mesh.view();
         let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         let one_sided = [

@@ -84,7 +84,8 @@ pub unsafe extern "C" fn gusset_sew_create(
 ) -> gusset_status {
     create(context, sew, "sew", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let mesh = given_mesh.view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         Ok(gusset_sew(done))

@@ -2,7 +2,7 @@
 
 use crate::attributes::KeepSplits;
 use crate::ffi::mesh::stitch_options::gusset_stitch_options;
-use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::stitch::{Quality, Request, Stitch, stitch};
 
@@ -168,8 +168,9 @@ pub unsafe extern "C" fn gusset_stitch_create(
 ) -> gusset_status {
     create(context, stitch, "stitch", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
-        let b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
+        let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
+        let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
+        let (a, b) = (given_a.view(), given_b.as_ref().map(GivenMesh::view));
         let loop_a = mesh::indices(loop_a, "loop_a")?.map(|vertices| mesh::merged(&a, vertices));
         let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.of_input(1))?;
         let loop_b = loop_b.map(|vertices| mesh::merged(b.as_ref().unwrap_or(&a), vertices));

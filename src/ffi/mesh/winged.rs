@@ -145,7 +145,8 @@ pub unsafe extern "C" fn gusset_winged_create(
 ) -> gusset_status {
     create(context, winged, "winged", |job| {
         let winding = choice(input::read(options, true, "options")?.winding)?;
-        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let mesh = given_mesh.view();
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 0.9))?;
         let loops = free_loops(&tables, &job.part(0.9, 1.0))?;
         Ok(gusset_winged { tables, loops })

@@ -331,7 +331,8 @@ pub unsafe extern "C" fn gusset_net_grid_create(
     grid: *mut *mut gusset_net_grid,
 ) -> gusset_status {
     create(context, grid, "grid", |job| {
-        let view = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let view = given_mesh.view();
         let found = net_of_grid(&view, (face != NONE).then_some(face), &job.part(0.1, 1.0))?;
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })
@@ -365,7 +366,8 @@ pub unsafe extern "C" fn gusset_net_triangle_grid_create(
     grid: *mut *mut gusset_net_grid,
 ) -> gusset_status {
     create(context, grid, "grid", |job| {
-        let view = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let view = given_mesh.view();
         let found = net_of_triangles(&view, &job.part(0.1, 1.0))?;
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })

@@ -9,12 +9,12 @@ use crate::error::{Element, Error};
 use crate::ffi::glue::laid_out_like;
 use crate::ffi::host::Callbacks;
 use crate::ffi::input::{self, choice};
-use crate::ffi::mesh::{self, GUSSET_F32, GUSSET_F64, gusset_mesh_view};
+use crate::ffi::mesh::{self, GUSSET_F32, GUSSET_F64, GivenMesh, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use crate::filters::Filter;
 use crate::filters::data::{Curves, Input, InputKind};
 use crate::job::Job;
-use crate::mesh::{MAX_ELEMENTS, MeshView, Positions};
+use crate::mesh::{MAX_ELEMENTS, Positions};
 
 // The plugin's numbers are the library's, and so is its view of a mesh.
 const _: () = assert!(GUSSET_PLUGIN_F32 == GUSSET_F32 && GUSSET_PLUGIN_F64 == GUSSET_F64);
@@ -28,14 +28,14 @@ laid_out_like! {
 /// An input with what it needs to own: meshes stay in the host's memory, curves are small and
 /// copied.
 pub(super) enum Given<'a> {
-    Mesh(MeshView<'a>),
+    Mesh(GivenMesh<'a>),
     Curves(Curves),
 }
 
 impl Given<'_> {
     pub(super) fn lend(&self) -> Input<'_> {
         match self {
-            Given::Mesh(mesh) => Input::Mesh(*mesh),
+            Given::Mesh(mesh) => Input::Mesh(mesh.view()),
             Given::Curves(curves) => Input::Curves(curves),
         }
     }

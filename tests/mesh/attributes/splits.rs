@@ -7,7 +7,7 @@ use gusset::attributes::{Domain, KeepSplits, Origins, Rule};
 use gusset::boundary::{self, boundary_loops};
 use gusset::fill::{self, Selection, fill_holes};
 use gusset::mesh::merge::merge_map;
-use gusset::mesh::{Faces, Mesh, MeshView, Positions};
+use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, orient};
 use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{Options, Request, Rows, stitch};
@@ -20,6 +20,7 @@ struct Split {
     /// Of each split vertex the one of the whole.
     original: Vec<u32>,
     merge: Vec<u32>,
+    merged: Vec<u32>,
 }
 
 impl Split {
@@ -48,18 +49,17 @@ impl Split {
         }
         let original: Vec<u32> = pairs.iter().map(|&(v, _)| v).collect();
         let merge = merge_map(&split.view(), Some(&original), &job()).unwrap();
-        Split { whole, split, original, merge }
+        let merged = merged(&split, &merge).unwrap();
+        Split { whole, split, original, merge, merged }
     }
 
     fn view(&self) -> MeshView<'_> {
-        merged(&self.split, &self.merge).unwrap()
+        self.split.view().merged(bytemuck::cast_slice(&self.merge), &self.merged)
     }
 }
 
-fn merged<'a>(soup: &'a Soup, merge: &'a [u32]) -> Result<MeshView<'a>, Error> {
-    let faces =
-        Faces::polygons(&soup.offsets, &soup.corners)?.merged(bytemuck::cast_slice(merge), soup.points.len())?;
-    MeshView::new(Positions::from(&soup.points[..]), faces, &job())
+fn merged(soup: &Soup, merge: &[u32]) -> Result<Vec<u32>, Error> {
+    soup.view().merged_corners(bytemuck::cast_slice(merge), &job())
 }
 
 /// A torus with a window, a cap, or both.
