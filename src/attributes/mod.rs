@@ -17,7 +17,7 @@
 //! | [`splits`](self) | vertices that are kept apart for their values |
 //! | [`values`](self) | types of values, and where those of a result go |
 //! | [`channel`](self) | values of one kind, and the rule by which they are mixed |
-//! | [`apply`](mod@apply) | a channel carried over |
+//! | [`apply()`] | a channel carried over |
 
 mod apply;
 mod channel;

@@ -2,7 +2,8 @@
 //! bit for bit.
 
 use super::owned::{Mesh, PositionBuffer};
-use super::view::{MeshView, Scalar, check_size};
+use super::positions::{Scalar, check_size};
+use super::view::MeshView;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;

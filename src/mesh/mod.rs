@@ -17,6 +17,7 @@ mod defect;
 pub mod merge;
 mod owned;
 mod pairing;
+mod positions;
 mod topology;
 mod view;
 
@@ -24,9 +25,11 @@ pub use concat::{Piece, concatenate};
 pub use defect::Defect;
 pub use owned::{Mesh, PositionBuffer};
 pub use pairing::Topology;
+pub(crate) use positions::check_size;
+pub use positions::{MAX_ELEMENTS, Positions, Scalar};
 pub(crate) use topology::{Across, half_edges, unordered, vertex_components};
-pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
-pub(crate) use view::{Visitor, check_size};
+pub(crate) use view::Visitor;
+pub use view::{Faces, MeshView};
 
 /// The index that means "none".
 pub const NONE: u32 = u32::MAX;

@@ -1,7 +1,8 @@
 //! The mesh that the library returns: positions in the input's scalar type, faces as offsets
 //! and corners.
 
-use super::view::{Faces, MeshView, Positions, Scalar};
+use super::positions::{Positions, Scalar};
+use super::view::{Faces, MeshView};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::scale::distance;
@@ -147,7 +148,8 @@ impl Mesh {
         if sum > 0.0 { sum / count } else { f64::INFINITY }
     }
 
-    /// A validated view, in which no vertex is one with another; see [`MeshView::new`] for the errors.
+    /// A validated view, in which no vertex is one with another; see [`MeshView::new`] for the
+    /// errors.
     pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
         MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)
     }
