@@ -22,7 +22,7 @@ UNTYPED = {"positions": "SCALARS", "points": "SCALARS", "nodes": "SCALARS", "val
 # Arrays of points: three coordinates each, or as many as a field `dimension` says.
 POINTS = {"points", "points_a", "points_b", "positions", "queries", "axis_points"}
 # Arrays that are results: what they hold after a failure is unspecified. Of other outputs, the first element is looked at.
-UNSPECIFIED = {"out", "rows", "columns", "deviations"}
+UNSPECIFIED = {"out", "rows", "columns", "deviations", "merge"}
 # What says that an element is none, where not all of it is 0.
 NONE = {"gusset_surface_nearest_point": "flags"}
 # Handles that functions change, and what torture.h calls what it knows of them.
