@@ -15,4 +15,4 @@ at_most() { # bytes file
 }
 at_most 10600000 "$prefix/lib/libgusset.so"
 at_most 40000000 "$prefix/lib/libgusset.a"
-at_most 2000000 "$program"
+at_most 2100000 "$program"
