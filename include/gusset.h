@@ -3113,9 +3113,9 @@ typedef struct gusset_channel {
      */
     gusset_channel_rule rule;
     /**
-     * With GUSSET_RULE_SHARES, how many are kept of elements with several sources; 0: all.
+     * With GUSSET_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
      */
-    uint32_t max_shares;
+    uint32_t max_influences;
     /**
      * 0.
      */
@@ -6633,10 +6633,11 @@ typedef struct gusset_cell_pairs_view {
 #define GUSSET_RULE_NORMAL 1
 
 /**
- * Shares, at least 0, as of bones: the weighted mean, of which the max_shares largest are kept, the
- * first of equal ones, and made to have the sum 1, or of integers the largest number of the type.
+ * Weights of bones, at least 0: the weighted mean, of which the max_influences largest are kept,
+ * the first of equal ones, and made to have the sum 1, or of integers the largest number of the
+ * type.
  */
-#define GUSSET_RULE_SHARES 2
+#define GUSSET_RULE_SKIN_WEIGHTS 2
 
 /**
  * The value of the source that counts most, the first of equal ones, as of materials and numbers.
@@ -6646,10 +6647,10 @@ typedef struct gusset_cell_pairs_view {
 /**
  * Texture coordinates. At the corners of new faces they are the weighted mean where both sides are
  * on one chart: on each rim as long as the old faces have the same values at its vertices, and
- * across a gap where most of the new faces say so, to whom the values beyond are nearer to where
- * their own side's chart would go on than half the way there. Elsewhere each new face goes on with
- * the chart of the old face that it comes from, unfolded, and the charts meet in a seam in the
- * middle. Of vertices and faces it is the weighted mean.
+ * across a gap where for most of the new faces the values beyond are nearer to where their own
+ * side's chart would go on than half of the way there and of their base. Elsewhere each new face
+ * goes on with the chart of the old face that it comes from, unfolded, and the charts meet in a
+ * seam in the middle. Of vertices and faces it is the weighted mean.
  */
 #define GUSSET_RULE_TEXTURE 4
 
@@ -8616,11 +8617,12 @@ gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
  *     alignment; the bytes between are left alone. It must not overlap the inputs' values.
  * @param count the number of elements that it has room for, at least those of the result.
  * @param stride bytes from one element to the next; 0 for packed ones.
- * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
- *     OUT_OF_RANGE (components, or value_type and components that the rule does not take; a negative
- *     share, with the element and the input), NOT_FINITE with the element and the input, but for
- *     GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of inputs than there are, or of values, with
- *     the input), BAD_STRIDE, SIZE_OVERFLOW, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ *     UNKNOWN_VALUE, OUT_OF_RANGE (components, or value_type and components that the rule does
+ *     not take; a negative skin weight, with the element and the input), NOT_FINITE with the
+ *     element and the input, but for GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of
+ *     inputs than there are, or of values, with the input), BAD_STRIDE, SIZE_OVERFLOW,
+ *     BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(sources and elements); no memory; on the context's threads.
  * @since 0.1
  */
@@ -8647,8 +8649,9 @@ gusset_status gusset_attributes_apply(const struct gusset_context *context,
  * @param mesh the mesh.
  * @param keys one for each vertex, at any alignment; NULL: positions.
  * @param[out] merge room for as many numbers as the mesh has vertices; at any alignment.
- * @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(V log V) for V vertices; 8 bytes for each.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY,
+ *     CANCELLED.
+ * @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
  * @since 0.1
  */
 GUSSET_API
@@ -9044,7 +9047,7 @@ gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
  *     CANCELLED.
  * @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
- *     face, and about 200 for each corner of a new face.
+ *     face, and linear in n.
  * @since 0.1
  */
 GUSSET_API

@@ -118,7 +118,7 @@ static void values_that_do_not_fit(void) {
     EXPECT(GUSSET_OK, gusset_attributes_apply(context, origins, &channel, given, 2, made, 10, 0));
     CHECK(isnan(made[8]));
     second[3] = -0.5F;
-    channel.rule = GUSSET_RULE_SHARES;
+    channel.rule = GUSSET_RULE_SKIN_WEIGHTS;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_attributes_apply(context, origins, &channel, given, 2, made, 10, 0));
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_VERTEX && report.index == 3 && report.value == -0.5 && report.input == 1);

@@ -20,7 +20,7 @@ enum class Domain : uint32_t {
 enum class Rule : uint32_t {
     linear = GUSSET_RULE_LINEAR,
     normal = GUSSET_RULE_NORMAL,
-    shares = GUSSET_RULE_SHARES,
+    skin_weights = GUSSET_RULE_SKIN_WEIGHTS,
     nearest = GUSSET_RULE_NEAREST,
     texture = GUSSET_RULE_TEXTURE
 };
@@ -74,10 +74,11 @@ public:
     Indices starts(Domain domain) const && = delete;
 
     /// The values of the result's elements: numbers, or arrays of them. `inputs`: those of each input, in
-    /// order; empty for one that has none. `max_shares`: of Rule::shares, how many are kept; 0 for all.
+    /// order; empty for one that has none. `max_influences`: of Rule::skin_weights, how many are
+    /// kept; 0 for all.
     template <class Element>
     std::vector<Element> apply(Domain domain, Rule rule, const std::vector<Span<const Element>> &inputs,
-                               const Context &context = Context(), uint32_t max_shares = 0) const {
+                               const Context &context = Context(), uint32_t max_influences = 0) const {
         using Values = detail::ValuesOf<Element>;
         static_assert(sizeof(Element) == Values::count * sizeof(typename Values::Value), "elements have gaps");
         auto channel = detail::sized<gusset_channel>();
@@ -85,7 +86,7 @@ public:
         channel.value_type = detail::value_type<typename Values::Value>();
         channel.components = Values::count;
         channel.rule = static_cast<uint32_t>(rule);
-        channel.max_shares = max_shares;
+        channel.max_influences = max_influences;
         std::vector<gusset_channel_values> given;
         for (const Span<const Element> &values : inputs) {
             given.push_back({values.empty() ? nullptr : values.data(), values.size(), 0});

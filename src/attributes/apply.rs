@@ -27,9 +27,9 @@ const ROUNDING: f64 = 1e-15;
 /// channel, has the value 0. O(elements and sources), on the job's threads; no memory.
 ///
 /// # Errors
-/// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`], [`Error::ArrayTooShort`] if
-/// `out` has no room for all, [`Error::OptionOutOfRange`] if its values are of another type or number,
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`],
+/// [`Error::ArrayTooShort`] if `out` has no room for all, [`Error::OptionOutOfRange`] if its
+/// values are of another type or number, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job: &Job<'_>) -> Result<()> {
     channel.check(origins.inputs(), &job.part(0.0, 0.2))?;
     let table = origins.table(channel.domain);
@@ -101,7 +101,7 @@ impl<'a> Mixer<'a> {
         let size = if SIZE == 0 { self.channel.size() } else { SIZE };
         let components = self.channel.components;
         let mut mean = alloc::filled(0.0, components)?;
-        let mut order = alloc::filled(0, if self.channel.rule == Rule::Shares { components } else { 0 })?;
+        let mut order = alloc::filled(0, if self.channel.rule == Rule::SkinWeights { components } else { 0 })?;
         for (k, out) in rows.zip(out.chunks_mut(stride)) {
             let out = &mut out[..size];
             let (sources, weights) = self.table.row(k);
@@ -143,7 +143,7 @@ impl<'a> Mixer<'a> {
                     mean.copy_from_slice(&mean_normal.to_array());
                 }
             }
-            Rule::Linear | Rule::Shares | Rule::Texture => {
+            Rule::Linear | Rule::SkinWeights | Rule::Texture => {
                 let total: f64 = entries().map(|(.., weight)| weight).sum();
                 // Relative to the first, so that equal values stay what they are.
                 let size = value_type.size();
@@ -153,7 +153,7 @@ impl<'a> Mixer<'a> {
                     let off: f64 = entries().map(|(_, values, weight)| weight * (at(values) - base)).sum();
                     *mean = if total > 0.0 { base + off / total } else { base };
                 }
-                if self.channel.rule == Rule::Shares {
+                if self.channel.rule == Rule::SkinWeights {
                     self.keep_largest(mean, order);
                 }
             }
@@ -165,7 +165,7 @@ impl<'a> Mixer<'a> {
     /// Keeps the largest shares, the first of equal ones, and makes the sum that of the type.
     fn keep_largest(&self, shares: &mut [f64], order: &mut [u32]) {
         order.iter_mut().zip(0..).for_each(|(k, place)| *k = place);
-        let most = self.channel.most_shares;
+        let most = self.channel.max_influences;
         if most > 0 && most < shares.len() {
             select(order, most, |k| -shares[k as usize]);
             order[most..].iter().for_each(|&k| shares[k as usize] = 0.0);
@@ -194,7 +194,8 @@ fn vector(value_type: ValueType, values: &[u8]) -> DVec3 {
     DVec3::new(value_type.read(values), value_type.read(&values[size..]), value_type.read(&values[2 * size..]))
 }
 
-/// The mean of directions on the sphere, by weights; of length 1, but for directions without length.
+/// The mean of directions on the sphere, by weights; of length 1, but for directions without
+/// length.
 fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> DVec3 {
     let units = || entries().map(|(direction, weight)| (direction.normalize_or_zero(), weight));
     let heaviest = units().fold((DVec3::ZERO, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best });

@@ -25,9 +25,9 @@ pub enum Rule {
     /// Directions of three components, of a floating type: the weighted mean on the sphere, of
     /// length 1. Those of faces that were turned over are turned, too.
     Normal,
-    /// Shares, at least 0, as of bones: the weighted mean, of which so many of the largest are kept
+    /// Weights of bones, at least 0: the weighted mean, of which so many of the largest are kept
     /// and made to have the sum 1, or in unsigned types the largest value of the type.
-    Shares,
+    SkinWeights,
     /// The value of the source that counts most.
     Nearest,
     /// Texture coordinates: at the corners of new faces, as [`Rule::Linear`] where both sides are on
@@ -42,8 +42,8 @@ pub struct Channel<'a> {
     pub(super) value_type: ValueType,
     pub(super) components: usize,
     pub(super) rule: Rule,
-    /// Of [`Rule::Shares`], how many are kept; 0 for all.
-    pub(super) most_shares: usize,
+    /// Of [`Rule::SkinWeights`], how many are kept; 0 for all.
+    pub(super) max_influences: usize,
     /// Of each input; `None` if it has no such values.
     pub(super) inputs: Vec<Option<Strided<'a>>>,
 }
@@ -61,13 +61,13 @@ impl<'a> Channel<'a> {
             Error::require(value_type.largest().is_none(), "value_type", 0.0)?;
         }
         let components = components as usize;
-        Ok(Channel { domain, value_type, components, rule, most_shares: 0, inputs: Vec::new() })
+        Ok(Channel { domain, value_type, components, rule, max_influences: 0, inputs: Vec::new() })
     }
 
-    /// Keeps so many of the shares of an element that has several sources; 0 for all.
+    /// Keeps so many of the skin weights of an element that has several sources; 0 for all.
     #[must_use]
-    pub fn with_most_shares(self, most: u32) -> Self {
-        Channel { most_shares: most as usize, ..self }
+    pub fn with_max_influences(self, most: u32) -> Self {
+        Channel { max_influences: most as usize, ..self }
     }
 
     /// Adds the values of the next input: of each element at the start of every `stride` bytes, 0
@@ -101,7 +101,7 @@ impl<'a> Channel<'a> {
     }
 
     /// Holds the values to the rules: as many as the inputs have elements, all of them numbers, and
-    /// shares at least 0.
+    /// skin weights at least 0.
     pub(super) fn check(&self, needed: &[Counts], job: &Job<'_>) -> Result<()> {
         if self.inputs.len() != needed.len() {
             return Err(Error::InputsDiffer { given: self.inputs.len() as u64, needed: needed.len() as u64 });
@@ -117,7 +117,7 @@ impl<'a> Channel<'a> {
             return Ok(());
         }
         let (at_least, size) =
-            (if self.rule == Rule::Shares { 0.0 } else { f64::NEG_INFINITY }, self.value_type.size());
+            (if self.rule == Rule::SkinWeights { 0.0 } else { f64::NEG_INFINITY }, self.value_type.size());
         let is_bad = |value: f64| !value.is_finite() || value < at_least;
         for (values, input) in self.inputs.iter().zip(0..).filter_map(|(values, input)| Some((values.as_ref()?, input)))
         {

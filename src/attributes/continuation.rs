@@ -16,6 +16,7 @@
 //! affine weights for the three corners of the old face: the same for all channels.
 
 use super::rims::{End, Rims};
+use super::table::STAGE;
 use super::values::Output;
 use crate::alloc;
 use crate::error::Result;
@@ -26,7 +27,6 @@ use crate::mesh::{Mesh, NONE};
 use crate::sort::{Buckets, sort};
 use glam::DVec3;
 
-const STAGE: &str = "finding origins";
 /// Charts go on at most so many heights of the old face: needles lead nowhere.
 const MAX_HEIGHTS: f64 = 64.0;
 /// A face whose height over its base is a smaller part of the base has no direction.
@@ -194,7 +194,7 @@ impl Continuation {
 impl Base {
     /// With the corner of the face that is farthest from the line of the edge.
     fn new(mesh: &Mesh, [start, end]: [u32; 2]) -> Base {
-        let f = mesh.face_offsets.partition_point(|&offset| offset <= start) - 1;
+        let f = mesh.face_of(start);
         let at = |corner: u32| mesh.positions.get(mesh.corner(corner as usize));
         let (p, way) = (at(start), at(end) - at(start));
         let off = |corner: u32| (at(corner) - p).reject_from_normalized(way.normalize_or_zero()).length_squared();

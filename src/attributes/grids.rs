@@ -2,13 +2,11 @@
 
 use super::domain::Counts;
 use super::origins::{Kept, Origins};
-use super::table::Table;
+use super::table::{STAGE, Table};
 use crate::error::Result;
 use crate::job::Job;
 use crate::net::convert::NetMesh;
 use crate::surface::SurfaceMesh;
-
-const STAGE: &str = "finding origins";
 
 /// Of a grid of nodes: they are its vertices and its corners.
 fn counts(rows: usize, columns: usize) -> Counts {

@@ -3,7 +3,7 @@
 
 use super::domain::Counts;
 use super::origins::{Kept, Origins};
-use super::table::Table;
+use super::table::{STAGE, Table};
 use crate::alloc;
 use crate::error::Result;
 use crate::fill::Filled;
@@ -17,7 +17,8 @@ impl Origins {
     /// Those of a stitched mesh.
     ///
     /// # Errors
-    /// [`Error::TooLarge`](crate::Error::TooLarge), [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::TooLarge`](crate::Error::TooLarge),
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of_stitch(stitch: &Stitch, job: &Job<'_>) -> Result<Origins> {
         let mesh = &stitch.mesh;
@@ -111,7 +112,7 @@ fn unchanged(
 ) -> Result<Kept> {
     let mut corners = alloc::with_capacity(mesh.face_offsets[faces] as usize)?;
     for f in 0..faces {
-        job.step_within(f, "finding origins")?;
+        job.step_within(f, STAGE)?;
         corners.extend(places(mesh, f, is_turned(f)));
     }
     Ok(Kept {

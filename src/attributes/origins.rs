@@ -3,14 +3,13 @@
 use super::continuation::Continuation;
 use super::domain::{Counts, Domain};
 use super::rims::Rims;
-use super::table::Table;
+use super::table::{STAGE, Table};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
 
-const STAGE: &str = "finding origins";
 /// Of a vertex that very many old ones became, new vertices have no more sources than this.
 const MAX_SHARED: usize = 16;
 
@@ -117,14 +116,13 @@ impl Origins {
             vertices.push(row.iter().copied())?;
         }
         let rims = Rims::find(mesh, old_faces, &job.part(0.0, 0.7))?;
-        let corner_source = |v: u32, base: u32| rims.corner_at(v, base);
         for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
             job.step_within(f, STAGE)?;
             let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
             for corner in first..end {
                 row.clear();
                 for (v, weight) in spread_of(&spread, old_vertices, mesh.corner(corner)) {
-                    let (corner, _) = corner_source(v, base);
+                    let (corner, _) = rims.corner_at(v, base);
                     if corner != NONE {
                         alloc::extend(
                             &mut row,
@@ -134,7 +132,7 @@ impl Origins {
                 }
                 corners.push(row.iter().copied())?;
             }
-            let across = rims.edges.get(base as usize).map(|&[corner, _]| face_of(mesh, corner));
+            let across = rims.edges.get(base as usize).map(|&[corner, _]| mesh.face_of(corner));
             let source = across.map_or(NONE, |face| faces.main_source(face));
             faces.push((source != NONE).then_some((source, 1.0)))?;
         }
@@ -171,9 +169,4 @@ fn spread_of(spread: &Table, old: usize, v: u32) -> impl Iterator<Item = (u32, f
     let row = (v as usize).checked_sub(old);
     let own = row.is_none().then_some((v, 1.0));
     own.into_iter().chain(row.into_iter().flat_map(|k| spread.entries(k)))
-}
-
-/// The face that a corner belongs to.
-fn face_of(mesh: &Mesh, corner: u32) -> usize {
-    mesh.face_offsets.partition_point(|&start| start <= corner) - 1
 }

@@ -4,7 +4,7 @@
 use super::domain::Counts;
 use super::joined::places;
 use super::origins::{Kept, Origins};
-use super::table::Table;
+use super::table::{STAGE, Table};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -13,8 +13,6 @@ use crate::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use crate::repair::sew::Sew;
 use crate::repair::weld::Weld;
 use crate::stitch::assemble::Assembly;
-
-const STAGE: &str = "finding origins";
 
 impl Origins {
     /// Those of a welded mesh.

@@ -4,14 +4,13 @@
 //! rim edge of its own, or that of a neighbour which is nearer to the rims: a search in breadth from
 //! all rim edges at once, so that the bases of a strip's faces meet in the middle.
 
+use super::table::STAGE;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE, unordered};
 use crate::sort::{Buckets, sort};
-
-const STAGE: &str = "finding origins";
 
 /// An end of a rim edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -59,7 +58,7 @@ impl Rims {
         let mut keyed = alloc::collect(sides.iter().map(|&(ends, corner)| (unordered(ends), corner)))?;
         sort(&mut keyed, Ord::cmp, &job.part(0.4, 0.6), STAGE)?;
         let count = mesh.face_count() - first_face;
-        let face_of = |corner: u32| mesh.face_offsets.partition_point(|&start| start <= corner) as u32 - 1;
+        let face_of = |corner: u32| mesh.face_of(corner) as u32;
         let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for together in keyed.chunk_by(|a, b| a.0 == b.0) {
             job.step_within(edges.len() + links.len(), STAGE)?;

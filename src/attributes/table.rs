@@ -6,7 +6,8 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort::Buckets;
 
-const STAGE: &str = "finding origins";
+/// What hosts are told.
+pub(super) const STAGE: &str = "finding origins";
 
 /// For each element of a result its sources and how much it has of each.
 ///

@@ -199,7 +199,8 @@ pub(crate) fn create<T: Handle>(
     create_and_tell(context, out, name, |job| Ok((body(job)?, ())), |()| ())
 }
 
-/// [`create`], of a body that makes something beside the handle, for `tell` to write to other outputs.
+/// [`create`], of a body that makes something beside the handle, for `tell` to write to other
+/// outputs.
 pub(crate) fn create_and_tell<T: Handle, U>(
     context: *const gusset_context,
     out: *mut *mut T,

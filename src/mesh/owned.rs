@@ -120,6 +120,11 @@ impl Mesh {
         self.merge.as_ref().map_or(v, |merge| merge[v as usize])
     }
 
+    /// The face that a corner belongs to, by bisection.
+    pub(crate) fn face_of(&self, corner: u32) -> usize {
+        self.face_offsets.partition_point(|&start| start <= corner) - 1
+    }
+
     /// The number of faces.
     pub fn face_count(&self) -> usize {
         self.face_offsets.len() - 1

@@ -29,17 +29,18 @@ pub const GUSSET_RULE_LINEAR: gusset_channel_rule = 0;
 /// Directions of three components, floats: the weighted mean on the sphere, of length 1. Those of
 /// faces that the operation turned over are turned, too.
 pub const GUSSET_RULE_NORMAL: gusset_channel_rule = 1;
-/// Shares, at least 0, as of bones: the weighted mean, of which the max_shares largest are kept, the
-/// first of equal ones, and made to have the sum 1, or of integers the largest number of the type.
-pub const GUSSET_RULE_SHARES: gusset_channel_rule = 2;
+/// Weights of bones, at least 0: the weighted mean, of which the max_influences largest are kept,
+/// the first of equal ones, and made to have the sum 1, or of integers the largest number of the
+/// type.
+pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_channel_rule = 2;
 /// The value of the source that counts most, the first of equal ones, as of materials and numbers.
 pub const GUSSET_RULE_NEAREST: gusset_channel_rule = 3;
 /// Texture coordinates. At the corners of new faces they are the weighted mean where both sides are
 /// on one chart: on each rim as long as the old faces have the same values at its vertices, and
-/// across a gap where most of the new faces say so, to whom the values beyond are nearer to where
-/// their own side's chart would go on than half the way there. Elsewhere each new face goes on with
-/// the chart of the old face that it comes from, unfolded, and the charts meet in a seam in the
-/// middle. Of vertices and faces it is the weighted mean.
+/// across a gap where for most of the new faces the values beyond are nearer to where their own
+/// side's chart would go on than half of the way there and of their base. Elsewhere each new face
+/// goes on with the chart of the old face that it comes from, unfolded, and the charts meet in a
+/// seam in the middle. Of vertices and faces it is the weighted mean.
 pub const GUSSET_RULE_TEXTURE: gusset_channel_rule = 4;
 
 c_enum! {
@@ -53,7 +54,7 @@ c_enum! {
     rule: Rule {
         GUSSET_RULE_LINEAR => Linear,
         GUSSET_RULE_NORMAL => Normal,
-        GUSSET_RULE_SHARES => Shares,
+        GUSSET_RULE_SKIN_WEIGHTS => SkinWeights,
         GUSSET_RULE_NEAREST => Nearest,
         GUSSET_RULE_TEXTURE => Texture,
     }
@@ -73,8 +74,8 @@ pub struct gusset_channel {
     pub components: u32,
     /// GUSSET_RULE_...
     pub rule: gusset_channel_rule,
-    /// With GUSSET_RULE_SHARES, how many are kept of elements with several sources; 0: all.
-    pub max_shares: u32,
+    /// With GUSSET_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0: all.
+    pub max_influences: u32,
     /// 0.
     pub reserved: u32,
 }
@@ -110,11 +111,12 @@ fixed! { gusset_channel_values: 24 }
 ///     alignment; the bytes between are left alone. It must not overlap the inputs' values.
 /// @param count the number of elements that it has room for, at least those of the result.
 /// @param stride bytes from one element to the next; 0 for packed ones.
-/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
-///     OUT_OF_RANGE (components, or value_type and components that the rule does not take; a negative
-///     share, with the element and the input), NOT_FINITE with the element and the input, but for
-///     GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of inputs than there are, or of values, with
-///     the input), BAD_STRIDE, SIZE_OVERFLOW, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+///     UNKNOWN_VALUE, OUT_OF_RANGE (components, or value_type and components that the rule does
+///     not take; a negative skin weight, with the element and the input), NOT_FINITE with the
+///     element and the input, but for GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of
+///     inputs than there are, or of values, with the input), BAD_STRIDE, SIZE_OVERFLOW,
+///     BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(sources and elements); no memory; on the context's threads.
 /// @since 0.1
 #[unsafe(no_mangle)]
@@ -134,7 +136,7 @@ pub unsafe extern "C" fn gusset_attributes_apply(
         let origins = &handle::get(origins, "origins")?.0;
         let domain = choice(given.domain)?;
         let mut channel = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?)?
-            .with_most_shares(given.max_shares);
+            .with_max_influences(given.max_influences);
         // Before any of them is read.
         let inputs_needed = origins.inputs().len();
         if input_count != inputs_needed {
@@ -180,8 +182,9 @@ pub unsafe extern "C" fn gusset_attributes_apply(
 /// @param mesh the mesh.
 /// @param keys one for each vertex, at any alignment; NULL: positions.
 /// @param[out] merge room for as many numbers as the mesh has vertices; at any alignment.
-/// @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(V log V) for V vertices; 8 bytes for each.
+/// @return GUSSET_OK, or an error: those of gusset_mesh_view, SIZE_OVERFLOW, OUT_OF_MEMORY,
+///     CANCELLED.
+/// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

@@ -71,7 +71,7 @@ versioned! { gusset_origins_view: 64 }
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY,
 ///     CANCELLED.
 /// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner and
-///     face, and about 200 for each corner of a new face.
+///     face, and linear in n.
 /// @since 0.1
 #[unsafe(no_mangle)]
 #[must_use]

@@ -63,7 +63,7 @@ fn the_mean_of_two_normals_is_on_the_great_circle() {
 }
 
 #[test]
-fn shares_are_few_and_whole() {
+fn skin_weights_are_few_and_have_the_sum_1() {
     let case = caps();
     // Each piece has other bones.
     let share = |k: usize, v: usize| ((v * 7 + k * 3) % 11) as f64 / 11.0 + 0.01;
@@ -75,7 +75,8 @@ fn shares_are_few_and_whole() {
     };
     let inputs: Vec<Vec<f64>> =
         (0..2).map(|piece| (0..case.pieces[piece].points.len()).flat_map(|v| row(piece, v)).collect()).collect();
-    let mut channel = Channel::new(Domain::Vertices, ValueType::F64, 8, Rule::Shares).unwrap().with_most_shares(3);
+    let mut channel =
+        Channel::new(Domain::Vertices, ValueType::F64, 8, Rule::SkinWeights).unwrap().with_max_influences(3);
     inputs.iter().for_each(|input| channel.push(bytemuck::cast_slice(input), 0, input.len() / 8).unwrap());
     let found: Vec<f64> = applied(&case.origins, &channel, 8).unwrap();
     let old: usize = case.pieces.iter().map(|piece| piece.points.len()).sum();
@@ -95,7 +96,7 @@ fn shares_are_few_and_whole() {
 
     // As bytes, whose sum is 255 to the last one.
     let bytes: Vec<Vec<u8>> = inputs.iter().map(|rows| rows.iter().map(|x| (255.0 * x) as u8).collect()).collect();
-    let mut channel = Channel::new(Domain::Vertices, ValueType::U8, 8, Rule::Shares).unwrap();
+    let mut channel = Channel::new(Domain::Vertices, ValueType::U8, 8, Rule::SkinWeights).unwrap();
     bytes.iter().for_each(|input| channel.push(input, 0, input.len() / 8).unwrap());
     let found: Vec<u8> = applied(&case.origins, &channel, 8).unwrap();
     assert!(found.chunks_exact(8).skip(old).all(|row| row.iter().map(|&x| u32::from(x)).sum::<u32>() == 255));
@@ -175,8 +176,8 @@ fn what_does_not_fit_is_refused() {
     for (value, rule, is_bad) in [
         (f32::INFINITY, Rule::Linear, true),
         (f32::NEG_INFINITY, Rule::Texture, true),
-        (-1e-30, Rule::Shares, true),
-        (-0.0, Rule::Shares, false),
+        (-1e-30, Rule::SkinWeights, true),
+        (-0.0, Rule::SkinWeights, false),
         (f32::INFINITY, Rule::Nearest, false),
         (-1.0, Rule::Linear, false),
     ] {
