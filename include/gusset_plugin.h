@@ -32,6 +32,74 @@
 
 
 /**
+ * Elements of a mesh: vertices.
+ */
+#define GUSSET_PLUGIN_VERTICES 0
+
+/**
+ * Elements of a mesh: corners of faces, in the order of face_corners.
+ */
+#define GUSSET_PLUGIN_CORNERS 1
+
+/**
+ * Elements of a mesh: faces.
+ */
+#define GUSSET_PLUGIN_FACES 2
+
+/**
+ * Values are 32-bit floats.
+ */
+#define GUSSET_PLUGIN_VALUE_F32 1
+
+/**
+ * Values are 64-bit floats.
+ */
+#define GUSSET_PLUGIN_VALUE_F64 2
+
+/**
+ * Values are 8-bit unsigned integers.
+ */
+#define GUSSET_PLUGIN_VALUE_U8 3
+
+/**
+ * Values are 16-bit unsigned integers.
+ */
+#define GUSSET_PLUGIN_VALUE_U16 4
+
+/**
+ * Values are 32-bit unsigned integers.
+ */
+#define GUSSET_PLUGIN_VALUE_U32 5
+
+/**
+ * Several values become their weighted mean, as of colours; of integers rounded.
+ */
+#define GUSSET_PLUGIN_RULE_LINEAR 0
+
+/**
+ * Directions of three floats become their mean on the sphere, of length 1; those of faces that were
+ * turned over are turned.
+ */
+#define GUSSET_PLUGIN_RULE_NORMAL 1
+
+/**
+ * Skin weights become their weighted mean, of which the max_influences largest are kept, with the
+ * sum 1, or of integers the largest number of the type.
+ */
+#define GUSSET_PLUGIN_RULE_SKIN_WEIGHTS 2
+
+/**
+ * The value of the source that counts most is taken, as of materials and numbers.
+ */
+#define GUSSET_PLUGIN_RULE_NEAREST 3
+
+/**
+ * Texture coordinates: at the corners of new faces the mean where both sides are on one chart, and
+ * elsewhere each side's chart goes on to a seam in the middle.
+ */
+#define GUSSET_PLUGIN_RULE_TEXTURE 4
+
+/**
  * The version of this header's tables, for gusset_plugin_entry.
  */
 #define GUSSET_PLUGIN_ABI 1
@@ -131,6 +199,12 @@
  * new.
  */
 #define GUSSET_FILTER_REPLACES 1
+
+/**
+ * The vertices, corners and faces of the first output, a mesh, come from those of the inputs, and
+ * extension("attributes/1") carries over what they have.
+ */
+#define GUSSET_FILTER_ORIGINS 2
 
 /**
  * gusset_failure.input, gusset_failure.param: none.
@@ -268,9 +342,10 @@ typedef struct gusset_host {
      */
     uint32_t threads;
     /**
-     * 0.
+     * 1: outputs tell where their elements come from, for extension("attributes/1"), if the filter
+     * has GUSSET_FILTER_ORIGINS. 0: they do not, which saves time and memory.
      */
-    uint32_t reserved;
+    uint32_t origins;
 } gusset_host;
 
 /**
@@ -606,7 +681,7 @@ typedef struct gusset_plugin {
     void (*output_free)(struct gusset_outputs *outputs);
     /**
      * Something beyond these tables, by name and version, or NULL: "values/1" is a
-     * gusset_plugin_values.
+     * gusset_plugin_values, "attributes/1" a gusset_plugin_attributes.
      */
     const void *(*extension)(const char *name);
 } gusset_plugin;
@@ -639,6 +714,140 @@ typedef struct gusset_plugin_values {
      */
     double (*value)(const struct gusset_outputs *outputs, uint32_t index, uint32_t which);
 } gusset_plugin_values;
+
+/**
+ * Where elements of an output come from. The arrays live as long as the outputs.
+ */
+typedef struct gusset_plugin_origins {
+    /**
+     * sizeof(gusset_plugin_origins), set by the host.
+     */
+    size_t struct_size;
+    /**
+     * The number of elements.
+     */
+    size_t count;
+    /**
+     * count + 1 entries: element k has the entries offsets[k] to offsets[k + 1] - 1 of sources and
+     * weights; none if it comes from nothing.
+     */
+    const uint32_t *offsets;
+    /**
+     * Elements of the inputs, numbered through all of them.
+     */
+    const uint32_t *sources;
+    /**
+     * How much each counts: more than 0, with the sum 1 for each element.
+     */
+    const double *weights;
+    /**
+     * The number of inputs.
+     */
+    size_t input_count;
+    /**
+     * input_count + 1 entries: the elements of input i are the sources starts[i] to starts[i + 1] - 1.
+     */
+    const uint32_t *starts;
+} gusset_plugin_origins;
+
+/**
+ * What the values of elements are, and how they are mixed. An element of one source has its value,
+ * bit for bit; one without sources, or whose sources have no values, 0.
+ */
+typedef struct gusset_plugin_channel {
+    /**
+     * sizeof(gusset_plugin_channel), set by the host.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES.
+     */
+    uint32_t domain;
+    /**
+     * GUSSET_PLUGIN_VALUE_...; zero is no valid value.
+     */
+    uint32_t value_type;
+    /**
+     * How many values an element has, 1 to 4096.
+     */
+    uint32_t components;
+    /**
+     * GUSSET_PLUGIN_RULE_...
+     */
+    uint32_t rule;
+    /**
+     * With GUSSET_PLUGIN_RULE_SKIN_WEIGHTS, how many are kept of elements with several sources; 0:
+     * all.
+     */
+    uint32_t max_influences;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_plugin_channel;
+
+/**
+ * The values of one input's elements.
+ */
+typedef struct gusset_plugin_channel_values {
+    /**
+     * The components of each element at the start of every stride, at any alignment; NULL with count
+     * 0 if the input has no such values.
+     */
+    const void *values;
+    /**
+     * The number of elements: of the input's vertices, corners or faces, all.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next; 0 if they are packed.
+     */
+    size_t stride;
+} gusset_plugin_channel_values;
+
+/**
+ * What meshes carry beside positions, carried over to the outputs of a run whose host asked for
+ * origins: extension("attributes/1"). The struct is static; the functions may be called from many
+ * threads at once.
+ */
+typedef struct gusset_plugin_attributes {
+    /**
+     * sizeof(gusset_plugin_attributes) of the plugin.
+     */
+    size_t struct_size;
+    /**
+     * 1 if output index tells where its elements come from, else 0.
+     */
+    uint32_t (*has_origins)(const struct gusset_outputs *outputs, uint32_t index);
+    /**
+     * Fills origins, whose struct_size is set, with those of output index. domain:
+     * GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_CORNERS or GUSSET_PLUGIN_FACES. Returns
+     * GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
+     */
+    int32_t (*origins)(const struct gusset_outputs *outputs,
+                       uint32_t index,
+                       uint32_t domain,
+                       struct gusset_plugin_origins *origins);
+    /**
+     * Writes the values of the elements of output index. host: NULL for no callbacks and automatic
+     * threads. channel: its struct_size is set. inputs: input_count structs, one for each input of
+     * the run, in their order. values: room for count elements, those of the output at least, stride
+     * bytes apart, 0 for packed ones, at any alignment; it must not overlap the inputs' values.
+     * failure: receives why there are none, the message of static texts, or NULL. O(elements and
+     * sources). Returns GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_CANCELLED, or another gusset_status of
+     * gusset.h.
+     */
+    int32_t (*apply)(const struct gusset_outputs *outputs,
+                     uint32_t index,
+                     const struct gusset_host *host,
+                     const struct gusset_plugin_channel *channel,
+                     const struct gusset_plugin_channel_values *inputs,
+                     uint32_t input_count,
+                     void *values,
+                     size_t count,
+                     size_t stride,
+                     struct gusset_failure *failure);
+} gusset_plugin_attributes;
 
 #ifdef __cplusplus
 extern "C" {

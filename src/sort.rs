@@ -110,7 +110,7 @@ pub(crate) fn sort_distinct<T: Ord>(items: &mut Vec<T>) {
 }
 
 /// Items in numbered buckets: a counting sort. 4 bytes a bucket beside the items.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Buckets<T> {
     /// Bucket k has the items from `start[k]` to `start[k + 1]`.
     start: Vec<u32>,

@@ -1,6 +1,7 @@
 """What the tests of the program share: running it, and reading and writing its files without its help."""
 
 import json
+import math
 import pathlib
 import struct
 import subprocess
@@ -85,6 +86,14 @@ def grid(rows, columns, height):
     return vertices, faces
 
 
+def tube(count, low, high):
+    """An open tube of quads about the z axis."""
+    vertices = [(math.cos(math.tau * k / count), math.sin(math.tau * k / count), z) for z in (low, high)
+                for k in range(count)]
+    faces = [[k, (k + 1) % count, count + (k + 1) % count, count + k] for k in range(count)]
+    return vertices, faces
+
+
 def rims(faces):
     """The number of edges that have one face."""
     count = {}
@@ -145,10 +154,11 @@ def counts(path):
     return accessors[primitive["attributes"]["POSITION"]]["count"], accessors[primitive["indices"]]["count"] // 3
 
 
-def write_glb(path, positions, faces, node=None, extensions=(), **more):
-    """Triangles in a binary glTF file. node: the node that shows them. more: accessors beside, as bytes, type and
-    component; or changes to the whole."""
+def write_glb(path, positions, faces, node=None, extensions=(), pairs=(), **more):
+    """Triangles in a binary glTF file. node: the node that shows them. pairs: texture coordinates of the vertices. more:
+    changes to the whole."""
     blob = b"".join(struct.pack("<3f", *p) for p in positions) + b"".join(struct.pack("<3H", *f) for f in faces)
+    blob += bytes(-len(blob) % 4) + b"".join(struct.pack("<2f", *pair) for pair in pairs)
     blob += bytes(-len(blob) % 4)
     split = 12 * len(positions)
     model = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, **(node or {})}],
@@ -158,6 +168,10 @@ def write_glb(path, positions, faces, node=None, extensions=(), **more):
              "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(positions), "type": "VEC3"},
                            {"bufferView": 1, "componentType": 5123, "count": 3 * len(faces), "type": "SCALAR"}],
              "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}]}
+    if pairs:
+        model["bufferViews"].append({"buffer": 0, "byteOffset": len(blob) - 8 * len(pairs), "byteLength": 8 * len(pairs)})
+        model["accessors"].append({"bufferView": 2, "componentType": 5126, "count": len(pairs), "type": "VEC2"})
+        model["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 2
     if extensions:
         model["extensionsRequired"] = model["extensionsUsed"] = list(extensions)
     model.update(more)

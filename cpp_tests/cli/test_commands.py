@@ -2,24 +2,15 @@
 plugin is found by the program itself, and OTHER is a plugin that has nothing of it."""
 
 import json
-import math
 import pathlib
 import subprocess
 import sys
 import unittest
 
 import meshes
-from meshes import read_obj, read_ply, rims, write_obj, write_off
+from meshes import read_obj, read_ply, rims, tube, write_obj, write_off
 
 DONE, USAGE, FILE, PLUGIN, REFUSED = range(5)
-
-
-def tube(count, low, high):
-    """An open tube of quads about the z axis."""
-    vertices = [(math.cos(math.tau * k / count), math.sin(math.tau * k / count), z) for z in (low, high)
-                for k in range(count)]
-    faces = [[k, (k + 1) % count, count + (k + 1) % count, count + k] for k in range(count)]
-    return vertices, faces
 
 
 class Commands(unittest.TestCase):
@@ -153,7 +144,10 @@ class Commands(unittest.TestCase):
         faces = [[int(corner.split("/")[1]) - 1 for corner in row.split()[1:]] for row in text.splitlines() if row[0] == "f"]
         self.assertEqual([[pairs[c] for c in face] for face in faces],
                          [[(0, 0), (0.5, 0), (0.5, 0.5)], [(1, 0), (1, 1), (0, 1)]])
-        self.expect(DONE, "fill", "seam.obj", "-o", "closed.obj", says="no texture coordinates on 2 new faces")
+        # New faces go on with the charts round them.
+        self.expect(DONE, "fill", "seam.obj", "-o", "closed.obj")
+        text = self.at("closed.obj").read_text()
+        self.assertEqual([row.count("/") for row in text.splitlines() if row[0] == "f"], [3, 3, 3, 3])
 
     def test_moved_vertices_lose_their_normals(self):
         self.at("up.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")

@@ -109,7 +109,7 @@ static void check_pointers(const gusset_filter *filter, const shapes *made) {
     bad.host = &host;
     EXPECT(filter->id, BAD_STRUCT_SIZE, GUSSET_PLUGIN_NONE, bad);
     host.struct_size = sizeof host;
-    host.reserved = 1;
+    host.origins = 2;
     EXPECT(filter->id, UNKNOWN_VALUE, GUSSET_PLUGIN_NONE, bad);
 }
 

@@ -19,6 +19,7 @@ static gusset_outputs *run(const gusset_filter *filter, const shapes *made, long
     gusset_outputs *outputs = NULL;
     host.struct_size = sizeof host;
     host.threads = 2;
+    host.origins = 1;
     atomic_store(&memory_requests, 0);
     atomic_store(&memory_last, last);
     atomic_store(&memory_first, first);

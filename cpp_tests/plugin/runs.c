@@ -133,6 +133,7 @@ static gusset_host host_of(follower *self, const char *of, uint32_t stop_at, uin
     host.user = self;
     host.progress = follow;
     host.threads = threads;
+    host.origins = 1;
     return host;
 }
 

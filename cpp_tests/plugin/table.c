@@ -112,7 +112,7 @@ static void check_kinds(const gusset_filter *filter) {
         CHECK_OF(filter->id,
                  filter->output_kinds[i] >= GUSSET_KIND_MESH && filter->output_kinds[i] <= GUSSET_KIND_TEXT);
     }
-    CHECK_OF(filter->id, (filter->flags & ~(uint32_t)GUSSET_FILTER_REPLACES) == 0);
+    CHECK_OF(filter->id, (filter->flags & ~(uint32_t)(GUSSET_FILTER_REPLACES | GUSSET_FILTER_ORIGINS)) == 0);
     if (filter->flags & GUSSET_FILTER_REPLACES) {
         CHECK_OF(filter->id, filter->min_inputs > 0 && filter->input_kinds[0] == filter->output_kinds[0]);
     }
@@ -163,6 +163,8 @@ int main(int argc, char **argv) {
     CHECK(plugin->find(NULL) == NULL && plugin->find("") == NULL && plugin->find("no such filter") == NULL);
     const gusset_plugin_values *values = plugin->extension("values/1");
     CHECK(values != NULL && values->struct_size == sizeof *values);
+    const gusset_plugin_attributes *attributes = plugin->extension("attributes/1");
+    CHECK(attributes != NULL && attributes->struct_size == sizeof *attributes);
     CHECK(plugin->extension(NULL) == NULL && plugin->extension("") == NULL && plugin->extension("nothing/1") == NULL);
 
     for (uint32_t i = 0; i < plugin->filter_count; ++i) {

@@ -63,6 +63,23 @@ static int weld(const gusset_plugin *plugin, const gusset_plugin_mesh *mesh, gus
 }
 //! [run]
 
+//! [attributes]
+/* The colours of the mesh that went in, on what came out: old vertices keep theirs bit for bit. */
+static int carry_colours(const gusset_plugin *plugin, const gusset_outputs *outputs, const uint8_t *colours,
+                         size_t count, uint8_t *carried, size_t carried_count) {
+    const gusset_plugin_attributes *attributes = plugin->extension("attributes/1");
+    gusset_plugin_channel channel = {0};
+    const gusset_plugin_channel_values input = {colours, count, 0};
+    channel.struct_size = sizeof channel;
+    channel.domain = GUSSET_PLUGIN_VERTICES;
+    channel.value_type = GUSSET_PLUGIN_VALUE_U8;
+    channel.components = 4;
+    channel.rule = GUSSET_PLUGIN_RULE_LINEAR;
+    return attributes == NULL || attributes->apply(outputs, 0, NULL, &channel, &input, 1, carried, carried_count, 0,
+                                                   NULL) != GUSSET_PLUGIN_DONE;
+}
+//! [attributes]
+
 //! [progress]
 static int32_t on_progress(void *user, double fraction, const char *stage) {
     (void)stage;
@@ -75,6 +92,8 @@ int main(int argc, char **argv) {
     /* Two triangles with corners of their own, side by side. */
     const float points[6][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const uint32_t corners[6] = {0, 1, 2, 3, 4, 5};
+    const uint8_t colours[6][4] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {0, 255, 0, 255}, {9, 9, 9, 255}, {0, 0, 255, 255}};
+    uint8_t carried[6][4];
     gusset_plugin_mesh mesh = {0}, welded = {0};
     gusset_outputs *outputs = NULL;
     gusset_host host = {0};
@@ -98,8 +117,10 @@ int main(int argc, char **argv) {
     host.struct_size = sizeof host;
     host.user = &done;
     host.progress = on_progress;
+    host.origins = 1; /* for colours */
     failed = weld(plugin, &mesh, &welded, &outputs, &host);
     printf("%lu vertices are left of %lu\n", (unsigned long)welded.vertex_count, (unsigned long)mesh.vertex_count);
+    failed = failed || carry_colours(plugin, outputs, colours[0], 6, carried[0], 6) || carried[1][1] != 255;
     plugin->output_free(outputs); /* and with it what welded points to */
     return failed || welded.vertex_count != 4;
 }

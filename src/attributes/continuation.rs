@@ -37,14 +37,14 @@ const MAX_DEVIATION: f64 = 0.5;
 const SAME: f64 = 1e-6;
 
 /// The base of a new face, in corners of the result.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Base {
     /// The old face's corners at both ends, and one off the line between them.
     corners: [u32; 3],
 }
 
 /// New faces, as texture coordinates need them.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 pub(super) struct Continuation {
     /// Where the corners of each new face begin in the result, and where the last one ends.
     offsets: Vec<u32>,

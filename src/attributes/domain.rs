@@ -1,5 +1,7 @@
 //! Kinds of elements, and how many of each an input has.
 
+use crate::mesh::MeshView;
+
 /// What elements are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Domain {
@@ -24,6 +26,12 @@ pub struct Counts {
 }
 
 impl Counts {
+    /// Those of a mesh.
+    pub(super) fn of_mesh(mesh: &MeshView<'_>) -> Self {
+        let faces = mesh.faces();
+        Counts { vertices: mesh.positions().len(), corners: faces.half_edge_count(), faces: faces.len() }
+    }
+
     /// Those of a domain.
     pub fn of(&self, domain: Domain) -> usize {
         match domain {

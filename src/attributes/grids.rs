@@ -5,7 +5,8 @@ use super::origins::{Kept, Origins};
 use super::table::{STAGE, Table};
 use crate::error::Result;
 use crate::job::Job;
-use crate::net::convert::NetMesh;
+use crate::mesh::MeshView;
+use crate::net::convert::{GridNet, NetMesh};
 use crate::surface::SurfaceMesh;
 
 /// Of a grid of nodes: they are its vertices and its corners.
@@ -37,6 +38,53 @@ impl Origins {
         }
         let inputs = vec![counts(net.vertex_of_node.len() / columns, columns)];
         Origins::of_kept(Kept { inputs, vertices, corners, faces })
+    }
+
+    /// Those of the mesh of a net that has some of the rows and columns of nodes that a mesh in rows
+    /// and columns has, by its vertices, corners and faces. A cell between rows that are no neighbours
+    /// has the face of the old cell at its first node, and its corners are those of the outermost old
+    /// cells in it.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_grid_mesh(
+        input: &MeshView<'_>,
+        grid: &GridNet,
+        [rows, columns]: [&[usize]; 2],
+        made: &NetMesh,
+        job: &Job<'_>,
+    ) -> Result<Origins> {
+        let (shape, faces) = (grid.net.shape(), input.faces());
+        let wide = |[i, j]: [usize; 2], columns: usize| i * columns + j;
+        let vertex_at = |node: [usize; 2]| {
+            let old = [rows[node[0]], columns[node[1]]];
+            grid.vertex_of_node[wide(old, shape.columns())]
+        };
+        let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
+        let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
+        let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
+        let vertices = Table::of_single(sources, &job.part(0.0, 0.2))?;
+        let count = made.mesh.face_count();
+        let mut corners = Table::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
+        let mut of_faces = Table::with_capacity(count, count)?;
+        for (f, (&cell, face)) in made.cell_of_face.iter().zip(made.mesh.faces()).enumerate() {
+            job.part(0.2, 1.0).step_within(f, STAGE)?;
+            let [i, j] = split(cell, made.columns - 1);
+            of_faces.push([(face_at([rows[i], columns[j]]), 1.0)])?;
+            for &v in face {
+                let ends = [[0, 0], [1, 0], [1, 1], [0, 1]].into_iter();
+                let end = ends
+                    .map(|[down, right]| ([i + down, j + right], [down, right]))
+                    .find(|&([i, j], _)| made.vertex_of_node[wide([i, j], made.columns)] == v);
+                let corner = end.and_then(|([i, j], [down, right])| {
+                    let old = face_at([rows[i] - down, columns[j] - right]);
+                    faces.range(old as usize).find(|&c| faces.corner(c as u32) == vertex_at([i, j]))
+                });
+                corners.push(corner.map(|corner| (corner as u32, 1.0)))?;
+            }
+        }
+        let inputs = vec![Counts::of_mesh(input)];
+        Origins::of_kept(Kept { inputs, vertices, corners, faces: of_faces })
     }
 
     /// Those of the mesh of a sheet: a vertex and a corner have the nodes of their cell, by its

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::fill::Filled;
 use crate::geom::bit_set::BitSet;
 use crate::job::Job;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, MeshView};
 use crate::repair::orient::Oriented;
 use crate::stitch::{Ruled, Stitch};
 
@@ -75,6 +75,21 @@ impl Origins {
         let counts = Counts { vertices, corners, faces };
         let kept = unchanged(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
         Origins::of_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+    }
+
+    /// Those of a mesh with the vertices and faces of the first of some inputs, the vertices elsewhere.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_moved(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
+        let counts = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let Counts { vertices, corners, faces } = counts.first().copied().unwrap_or_default();
+        Origins::of_kept(Kept {
+            inputs: counts,
+            vertices: Table::of_single(0..vertices as u32, &job.part(0.0, 0.2))?,
+            corners: Table::of_single(0..corners as u32, &job.part(0.2, 0.8))?,
+            faces: Table::of_single(0..faces as u32, &job.part(0.8, 1.0))?,
+        })
     }
 
     /// Those of a strip between two polylines: its inputs are these, of points alone.

@@ -21,7 +21,7 @@ const MAX_SHARED: usize = 16;
 /// vertex has the vertices of the rims round it, by where it would be on plain triangles between
 /// them, without fairing. A new face has the face across the nearest edge of the rims, and at its
 /// corners what the old faces there have.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub struct Origins {
     inputs: Vec<Counts>,
     /// By domain, the first source of each input, and the number of all.

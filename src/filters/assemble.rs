@@ -2,7 +2,7 @@ use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, EDGE, FACE};
 use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};
-use crate::attributes::KeepSplits;
+use crate::attributes::{KeepSplits, Origins};
 use crate::fill;
 use crate::repair::weld;
 use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, assemble};
@@ -17,6 +17,7 @@ pub(super) const FILTER: Filter = Filter {
            none are left as they are.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     max_inputs: 1 << 16,
+    has_origins: true,
     params: &[
         Param::choice("weld", "Coincident borders", WELDS.texts).with_help("The treatment of borders that coincide."),
         Param::length("tolerance", "Welding distance", TOLERANCES, &[-1.0]).with_help(
@@ -100,7 +101,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = assemble(&pieces, &options, job)?;
     done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+    let origins = values.origins(|| Origins::of_assembly(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 fn report(done: &Assembly) -> Report {

@@ -2,6 +2,7 @@
 
 use super::report::Report;
 use crate::alloc;
+use crate::attributes::Origins;
 use crate::error::{Element, Error, Result};
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use glam::DVec3;
@@ -79,10 +80,11 @@ pub enum OutputKind {
 }
 
 /// An output.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub enum Output {
-    /// A polygon mesh.
-    Mesh(Mesh),
+    /// A polygon mesh, and where its elements come from, if the filter knows that and was asked for
+    /// it.
+    Mesh(Mesh, Option<Box<Origins>>),
     /// Polylines.
     Curves(Curves),
     /// Lines of text for a log window, and the numbers in them.

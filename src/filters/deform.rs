@@ -1,6 +1,7 @@
 use super::data::with_positions;
 use super::extent::rounded;
 use super::prelude::*;
+use crate::attributes::Origins;
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use crate::net::field::{Field, bend, shear, spherify, taper, twist};
 use crate::net::transform::Axis;
@@ -20,6 +21,7 @@ pub(super) const FILTER: Filter = Filter {
            sphere. Faces are unchanged, and coincident vertices stay coincident.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, deformation fields",
     replaces: true,
+    has_origins: true,
     params: &[
         Param::choice("field", "Field", FIELDS).with_help("The deformation field."),
         Param::choice("axis", "Axis", AXES.texts).with_help("The axis of the field, through the origin."),
@@ -53,7 +55,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let (amount, strength) = (values.number("amount"), values.number("strength"));
     let [axis, next] = values.choice("axis", AXES);
     if amount == 0.0 {
-        return Ok(vec![Output::Mesh(copied(mesh, job)?)]);
+        return Ok(vec![moved_output(copied(mesh, job)?, inputs, values, job)?]);
     }
     let field: Box<dyn Field> = match values.place("field") {
         0 => Box::new(twist(axis, amount, 0.0)?),
@@ -62,7 +64,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         3 => Box::new(shear(axis, next, amount)?),
         _ => Box::new(spherify(DVec3::ZERO, amount.abs())?),
     };
-    Ok(vec![Output::Mesh(moved(mesh, field.as_ref(), strength, job)?)])
+    let moved = moved(mesh, field.as_ref(), strength, job)?;
+    Ok(vec![moved_output(moved, inputs, values, job)?])
 }
 
 /// The amount at which a twist rotates one end of the mesh by pi / 4 against the other.
@@ -125,6 +128,15 @@ fn map<T: Copy + Into<f64>>(
         }
     }
     Ok(())
+}
+
+/// A mesh with the faces of the first input, as an output.
+pub(super) fn moved_output(mesh: Mesh, inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Output> {
+    let origins = values.origins(|| {
+        let meshes = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
+        Origins::of_moved(&meshes, &job.part(1.0, 1.0))
+    })?;
+    Ok(Output::Mesh(mesh, origins))
 }
 
 /// A copy of the mesh.

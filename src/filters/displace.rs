@@ -9,6 +9,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Moves every vertex of a quad grid along the surface normal, at poles and across seams too; glued vertices stay glued.",
     reference: REFERENCE,
     replaces: true,
+    has_origins: true,
     params: &[
         Param::length("distance", "Distance", COORDINATES, &[0.01])
             .with_help(
@@ -21,7 +22,10 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let mut net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.5))?;
-    displace(&mut net, values.number("distance"), &job.part(0.5, 0.7))?;
-    Ok(vec![Output::Mesh(quads::mesh(&net, values, &job.part(0.7, 1.0))?)])
+    let input = inputs[0].mesh()?;
+    let mut grid = quads::grid(input, &job.part(0.0, 0.5))?;
+    displace(&mut grid.net, values.number("distance"), &job.part(0.5, 0.7))?;
+    let all = |count: usize| alloc::collect(0..count);
+    let (rows, columns) = (all(grid.net.shape().rows())?, all(grid.net.shape().columns())?);
+    Ok(vec![quads::output(&grid.net, (input, &grid), [&rows, &columns], values, &job.part(0.7, 1.0))?])
 }

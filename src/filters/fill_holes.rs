@@ -1,6 +1,6 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
-use crate::attributes::KeepSplits;
+use crate::attributes::{KeepSplits, Origins};
 use crate::fill::{
     Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
@@ -16,6 +16,7 @@ pub(super) const FILTER: Filter = Filter {
            surrounding mesh and faired. Vertices stay where they are and no face is lost.",
     reference: "P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)",
     replaces: true,
+    has_origins: true,
     params: &[
         Param::choice("inside", "Inside the holes", INTERIORS).with_help("The interior of the patches."),
         Param::choice("weight", "Best triangulation", Weight::CHOICES.texts)
@@ -80,7 +81,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = fill_holes(old, Selection::All, &options, job)?;
     done.keep_splits(&[old], &job.part(1.0, 1.0))?;
     let report = report(old, &done, options.plan_only);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+    let origins = values.origins(|| Origins::of_filled(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 /// The line of a report on faces that were turned outwards, if there are any.

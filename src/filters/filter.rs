@@ -30,6 +30,9 @@ pub struct Filter {
     /// The first output is the first input repaired, moved or remeshed: an editor replaces it.
     /// Otherwise outputs are added beside the inputs.
     pub replaces: bool,
+    /// The vertices, corners and faces of the first output, a mesh, come from those of the inputs as
+    /// [`Filter::run_traced`] tells.
+    pub has_origins: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
     /// Defaults that depend on the inputs, beyond those of [`Param::size_ratio`].
@@ -72,6 +75,7 @@ impl Filter {
             max_inputs: inputs.len(),
             outputs,
             replaces: false,
+            has_origins: false,
             params: &[],
             suggest: None,
             run,
@@ -166,10 +170,23 @@ impl Filter {
     /// than parameters; [`Error::InputCount`], [`Error::InputUnfit`]; those of the capability
     /// itself.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
+        self.answer(inputs, values, false, job)
+    }
+
+    /// Runs the filter as [`Filter::run`] does, and tells where the elements of meshes come from if
+    /// it [`has_origins`](Filter::has_origins).
+    ///
+    /// # Errors
+    /// Those of [`Filter::run`].
+    pub fn run_traced(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
+        self.answer(inputs, values, true, job)
+    }
+
+    fn answer(&self, inputs: &[Input<'_>], values: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>> {
         self.check_inputs(inputs)?;
         self.check_value_count(values.len())?;
         let mut all = if values.len() < self.value_count() { self.defaults(inputs) } else { values.to_vec() };
         all[..values.len()].copy_from_slice(values);
-        (self.run)(inputs, &Values::check(self.params, &all)?, job)
+        (self.run)(inputs, &Values::check(self.params, &all)?.traced(traced), job)
     }
 }

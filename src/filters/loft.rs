@@ -94,7 +94,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
     let (mesh, meshed) = smooth::meshed(&surface, values, &job.part(0.7, 1.0))?;
     let text = format!("{meshed}{}", report(&made));
-    Ok(vec![Output::Mesh(mesh), Output::Text(Report::new(text, meshed.values()))])
+    Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, meshed.values()))])
 }
 
 const NODE: [&str; 2] = ["node", "nodes"];

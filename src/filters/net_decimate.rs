@@ -10,6 +10,7 @@ pub(super) const FILTER: Filter = Filter {
            remaining vertices stay where they were.",
     reference: REFERENCE,
     replaces: true,
+    has_origins: true,
     params: &[
         Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[1e-3])
             .with_help(
@@ -23,8 +24,10 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
-    let made = decimate(&net, values.number("tolerance"), &job.part(0.4, 0.8))?;
+    let input = inputs[0].mesh()?;
+    let grid = quads::grid(input, &job.part(0.0, 0.4))?;
+    let net = &grid.net;
+    let made = decimate(net, values.number("tolerance"), &job.part(0.4, 0.8))?;
     let text = format!(
         "{} of {} rows and {} of {} columns kept, deviation {:.3e}\n",
         made.rows.len(),
@@ -33,5 +36,6 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         net.shape().columns(),
         made.deviation
     );
-    Ok(vec![Output::Mesh(quads::mesh(&made.net, values, &job.part(0.8, 1.0))?), Output::Text(text.into())])
+    let lines = [&made.rows[..], &made.columns];
+    Ok(vec![quads::output(&made.net, (input, &grid), lines, values, &job.part(0.8, 1.0))?, Output::Text(text.into())])
 }

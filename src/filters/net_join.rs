@@ -66,5 +66,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         counted(shape.rows(), ROW),
         counted(shape.columns(), COLUMN)
     );
-    Ok(vec![Output::Mesh(quads::mesh(&joined, values, &job.part(0.7, 1.0))?), Output::Text(text.into())])
+    Ok(vec![Output::Mesh(quads::mesh(&joined, values, &job.part(0.7, 1.0))?, None), Output::Text(text.into())])
 }

@@ -81,7 +81,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let rows = [0, 1, 2].map(|k| [u[k], v[k], axis[k], origin[k]]);
     transform(&mut net, &Affine::new(rows)?, &job.part(0.5, 0.6))?;
     let text = format!("{} of {}\n", counted(net.shape().rows() - 1, ROW), counted(net.shape().columns() - 1, QUAD));
-    Ok(vec![Output::Mesh(quads::mesh(&net, values, &job.part(0.6, 1.0))?), Output::Text(text.into())])
+    Ok(vec![Output::Mesh(quads::mesh(&net, values, &job.part(0.6, 1.0))?, None), Output::Text(text.into())])
 }
 
 /// The joints of segments, and both ends of an open curve.

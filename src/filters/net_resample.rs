@@ -45,5 +45,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let shape = net.shape();
     let text =
         format!("{} and {} made {rows} and {columns}\n", counted(shape.rows(), ROW), counted(shape.columns(), COLUMN));
-    Ok(vec![Output::Mesh(quads::mesh(&made, values, &job.part(0.7, 1.0))?), Output::Text(text.into())])
+    Ok(vec![Output::Mesh(quads::mesh(&made, values, &job.part(0.7, 1.0))?, None), Output::Text(text.into())])
 }

@@ -102,5 +102,5 @@ fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output
         ("euler_characteristic", complex.euler_characteristic() as f64),
         ("boundary_loops", complex.boundary.len() as f64),
     ];
-    Ok(vec![Output::Mesh(mesh), Output::Text(Report::new(text, &values))])
+    Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, &values))])
 }

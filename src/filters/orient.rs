@@ -1,6 +1,6 @@
 use super::prelude::*;
 use super::report::{FACE, PIECE};
-use crate::attributes::KeepSplits;
+use crate::attributes::{KeepSplits, Origins};
 use crate::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.
@@ -14,6 +14,7 @@ pub(super) const FILTER: Filter = Filter {
            such as a Moebius strip, stay as they are.",
     reference: "Breadth-first search across edges of two faces",
     replaces: true,
+    has_origins: true,
     params: &[Param::choice("outward", "Closed components", Outward::CHOICES.texts)
         .with_help("The orientation of closed components.")],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
@@ -24,7 +25,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+    let origins = values.origins(|| Origins::of_oriented(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 fn report(done: &Oriented) -> Report {

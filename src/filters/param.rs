@@ -1,5 +1,6 @@
 //! Parameters: kinds, ranges, defaults, and the validation of values.
 
+use crate::attributes::Origins;
 pub use crate::choice::Choice;
 use crate::choice::Choices;
 use crate::error::{Error, Result};
@@ -165,10 +166,12 @@ pub(super) fn range_of(params: &[Param], id: &str) -> Option<Range<usize>> {
     })
 }
 
-/// Values in range, by parameter.
+/// What a call asks for: values in range, by parameter, and whether to trace the elements of results
+/// back to those of the inputs.
 pub struct Values<'a> {
     params: &'static [Param],
     values: &'a [f64],
+    traced: bool,
 }
 
 impl<'a> Values<'a> {
@@ -183,7 +186,17 @@ impl<'a> Values<'a> {
             Error::require(!is_zero, param.id, 0.0)?;
             rest = next;
         }
-        Ok(Values { params, values })
+        Ok(Values { params, values, traced: false })
+    }
+
+    /// The same values with or without origins asked for.
+    pub(super) fn traced(self, traced: bool) -> Self {
+        Values { traced, ..self }
+    }
+
+    /// The origins of the elements of a result, if they are asked for.
+    pub(super) fn origins(&self, of: impl FnOnce() -> Result<Origins>) -> Result<Option<Box<Origins>>> {
+        self.traced.then(|| of().map(Box::new)).transpose()
     }
 
     /// The values of parameter `id`, which the filter must have.

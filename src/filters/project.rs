@@ -1,4 +1,4 @@
-use super::deform::moved;
+use super::deform::{moved, moved_output};
 use super::prelude::*;
 use crate::net::field::{Field, parallel_projection, perspective_projection};
 
@@ -10,6 +10,7 @@ pub(super) const FILTER: Filter = Filter {
            Faces are unchanged.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, projections",
     replaces: true,
+    has_origins: true,
     params: &[
         Param::plane("plane", "Plane").with_help("The plane of projection; the plane below the mesh is suggested."),
         Param::choice("along", "Along", PROJECTIONS).with_help("The lines of projection."),
@@ -53,7 +54,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             Box::new(perspective_projection(eye, point, normal)?)
         }
     };
-    Ok(vec![Output::Mesh(moved(inputs[0].mesh()?, field.as_ref(), values.number("strength"), job)?)])
+    let moved = moved(inputs[0].mesh()?, field.as_ref(), values.number("strength"), job)?;
+    Ok(vec![moved_output(moved, inputs, values, job)?])
 }
 
 /// [`Error::OptionOutOfRange`] for a height above the plane that vanishes within rounding.

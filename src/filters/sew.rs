@@ -1,7 +1,7 @@
 use super::prelude::*;
 use super::report::{EDGE, FACE, VERTEX};
 use super::weld::{TOLERANCES, UNUSED_PARAM, removes_unused, tolerance};
-use crate::attributes::KeepSplits;
+use crate::attributes::{KeepSplits, Origins};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::Options;
 
@@ -14,6 +14,7 @@ pub(super) const FILTER: Filter = Filter {
            larger faces gain corners.",
     reference: "Greedy clustering in the order of the vertices; edges are sewn two by two",
     replaces: true,
+    has_origins: true,
     params: &[
         Param::length("tolerance", "Tolerance", TOLERANCES, &[-1.0]).with_help(
             "The largest distance of vertices from others or from edges that they lie on; 0 takes equal positions, -1 what \
@@ -29,7 +30,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = sew(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+    let origins = values.origins(|| Origins::of_sew(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 fn report(done: &Sew) -> Report {

@@ -1,4 +1,5 @@
 use super::data::with_positions;
+use super::deform::moved_output;
 use super::prelude::*;
 use super::report::{VERTEX, distances};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
@@ -13,6 +14,7 @@ pub(super) const FILTER: Filter = Filter {
            mesh, and moves them towards their nearest points on it.",
     reference: REFERENCE,
     replaces: true,
+    has_origins: true,
     params: &[
         SCHEME,
         Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
@@ -31,5 +33,6 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(from.iter().zip(&nearest).map(|(from, to)| from.lerp(to.point, strength)))?;
     let report = distances(VERTEX, from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
-    Ok(vec![Output::Mesh(with_positions(mesh, moved)?), Output::Text(report)])
+    let moved = moved_output(with_positions(mesh, moved)?, inputs, values, job)?;
+    Ok(vec![moved, Output::Text(report)])
 }

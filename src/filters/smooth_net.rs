@@ -50,7 +50,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let sheet = Sheet::from_curves(&net, &job.part(0.2, 0.5))?;
     let surface = Surface::new(vec![sheet], None, &job.part(0.5, 0.6))?;
     let (mesh, report) = smooth::meshed(&surface, values, &job.part(0.6, 1.0))?;
-    Ok(vec![Output::Mesh(mesh), Output::Text(report)])
+    Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }
 
 /// True if all curves are closed, false if all are open, `None` for both kinds.

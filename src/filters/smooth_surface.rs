@@ -15,5 +15,5 @@ pub(super) const FILTER: Filter = Filter {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
     let (mesh, report) = smooth::meshed(&surface, values, &job.part(0.4, 1.0))?;
-    Ok(vec![Output::Mesh(mesh), Output::Text(report)])
+    Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }

@@ -2,7 +2,7 @@ use super::facing_arcs::RUN_HELP;
 use super::fill_holes::{OUTWARD_HELP, cuts, turned_outwards};
 use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, FACE};
-use crate::attributes::KeepSplits;
+use crate::attributes::{KeepSplits, Origins};
 use crate::boundary::{self, boundary_loops};
 use crate::mesh::MeshView;
 use crate::repair::orient::Outward;
@@ -23,6 +23,7 @@ pub(super) const FILTER: Filter = Filter {
            Vertices stay where they are and no face is lost.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking",
     max_inputs: 2,
+    has_origins: true,
     params: &[
         loop_number("loop_a", "Loop of the first mesh"),
         loop_number("loop_b", "Loop of the second mesh"),
@@ -115,7 +116,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
     done.keep_splits(&alloc::gather([Some(request.a), request.b].into_iter().flatten())?, &job.part(1.0, 1.0))?;
     let report = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+    let origins = values.origins(|| Origins::of_stitch(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 /// The vertices of the loop that parameter `id` numbers; `None` for -1.

@@ -58,5 +58,5 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         made.start[0],
         made.start[1]
     );
-    Ok(vec![Output::Mesh(made.mesh), Output::Text(text.into())])
+    Ok(vec![Output::Mesh(made.mesh, None), Output::Text(text.into())])
 }

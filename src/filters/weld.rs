@@ -1,6 +1,6 @@
 use super::prelude::*;
 use super::report::{BOUNDARY_EDGE, EDGE, FACE, VERTEX};
-use crate::attributes::KeepSplits;
+use crate::attributes::{KeepSplits, Origins};
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 
 pub(super) const FILTER: Filter = Filter {
@@ -11,6 +11,7 @@ pub(super) const FILTER: Filter = Filter {
            coincident vertices are merged, as a triangle soup requires.",
     reference: "Greedy clustering in the order of the vertices; edges are sewn two by two",
     replaces: true,
+    has_origins: true,
     params: &[
         Param::choice("vertices", "Weld", Vertices::CHOICES.texts).with_help("The vertices that are welded."),
         Param::length("tolerance", "Tolerance", TOLERANCES, &[-1.0]).with_help(
@@ -63,7 +64,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mut done = weld(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
-    Ok(vec![Output::Mesh(done.mesh), Output::Text(report)])
+    let origins = values.origins(|| Origins::of_weld(&done, &job.part(1.0, 1.0)))?;
+    Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
 fn report(done: &Weld) -> Report {

@@ -4,7 +4,7 @@ use crate::alloc;
 use crate::error::Result;
 
 /// A set of numbers below a limit; 1 bit for each number below it.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(crate) struct BitSet {
     words: Vec<u64>,
 }

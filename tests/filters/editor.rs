@@ -52,7 +52,7 @@ pub fn values(id: &str, inputs: &[Input<'_>], set: &[(&str, &[f64])]) -> Vec<f64
 
 /// The parts of an output that must be a mesh: points and faces.
 pub fn mesh(output: &Output) -> (Vec<[f64; 3]>, Vec<&[u32]>) {
-    let Output::Mesh(mesh) = output else { panic!("no mesh: {output:?}") };
+    let Output::Mesh(mesh, _) = output else { panic!("no mesh: {output:?}") };
     (points(mesh), mesh.faces().collect())
 }
 

@@ -8,6 +8,7 @@ mod curve;
 mod editor;
 mod mesh;
 mod net;
+mod origins;
 mod page;
 
 mod surface;

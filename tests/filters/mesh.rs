@@ -33,7 +33,7 @@ fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
     let filter = Filter::find("stitch").unwrap();
     let found = filter.run(&inputs(&soups), &[], &Job::default()).unwrap();
     assert_eq!(filter.run(&inputs(&soups), &[0.0, 0.0], &Job::default()).unwrap(), found);
-    let Output::Mesh(mesh) = &found[0] else { panic!("{found:?}") };
+    let Output::Mesh(mesh, _) = &found[0] else { panic!("{found:?}") };
     let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
     assert!(common::edge_counts(faces.clone()).values().all(|&n| n == (1, 1)));
     assert_eq!(common::euler(faces), 2);
@@ -54,7 +54,7 @@ fn fill_holes_closes_what_it_may() {
         [(&[2.0][..], 2), (&[0.0, 2.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 1.0], 1)]
     {
         let outputs = filter.run(&[Input::Mesh(both.view())], values, &Job::default()).unwrap();
-        let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
+        let [Output::Mesh(mesh, _), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
         assert!(text.starts_with(&format!("filled {filled} of 2 boundary loops")), "{values:?}: {text}");
         let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
         let open = common::edge_counts(faces).values().filter(|&&n| n != (1, 1)).count();
@@ -149,7 +149,7 @@ fn welding_and_checking_agree_in_their_words_and_numbers() {
         "2 vertices welded, 1 edge sewn, 0 faces dropped\nno coincident borders are left apart\n"
     );
     assert_eq!(value(&welded[1], "coincident_boundary_edges"), 0.0);
-    let Output::Mesh(mesh) = &welded[0] else { panic!("{welded:?}") };
+    let Output::Mesh(mesh, _) = &welded[0] else { panic!("{welded:?}") };
     let after = Filter::find("check")
         .unwrap()
         .run(&[Input::Mesh(mesh.view(&Job::default()).unwrap())], &[], &Job::default())
@@ -177,7 +177,7 @@ fn borders_that_do_not_match_are_sewn_and_assembled() {
         text(&sewn[1]),
         "2 vertices welded, 2 edges sewn, 1 face split at 1 point\n0 vertices left that lie on others or on edges\n"
     );
-    let Output::Mesh(mesh) = &sewn[0] else { panic!("{sewn:?}") };
+    let Output::Mesh(mesh, _) = &sewn[0] else { panic!("{sewn:?}") };
     assert_eq!((mesh.positions.len(), mesh.face_count()), (6, 3));
     let pieces = [upper, lower];
     for (weld, edges, loops) in [(0.0, 2.0, 1.0), (1.0, 0.0, 2.0), (2.0, 0.0, 2.0)] {

@@ -14,7 +14,8 @@ the table in `src/filters` by `GUSSET_UPDATE=1 cargo test --test filters page`.
 
 Meshes are polygon meshes, curves are polylines, open or closed, and text is for a log window. *Takes the place of its first
 input* means that a host shows the first output where the first input was. Defaults marked with a star are only what is taken if
-nothing better is known: the filter suggests values that suit its inputs.
+nothing better is known: the filter suggests values that suit its inputs. *Attributes are carried over* means that hosts get for the
+first output what vertices, corners and faces of the inputs have beside positions ([Attributes](guides/attributes.md)).
 
 Parameters may be given by fewer values than there are: the rest are the defaults. A value out of range is refused with the
 parameter's name, inputs of a wrong kind or number with the name `inputs`.
@@ -107,8 +108,9 @@ fn row(param: &Param, suggested: bool) -> String {
 
 fn chapter(filter: &Filter) -> String {
     let place = if filter.replaces { " Takes the place of its first input." } else { "" };
+    let carried = if filter.has_origins { " Attributes are carried over." } else { "" };
     let mut text = format!(
-        "\n### {}\n\n`{}` (in scripts `{}`): {} -> {}.{place}\n\n{}\n\nReference: {}.\n",
+        "\n### {}\n\n`{}` (in scripts `{}`): {} -> {}.{place}{carried}\n\n{}\n\nReference: {}.\n",
         filter.name,
         filter.id,
         filter.script_name(),

@@ -22,7 +22,7 @@ fn run(id: &str, inputs: &[Input<'_>], set: &[(&str, &[f64])]) -> Result<Vec<Out
 fn smooth_surfaces_are_nearer_to_the_truth_than_quads() {
     let given = sphere(16, 24);
     let outputs = run_on("smooth_surface", std::slice::from_ref(&given), &[0.0, 1e-4, 4.0, 1.0]);
-    let [Output::Mesh(mesh), Output::Text(_)] = outputs.as_slice() else { panic!("of other kinds") };
+    let [Output::Mesh(mesh, _), Output::Text(_)] = outputs.as_slice() else { panic!("of other kinds") };
     let PositionBuffer::F64(points) = &mesh.positions else { panic!("of another type") };
     assert!(points.len() > 16 * 24 * 10);
     // The quads' middles are off by a per cent.
@@ -74,7 +74,7 @@ fn distances_from_smooth_surfaces() {
     let (mut shifted, grid) = (sphere(8, 12), sphere(32, 48));
     shifted.points.iter_mut().flatten().for_each(|x| *x *= 1.1);
     let outputs = run_on("smooth_distance", &[shifted, grid], &[]);
-    let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("of other kinds") };
+    let [Output::Mesh(mesh, _), Output::Text(text)] = outputs.as_slice() else { panic!("of other kinds") };
     let PositionBuffer::F64(points) = &mesh.positions else { panic!("of another type") };
     assert!(points.iter().all(|p| (radius(p) - 1.0).abs() < 1e-4));
     let largest: f64 = text.split("largest distance ").nth(1).unwrap().split(',').next().unwrap().parse().unwrap();

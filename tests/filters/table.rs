@@ -170,7 +170,7 @@ fn suggestions_are_in_range_whatever_the_mesh() {
 
 fn kind_of(output: &Output) -> OutputKind {
     match output {
-        Output::Mesh(_) => OutputKind::Mesh,
+        Output::Mesh(..) => OutputKind::Mesh,
         Output::Curves(_) => OutputKind::Curves,
         Output::Text(_) => OutputKind::Text,
     }

@@ -61,5 +61,11 @@ std::vector<std::string> attribute_names(const Mesh &mesh) {
     }
     name(mesh.normals, "normals", names);
     name(mesh.texcoords, "texture coordinates", names);
+    if (!mesh.face_materials.empty()) {
+        names.emplace_back("materials");
+    }
+    for (const Property &property : mesh.properties) {
+        names.push_back(property.name + (property.of_faces ? " of faces" : " of vertices"));
+    }
     return names;
 }

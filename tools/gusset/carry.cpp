@@ -2,118 +2,57 @@
 
 #include "attributes.hpp"
 #include "failure.hpp"
-#include "match.hpp"
 
 #include <algorithm>
 #include <set>
 
 namespace {
+constexpr const char *moved_normals = "normals, as vertices were moved";
+
 template <std::size_t N> using Values = std::vector<std::array<double, N>>;
 
-template <std::size_t N> void add(std::array<double, N> &to, const std::array<double, N> &value) {
-    for (std::size_t k = 0; k < N; ++k) {
-        to[k] += value[k];
-    }
+/// Whether a value is one that means or copies can be taken of.
+template <std::size_t N> bool is_finite(const std::array<double, N> &value) {
+    return std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Gives vertices without a value the mean of their neighbours that have one, ring after ring.
-template <std::size_t N> void spread(const Mesh &mesh, Values<N> &values) {
-    std::vector<uint32_t> open;
-    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
-        open.push_back(f);
+Values<4> wide(const std::vector<Colour> &colours) {
+    Values<4> made(colours.size());
+    for (std::size_t k = 0; k < colours.size(); ++k) {
+        std::copy(colours[k].begin(), colours[k].end(), made[k].begin());
     }
-    while (true) {
-        const auto without = [&](uint32_t f) {
-            return std::any_of(mesh.corners.begin() + mesh.offsets[f], mesh.corners.begin() + mesh.offsets[f + 1],
-                               [&](uint32_t v) { return is_missing(values[v]); });
-        };
-        open.erase(std::remove_if(open.begin(), open.end(), [&](uint32_t f) { return !without(f); }), open.end());
-        std::vector<std::pair<uint32_t, uint32_t>> links;
-        for (const uint32_t f : open) {
-            for (std::size_t k = 0; k < mesh.degree(f); ++k) {
-                const uint32_t a = mesh.corners[mesh.offsets[f] + k];
-                const uint32_t b = mesh.corners[mesh.offsets[f] + (k + 1) % mesh.degree(f)];
-                if (is_missing(values[a]) != is_missing(values[b])) {
-                    links.emplace_back(is_missing(values[a]) ? std::pair(a, b) : std::pair(b, a));
-                }
-            }
-        }
-        if (links.empty()) {
-            return;
-        }
-        // Sorted, as the sum depends on the order.
-        std::sort(links.begin(), links.end());
-        links.erase(std::unique(links.begin(), links.end()), links.end());
-        for (auto next = links.begin(); next != links.end();) {
-            const uint32_t vertex = next->first;
-            std::array<double, N> sum{};
-            double count = 0;
-            for (; next != links.end() && next->first == vertex; ++next, ++count) {
-                // What was given in this ring is not counted: its links are to vertices of rings before.
-                add(sum, values[next->second]);
-            }
-            for (double &part : sum) {
-                part /= count;
-            }
-            values[vertex] = sum;
-        }
-    }
-}
-
-std::array<double, 4> wide(const Colour &colour) {
-    std::array<double, 4> made;
-    std::copy(colour.begin(), colour.end(), made.begin());
     return made;
 }
 
-/// A mean as a colour, as one of 256 steps if the others are.
-Colour narrow(const std::array<double, 4> &value, bool steps) {
-    Colour made = white;
-    for (std::size_t k = 0; k < 4 && !is_missing(value); ++k) {
-        made[k] = static_cast<float>(value[k]);
-        if (steps) {
-            made[k] = static_cast<float>(step_of(made[k])) / 255;
+std::vector<std::string> all_names(const std::vector<Piece> &pieces) {
+    std::vector<std::string> names;
+    for (const Piece &piece : pieces) {
+        for (const std::string &name : attribute_names(*piece.mesh)) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                names.push_back(name);
+            }
         }
     }
-    return made;
+    return names;
 }
 
 class Carrier {
 public:
-    Carrier(const std::vector<Piece> &pieces_, Mesh &result_)
-        : pieces(pieces_), result(result_), found(match(meshes(), result_)) {}
+    Carrier(const std::vector<Piece> &pieces_, const Origins &origins_, Mesh &result_)
+        : pieces(pieces_), origins(origins_), result(result_) {}
 
     std::vector<std::string> run() {
-        const bool any =
-            std::any_of(found.vertices.begin(), found.vertices.end(), [](const auto &v) { return v.has_value(); });
-        if (!any) {
-            std::set<std::string> names;
-            for (const Piece &piece : pieces) {
-                const auto of_piece = attribute_names(*piece.mesh);
-                names.insert(of_piece.begin(), of_piece.end());
-            }
-            for (const std::string &name : names) {
-                lost.push_back(name + ": the result has no vertex of the input");
-            }
-            return lost;
-        }
-        carry_vertex_colours();
-        carry_face_colours();
+        carry_colours(&Mesh::vertex_colours, GUSSET_PLUGIN_VERTICES, "colours of vertices");
+        carry_colours(&Mesh::face_colours, GUSSET_PLUGIN_FACES, "colours of faces");
         carry_texcoords();
         carry_normals();
+        carry_materials();
+        carry_properties();
         simplify(result);
         return lost;
     }
 
 private:
-    std::vector<const Mesh *> meshes() const {
-        std::vector<const Mesh *> all;
-        for (const Piece &piece : pieces) {
-            all.push_back(piece.mesh);
-        }
-        return all;
-    }
-
     /// Whether any input has it; a remark on those that do not.
     template <class Has> bool present(Has has, const std::string &what, const std::string &instead) {
         std::vector<std::string> without;
@@ -133,136 +72,71 @@ private:
         return true;
     }
 
-    const Mesh &input(uint32_t place) const { return *pieces[place].mesh; }
-
-    void carry_vertex_colours() {
-        if (!present([](const Mesh &mesh) { return !mesh.vertex_colours.empty(); }, "colours of vertices",
-                     "white is taken")) {
-            return;
-        }
-        bool steps = true;
-        for (const Piece &piece : pieces) {
-            steps = steps && are_steps(piece.mesh->vertex_colours);
-        }
-        Values<4> values;
-        for (const auto &origin : found.vertices) {
-            const bool has = origin && !input(origin->input).vertex_colours.empty();
-            values.push_back(has      ? wide(input(origin->input).vertex_colours[origin->vertex])
-                             : origin ? wide(white)
-                                      : missing<4>());
-        }
-        say_merged();
-        spread(result, values);
-        for (std::size_t v = 0; v < values.size(); ++v) {
-            // Steps stay what they are.
-            const auto &origin = found.vertices[v];
-            result.vertex_colours.push_back(origin && !input(origin->input).vertex_colours.empty()
-                                                ? input(origin->input).vertex_colours[origin->vertex]
-                                                : narrow(values[v], steps));
-        }
-    }
-
-    /// Of vertices that became one, whose colours differed.
-    void say_merged() {
-        std::size_t count = 0;
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            for (std::size_t k = 0; found.faces[f] && k < result.degree(f); ++k) {
-                const auto &face = *found.faces[f];
-                const Mesh &from = input(face.input);
-                if (from.vertex_colours.empty()) {
-                    continue;
+    /// The values of the result's elements; missing where a source has none.
+    template <std::size_t N> Values<N> carried(uint32_t domain, uint32_t rule, const std::vector<Values<N>> &given) {
+        std::vector<std::vector<double>> flat(given.size()), present(given.size());
+        bool all = true;
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            for (const auto &value : given[i]) {
+                const bool there = is_finite(value);
+                for (const double x : value) {
+                    flat[i].push_back(there ? x : 0);
                 }
-                const uint32_t was = from.corners[from.offsets[face.face] + corner_of(face, k, result.degree(f))];
-                const auto &kept = found.vertices[result.corners[result.offsets[f] + k]];
-                const Mesh &other = input(kept->input);
-                count += !other.vertex_colours.empty() && other.vertex_colours[kept->vertex] != from.vertex_colours[was]
-                             ? 1
-                             : 0;
+                present[i].push_back(there ? 1 : 0);
+                all = all && there;
             }
         }
-        if (count > 0) {
-            lost.push_back("colours of " + number_of(count, "corner") +
-                           " whose vertices were welded to others of another colour");
+        const std::vector<double> values = origins.apply(domain, rule, N, flat);
+        Values<N> made(values.size() / N);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            made[k / N][k % N] = values[k];
         }
-    }
-
-    void carry_face_colours() {
-        if (!present([](const Mesh &mesh) { return !mesh.face_colours.empty(); }, "colours of faces",
-                     "white is taken")) {
-            return;
-        }
-        bool steps = true;
-        for (const Piece &piece : pieces) {
-            steps = steps && are_steps(piece.mesh->face_colours);
-        }
-        // The mean of the old faces at each vertex, and from it the new ones.
-        Values<4> sums(result.points.size());
-        std::vector<double> counts(result.points.size());
-        const auto colour = [&](const FaceOrigin &origin) {
-            return input(origin.input).face_colours.empty() ? white : input(origin.input).face_colours[origin.face];
-        };
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            for (uint32_t c = result.offsets[f]; found.faces[f] && c < result.offsets[f + 1]; ++c) {
-                add(sums[result.corners[c]], wide(colour(*found.faces[f])));
-                ++counts[result.corners[c]];
-            }
-        }
-        for (std::size_t v = 0; v < sums.size(); ++v) {
-            for (double &part : sums[v]) {
-                part = counts[v] > 0 ? part / counts[v] : std::nan("");
-            }
-        }
-        spread(result, sums);
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            if (found.faces[f]) {
-                result.face_colours.push_back(colour(*found.faces[f]));
-                continue;
-            }
-            std::array<double, 4> mean{};
-            for (uint32_t c = result.offsets[f]; c < result.offsets[f + 1]; ++c) {
-                add(mean, sums[result.corners[c]]);
-            }
-            for (double &part : mean) {
-                part /= static_cast<double>(result.degree(f));
-            }
-            result.face_colours.push_back(narrow(mean, steps));
-        }
-    }
-
-    /// The values at the corners of old faces; missing at those of new ones.
-    template <std::size_t N> Values<N> old_corners(Attribute<N> Mesh::*of) const {
-        Values<N> values(result.corners.size(), missing<N>());
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            for (std::size_t k = 0; found.faces[f] && k < result.degree(f); ++k) {
-                const auto &face = *found.faces[f];
-                const Mesh &from = input(face.input);
-                const Attribute<N> &attribute = from.*of;
-                const std::size_t corner = from.offsets[face.face] + corner_of(face, k, result.degree(f));
-                if (attribute) {
-                    values[result.offsets[f] + k] = attribute.at == Attribute<N>::At::corners
-                                                        ? attribute.values[corner]
-                                                        : attribute.values[from.corners[corner]];
+        if (!all) {
+            const std::vector<double> parts = origins.apply(domain, GUSSET_PLUGIN_RULE_LINEAR, 1, present);
+            for (std::size_t k = 0; k < made.size(); ++k) {
+                // The sum of weights is 1 but for rounding.
+                if (parts[k] < 1 - 1e-9) {
+                    made[k] = missing<N>();
                 }
             }
         }
-        return values;
+        return made;
     }
 
-    /// At vertices whose old corners agree.
-    template <std::size_t N> Values<N> agreed(const Values<N> &corners) const {
-        Values<N> values(result.points.size(), missing<N>());
-        std::vector<bool> torn(result.points.size());
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            auto &value = values[result.corners[c]];
-            if (!is_missing(corners[c])) {
-                torn[result.corners[c]] = torn[result.corners[c]] || (!is_missing(value) && value != corners[c]);
-                value = corners[c];
+    void carry_colours(std::vector<Colour> Mesh::*of, uint32_t domain, const std::string &what) {
+        if (!present([&](const Mesh &mesh) { return !(mesh.*of).empty(); }, what, "white is taken")) {
+            return;
+        }
+        std::vector<Values<4>> given;
+        bool steps = true;
+        for (const Piece &piece : pieces) {
+            const Mesh &mesh = *piece.mesh;
+            steps = steps && are_steps(mesh.*of);
+            const std::size_t count = domain == GUSSET_PLUGIN_FACES ? mesh.face_count() : mesh.points.size();
+            given.push_back((mesh.*of).empty() ? Values<4>(count, {1, 1, 1, 1}) : wide(mesh.*of));
+        }
+        const Values<4> values = carried(domain, GUSSET_PLUGIN_RULE_LINEAR, given);
+        const gusset_plugin_origins from = origins.of(domain);
+        std::vector<Colour> &colours = result.*of;
+        colours.assign(values.size(), white);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const bool is_new = from.offsets[k + 1] > from.offsets[k] + 1;
+            for (std::size_t c = 0; c < 4 && !is_missing(values[k]); ++c) {
+                const auto part = static_cast<float>(values[k][c]);
+                // What is one of 256 steps everywhere stays one.
+                colours[k][c] = steps && is_new ? static_cast<float>(step_of(part)) / 255 : part;
             }
         }
-        for (std::size_t v = 0; v < values.size(); ++v) {
-            values[v] = torn[v] ? missing<N>() : values[v];
+    }
+
+    /// What each input has at its corners, missing in those without.
+    template <std::size_t N> std::vector<Values<N>> corners_of(Attribute<N> Mesh::*of) const {
+        std::vector<Values<N>> given;
+        for (const Piece &piece : pieces) {
+            const Mesh &mesh = *piece.mesh;
+            given.push_back(mesh.*of ? at_corners(mesh, mesh.*of) : Values<N>(mesh.corners.size(), missing<N>()));
         }
-        return values;
+        return given;
     }
 
     void carry_texcoords() {
@@ -270,65 +144,55 @@ private:
                      "its faces have none")) {
             return;
         }
-        if (found.moved || all_same()) {
-            result.texcoords = input(0).texcoords;
-            return;
-        }
-        using At = Attribute<2>::At;
-        Values<2> corners = old_corners(&Mesh::texcoords);
-        const bool continuous = std::all_of(
-            pieces.begin(), pieces.end(), [](const Piece &piece) { return piece.mesh->texcoords.at == At::vertices; });
-        std::size_t bare = 0;
-        if (continuous) {
-            Values<2> values = agreed(corners);
-            spread(result, values);
-            fill(corners, values);
-        }
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            bare += !found.faces[f] && is_missing(corners[result.offsets[f]]) ? 1 : 0;
-        }
-        if (bare > 0) {
-            lost.push_back("no texture coordinates on " + number_of(bare, "new face"));
-        }
-        result.texcoords = {At::corners, std::move(corners)};
-    }
-
-    /// Corners of new faces, by their vertices.
-    template <std::size_t N> void fill(Values<N> &corners, const Values<N> &values) const {
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            for (uint32_t c = result.offsets[f]; !found.faces[f] && c < result.offsets[f + 1]; ++c) {
-                corners[c] = values[result.corners[c]];
-            }
-        }
+        result.texcoords = {Attribute<2>::At::corners, carried(GUSSET_PLUGIN_CORNERS, GUSSET_PLUGIN_RULE_TEXTURE,
+                                                               corners_of(&Mesh::texcoords))};
     }
 
     void carry_normals() {
         if (!present([](const Mesh &mesh) { return bool(mesh.normals); }, "normals", "")) {
             return;
         }
-        if (found.moved) {
-            lost.emplace_back("normals, as vertices were moved");
+        if (are_moved()) {
+            lost.emplace_back(moved_normals);
             return;
         }
-        if (all_same()) {
-            result.normals = input(0).normals;
-            return;
+        using At = Attribute<3>::At;
+        const bool smooth = std::all_of(pieces.begin(), pieces.end(),
+                                        [](const Piece &piece) { return piece.mesh->normals.at == At::vertices; });
+        if (smooth) {
+            std::vector<Values<3>> given;
+            for (const Piece &piece : pieces) {
+                given.push_back(piece.mesh->normals.values);
+            }
+            result.normals = {At::vertices, carried(GUSSET_PLUGIN_VERTICES, GUSSET_PLUGIN_RULE_NORMAL, given)};
+        } else {
+            result.normals = {At::corners, carried(GUSSET_PLUGIN_CORNERS, GUSSET_PLUGIN_RULE_NORMAL,
+                                                   corners_of(&Mesh::normals))};
         }
-        Values<3> corners = old_corners(&Mesh::normals);
-        for (std::size_t f = 0; f < result.face_count(); ++f) {
-            for (uint32_t c = result.offsets[f]; found.faces[f] && found.faces[f]->turned && c < result.offsets[f + 1];
-                 ++c) {
-                for (double &part : corners[c]) {
-                    part = -part;
-                }
+        const Values<3> computed = of_faces();
+        for (std::size_t k = 0; k < result.normals.values.size(); ++k) {
+            auto &normal = result.normals.values[k];
+            normal = is_missing(normal) ? computed[smooth ? k : result.corners[k]] : normal;
+        }
+    }
+
+    /// Whether a vertex is elsewhere than the one that it comes from.
+    bool are_moved() const {
+        const gusset_plugin_origins from = origins.of(GUSSET_PLUGIN_VERTICES);
+        for (std::size_t v = 0; v < result.points.size(); ++v) {
+            if (from.offsets[v + 1] != from.offsets[v] + 1) {
+                continue;
+            }
+            const uint32_t source = from.sources[from.offsets[v]];
+            std::size_t i = 0;
+            while (source >= from.starts[i + 1]) {
+                ++i;
+            }
+            if (pieces[i].mesh->points[source - from.starts[i]] != result.points[v]) {
+                return true;
             }
         }
-        const Values<3> own = agreed(corners), computed = of_faces();
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            const uint32_t v = result.corners[c];
-            corners[c] = !is_missing(corners[c]) ? corners[c] : !is_missing(own[v]) ? own[v] : computed[v];
-        }
-        result.normals = {Attribute<3>::At::corners, std::move(corners)};
+        return false;
     }
 
     /// The directions that faces have on average at each vertex, by their areas.
@@ -346,7 +210,9 @@ private:
                 }
             }
             for (uint32_t c = result.offsets[f]; c < result.offsets[f + 1]; ++c) {
-                add(sums[result.corners[c]], area);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    sums[result.corners[c]][i] += area[i];
+                }
             }
         }
         for (auto &sum : sums) {
@@ -358,21 +224,94 @@ private:
         return sums;
     }
 
-    /// The result is the first input.
-    bool all_same() const {
-        return result.points == input(0).points && result.offsets == input(0).offsets &&
-               result.corners == input(0).corners;
+    void carry_materials() {
+        if (!present([](const Mesh &mesh) { return !mesh.face_materials.empty(); }, "materials",
+                     "its faces have none")) {
+            return;
+        }
+        // Their numbers from 1 among all; 0 for none.
+        std::vector<Values<1>> given;
+        for (const Piece &piece : pieces) {
+            std::vector<uint32_t> numbers;
+            for (const Material &material : piece.mesh->materials) {
+                numbers.push_back(number_of_material(result.materials, material));
+            }
+            given.emplace_back(piece.mesh->face_count());
+            for (std::size_t f = 0; f < piece.mesh->face_materials.size(); ++f) {
+                const uint32_t own = piece.mesh->face_materials[f];
+                given.back()[f][0] = own == no_material ? 0 : numbers[own] + 1.0;
+            }
+        }
+        for (const auto &[number] : carried(GUSSET_PLUGIN_FACES, GUSSET_PLUGIN_RULE_NEAREST, given)) {
+            result.face_materials.push_back(number == 0 ? no_material : static_cast<uint32_t>(number) - 1);
+        }
+    }
+
+    static const Property *find(const Mesh &mesh, const Property &like) {
+        const auto found = std::find_if(mesh.properties.begin(), mesh.properties.end(), [&](const Property &one) {
+            return one.name == like.name && one.of_faces == like.of_faces && one.type == like.type;
+        });
+        return found == mesh.properties.end() ? nullptr : &*found;
+    }
+
+    void carry_properties() {
+        for (const Piece &piece : pieces) {
+            for (const Property &property : piece.mesh->properties) {
+                if (find(result, property) == nullptr) {
+                    carry_property(property);
+                }
+            }
+        }
+    }
+
+    void carry_property(const Property &property) {
+        static_cast<void>(present([&](const Mesh &mesh) { return find(mesh, property) != nullptr; }, property.name,
+                                  "0 is taken"));
+        std::vector<Values<1>> given;
+        for (const Piece &piece : pieces) {
+            const Property *own = find(*piece.mesh, property);
+            given.emplace_back(property.of_faces ? piece.mesh->face_count() : piece.mesh->points.size());
+            for (std::size_t k = 0; own != nullptr && k < own->values.size(); ++k) {
+                given.back()[k][0] = own->values[k];
+            }
+        }
+        Property made{property.name, property.type, property.of_faces, {}};
+        const uint32_t domain = property.of_faces ? GUSSET_PLUGIN_FACES : GUSSET_PLUGIN_VERTICES;
+        const uint32_t rule = property.is_whole() ? GUSSET_PLUGIN_RULE_NEAREST : GUSSET_PLUGIN_RULE_LINEAR;
+        for (const auto &[value] : carried(domain, rule, given)) {
+            made.values.push_back(value);
+        }
+        result.properties.push_back(std::move(made));
     }
 
     const std::vector<Piece> &pieces;
+    const Origins &origins;
     Mesh &result;
-    const Match found;
     std::vector<std::string> lost;
 };
+/// To the same vertices and faces, the vertices perhaps elsewhere.
+std::vector<std::string> carry_all(const Mesh &from, Mesh &result) {
+    const bool moved = result.points != from.points;
+    Mesh made = from;
+    made.points = std::move(result.points);
+    made.normals = moved ? Attribute<3>() : std::move(made.normals);
+    result = std::move(made);
+    return moved && from.normals ? std::vector<std::string>{moved_normals} : std::vector<std::string>();
+}
 } // namespace
 
-std::vector<std::string> carry(const std::vector<Piece> &pieces, Mesh &result) {
-    const bool bare = std::all_of(pieces.begin(), pieces.end(),
-                                  [](const Piece &piece) { return attribute_names(*piece.mesh).empty(); });
-    return bare ? std::vector<std::string>() : Carrier(pieces, result).run();
+std::vector<std::string> carry(const std::vector<Piece> &pieces, const Origins &origins, Mesh &result) {
+    std::vector<std::string> names = all_names(pieces);
+    if (names.empty() || origins.are_known()) {
+        return names.empty() ? names : Carrier(pieces, origins, result).run();
+    }
+    const Mesh &first = *pieces[0].mesh;
+    if (result.points.size() == first.points.size() && result.offsets == first.offsets &&
+        result.corners == first.corners) {
+        return carry_all(first, result);
+    }
+    for (std::string &name : names) {
+        name += ": the filter does not tell where its result comes from";
+    }
+    return names;
 }

@@ -1,8 +1,9 @@
-// Colours, normals and texture coordinates of the inputs, on the result of a filter, which knows of positions and faces
-// alone.
+// What the inputs carry, on the result of a filter, which knows of positions and faces alone: by where the plugin says
+// that the elements of its output come from.
 #pragma once
 
 #include "mesh.hpp"
+#include "origins.hpp"
 
 #include <string>
 #include <vector>
@@ -13,7 +14,6 @@ struct Piece {
     std::string name;
 };
 
-/// Vertices and faces that are the inputs' keep what they had. New vertices and faces take the mean of their
-/// neighbours, normals of their faces; new faces get texture coordinates only where each vertex has one pair. Returns
-/// what was lost.
-std::vector<std::string> carry(const std::vector<Piece> &pieces, Mesh &result);
+/// Vertices, corners and faces of the inputs keep what they had, bit for bit; what is new has the mean of what it lies
+/// between, and texture coordinates that go on. Returns what was lost.
+std::vector<std::string> carry(const std::vector<Piece> &pieces, const Origins &origins, Mesh &result);

@@ -1,6 +1,8 @@
 // Meshes and curves as files hold them and as the plugin reads them.
 #pragma once
 
+#include "material.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,11 +10,6 @@
 #include <vector>
 
 using Point = std::array<double, 3>;
-/// Red, green, blue and opacity from 0 to 1, as screens have them (sRGB).
-using Colour = std::array<float, 4>;
-
-constexpr Colour white = {1, 1, 1, 1};
-
 /// Values of N numbers at vertices or at corners. One that begins with NaN is missing: a corner without a texture, say.
 template <std::size_t N> struct Attribute {
     enum class At { nothing, vertices, corners };
@@ -20,6 +17,15 @@ template <std::size_t N> struct Attribute {
     std::vector<std::array<double, N>> values;
 
     explicit operator bool() const { return at != At::nothing; }
+};
+
+/// A number for each vertex or each face, by the name and the type that a PLY file has for it: "float", "uchar".
+struct Property {
+    std::string name, type;
+    bool of_faces = false;
+    std::vector<double> values;
+
+    bool is_whole() const { return type != "float" && type != "double"; }
 };
 
 /// A soup of polygons: face f has the corners offsets[f] to offsets[f + 1] - 1. Nothing is welded, turned over or left
@@ -33,8 +39,15 @@ struct Mesh {
     std::vector<Colour> vertex_colours, face_colours;
     Attribute<3> normals;
     Attribute<2> texcoords;
+    /// The materials that there are, and for each face the number of its own; none for no face if there are none.
+    std::vector<Material> materials;
+    std::vector<uint32_t> face_materials;
+    std::vector<Property> properties;
+    /// For each vertex the one that it is one with, of formats that keep vertices apart for their normals or texture
+    /// coordinates; empty if each is for itself.
+    std::vector<uint32_t> merge;
 
-    /// What the file had that has no place here: "materials", "groups".
+    /// What the file had that has no place here: "skins", "groups".
     std::vector<std::string> unread;
 
     std::size_t face_count() const { return offsets.size() - 1; }

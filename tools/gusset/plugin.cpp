@@ -53,6 +53,11 @@ const gusset_plugin_values *Plugin::values() const {
     return found != nullptr && found->struct_size >= sizeof *found ? found : nullptr;
 }
 
+const gusset_plugin_attributes *Plugin::attributes() const {
+    const auto *found = static_cast<const gusset_plugin_attributes *>(tables->extension("attributes/1"));
+    return found != nullptr && found->struct_size >= sizeof *found ? found : nullptr;
+}
+
 std::vector<const gusset_param_info *> params(const gusset_filter &filter) {
     std::vector<const gusset_param_info *> all;
     for (uint32_t i = 0; i < filter.param_count; ++i) {
@@ -78,6 +83,7 @@ gusset_plugin_mesh view(const Mesh &mesh) {
     view.face_corners = mesh.corners.data();
     view.face_count = mesh.offsets.size() - 1;
     view.scalar = GUSSET_PLUGIN_F64;
+    view.merge = mesh.merge.empty() ? nullptr : mesh.merge.data();
     return view;
 }
 

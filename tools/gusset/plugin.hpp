@@ -22,6 +22,8 @@ public:
     const gusset_filter *find_or_null(const std::string &name) const;
     /// The numbers in texts, if the plugin names them.
     const gusset_plugin_values *values() const;
+    /// What carries values of the inputs over to outputs, if the plugin has it.
+    const gusset_plugin_attributes *attributes() const;
 
 private:
     struct Close {

@@ -1,9 +1,11 @@
 #include "run.hpp"
 
+#include "attributes.hpp"
 #include "carry.hpp"
 #include "steering.hpp"
 #include "values.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <iostream>
 #include <memory>
@@ -174,10 +176,19 @@ std::vector<Piece> pieces_of(const Inputs &inputs, const RunRequest &request, st
     return pieces;
 }
 
-Json write_mesh_output(const std::string &file, Mesh mesh, const Inputs &inputs, const RunRequest &request) {
+/// Whether any input has more than positions and faces.
+bool carries(const Inputs &inputs) {
+    return std::any_of(inputs.geometry().begin(), inputs.geometry().end(), [](const auto &input) {
+        const auto *mesh = std::get_if<Mesh>(&input);
+        return mesh != nullptr && !attribute_names(*mesh).empty();
+    });
+}
+
+Json write_mesh_output(const std::string &file, Mesh mesh, const Origins &origins, const Inputs &inputs,
+                       const RunRequest &request) {
     std::vector<std::string> lost;
     const std::vector<Piece> pieces = pieces_of(inputs, request, lost);
-    const auto on_the_way = carry(pieces, mesh);
+    const auto on_the_way = carry(pieces, origins, mesh);
     lost.insert(lost.end(), on_the_way.begin(), on_the_way.end());
     Json made = json_of(file, mesh);
     const Losses in_the_file = write_mesh(file, mesh, request.text);
@@ -210,7 +221,9 @@ void write(const Plugin &plugin, const gusset_outputs *outputs, const std::vecto
                 std::cout << text;
             }
         } else if (!files[i].empty() && !request.dry && kind == GUSSET_KIND_MESH) {
-            report["outputs"].push_back(write_mesh_output(files[i], mesh_of(plugin, outputs, i), inputs, request));
+            const Origins origins(plugin, outputs, i);
+            report["outputs"].push_back(
+                write_mesh_output(files[i], mesh_of(plugin, outputs, i), origins, inputs, request));
         } else if (!files[i].empty() && !request.dry && kind == GUSSET_KIND_CURVES) {
             const Curves curves = curves_of(plugin, outputs, i);
             write_curves(files[i], curves);
@@ -258,7 +271,8 @@ void run(const Plugin &plugin, const RunRequest &request) {
                    {"parameters", json_of(filter, values)},
                    {"outputs", Json::array()}};
 
-    Steering steering(request.threads, request.progress, request.cancel_after);
+    const bool origins = plugin.attributes() != nullptr && carries(inputs);
+    Steering steering(request.threads, origins, request.progress, request.cancel_after);
     gusset_outputs *raw = nullptr;
     const int32_t status =
         filter.run(&filter, steering.host(), inputs.data(), inputs.count(), values.data(), filter.value_count, &raw);

@@ -23,13 +23,14 @@ void on_interrupt(void (*handler)(int), int flags) {
 }
 } // namespace
 
-Steering::Steering(uint32_t threads, bool bar_, std::optional<double> cancel_after)
+Steering::Steering(uint32_t threads, bool origins, bool bar_, std::optional<double> cancel_after)
     : bar(bar_), terminal(isatty(STDERR_FILENO) != 0) {
     callbacks.struct_size = sizeof callbacks;
     callbacks.user = this;
     callbacks.progress = progress;
     callbacks.log = log;
     callbacks.threads = threads;
+    callbacks.origins = origins ? 1 : 0;
     stop = false;
     on_interrupt(interrupted, static_cast<int>(SA_RESETHAND));
     if (cancel_after) {

@@ -16,7 +16,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// bar: progress goes to the standard error. cancel_after: seconds from now.
-    Steering(uint32_t threads, bool bar, std::optional<double> cancel_after);
+    Steering(uint32_t threads, bool origins, bool bar, std::optional<double> cancel_after);
     ~Steering();
     Steering(const Steering &) = delete;
     Steering &operator=(const Steering &) = delete;

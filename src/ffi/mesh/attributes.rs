@@ -1,6 +1,6 @@
 //! C interface: values of elements, carried over to results.
 
-use crate::attributes::{Channel, Output, Rule, ValueType, apply};
+use crate::attributes::{Channel, Origins, Output, Rule, ValueType, apply};
 use crate::ffi::mesh::origins::{gusset_domain, gusset_origins};
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::prelude::*;
@@ -134,41 +134,53 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     guard(context, |job| {
         let given = input::read(channel, false, "channel")?;
         let origins = &handle::get(origins, "origins")?.0;
-        let domain = choice(given.domain)?;
-        let mut channel = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?)?
-            .with_max_influences(given.max_influences);
-        // Before any of them is read.
-        let inputs_needed = origins.inputs().len();
-        if input_count != inputs_needed {
-            return Err(Error::InputsDiffer { given: input_count as u64, needed: inputs_needed as u64 }.into());
-        }
-        let room = Strided::span(count, stride, channel.size(), "values")?;
-        let room_range = values as usize..(values as usize).saturating_add(room);
-        for k in 0..input_count {
-            let of_input = |failure: Failure| failure.of_input(k as u32);
-            let one = input::reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
-            if one.values.is_null() && one.count == 0 {
-                channel.push_missing()?;
-                continue;
-            }
-            let size = Strided::span(one.count, one.stride, channel.size(), "values")
-                .map_err(|error| of_input(error.into()))?;
-            let bytes = input::bytes(one.values, size, 1, "values").map_err(of_input)?;
-            let range = bytes.as_ptr_range();
-            if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
-                return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlap those of an input")));
-            }
-            channel.push(bytes, one.stride, one.count)?;
-        }
-        let needed = origins.table(domain).len();
-        if count < needed {
-            let message = format!("values has room for {count} elements and {needed} are needed");
-            return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
-        }
-        let out = input::results(values.cast::<u8>(), room, "values")?;
-        let mut out = Output::new(out, stride, count, channel.values())?;
-        Ok(apply(origins, &channel, &mut out, job)?)
+        carry_over(origins, given, (inputs, input_count), (values, count, stride), job)
     })
+}
+
+/// What [`gusset_attributes_apply`] does, with channel, inputs and room for values as a caller gives
+/// them.
+pub(crate) fn carry_over(
+    origins: &Origins,
+    given: gusset_channel,
+    (inputs, input_count): (*const gusset_channel_values, usize),
+    (values, count, stride): (*mut c_void, usize, usize),
+    job: &Job<'_>,
+) -> Result<(), Failure> {
+    let domain = choice(given.domain)?;
+    let mut channel = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?)?
+        .with_max_influences(given.max_influences);
+    // Before any of them is read.
+    let inputs_needed = origins.inputs().len();
+    if input_count != inputs_needed {
+        return Err(Error::InputsDiffer { given: input_count as u64, needed: inputs_needed as u64 }.into());
+    }
+    let room = Strided::span(count, stride, channel.size(), "values")?;
+    let room_range = values as usize..(values as usize).saturating_add(room);
+    for k in 0..input_count {
+        let of_input = |failure: Failure| failure.of_input(k as u32);
+        let one = input::reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
+        if one.values.is_null() && one.count == 0 {
+            channel.push_missing()?;
+            continue;
+        }
+        let size =
+            Strided::span(one.count, one.stride, channel.size(), "values").map_err(|error| of_input(error.into()))?;
+        let bytes = input::bytes(one.values, size, 1, "values").map_err(of_input)?;
+        let range = bytes.as_ptr_range();
+        if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
+            return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlap those of an input")));
+        }
+        channel.push(bytes, one.stride, one.count)?;
+    }
+    let needed = origins.table(domain).len();
+    if count < needed {
+        let message = format!("values has room for {count} elements and {needed} are needed");
+        return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    let out = input::results(values.cast::<u8>(), room, "values")?;
+    let mut out = Output::new(out, stride, count, channel.values())?;
+    Ok(apply(origins, &channel, &mut out, job)?)
 }
 
 /// Finds which vertices of a mesh are one: those with equal keys, as of the vertices that were split

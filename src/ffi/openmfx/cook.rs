@@ -87,7 +87,7 @@ fn work(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> Result
     }
     let to = suites.mesh(instance, MAIN_OUTPUT, time)?.ok_or(Status::FAILED)?;
     match (effect.output.and_then(|place| outputs.get(place)), read.first()) {
-        (Some(Output::Mesh(mesh)), _) => meshes::write_mesh(&to, mesh),
+        (Some(Output::Mesh(mesh, _)), _) => meshes::write_mesh(&to, mesh),
         (Some(Output::Curves(curves)), _) => meshes::write_curves(&to, curves),
         (_, Some((_, first))) => first.write(&to),
         (_, None) => meshes::write_curves(&to, &Curves::default()),

@@ -51,6 +51,10 @@ pub const GUSSET_PARAM_PLANE: u32 = 9;
 /// new.
 pub const GUSSET_FILTER_REPLACES: u32 = 1;
 
+/// The vertices, corners and faces of the first output, a mesh, come from those of the inputs, and
+/// extension("attributes/1") carries over what they have.
+pub const GUSSET_FILTER_ORIGINS: u32 = 2;
+
 /// gusset_failure.input, gusset_failure.param: none.
 pub const GUSSET_PLUGIN_NONE: u32 = u32::MAX;
 
@@ -93,7 +97,7 @@ versioned! {
     gusset_plugin_mesh: 72 reserved,
     gusset_plugin_curves: 64 reserved,
     gusset_input: 24 reserved,
-    gusset_host: 40 reserved,
+    gusset_host: 40,
     gusset_failure: 48,
 }
 
@@ -158,8 +162,9 @@ pub struct gusset_host {
     /// 0 as many threads as the machine has, 1 the calling thread only. Results do not depend on
     /// it.
     pub threads: u32,
-    /// 0.
-    pub reserved: u32,
+    /// 1: outputs tell where their elements come from, for extension("attributes/1"), if the filter
+    /// has GUSSET_FILTER_ORIGINS. 0: they do not, which saves time and memory.
+    pub origins: u32,
 }
 
 /// One choice of a parameter. Texts are UTF-8, static.
@@ -342,7 +347,7 @@ pub struct gusset_plugin {
     /// Frees the outputs of a run; NULL is allowed.
     pub output_free: unsafe extern "C" fn(outputs: *mut gusset_outputs),
     /// Something beyond these tables, by name and version, or NULL: "values/1" is a
-    /// gusset_plugin_values.
+    /// gusset_plugin_values, "attributes/1" a gusset_plugin_attributes.
     pub extension: unsafe extern "C" fn(name: *const c_char) -> *const c_void,
 }
 

@@ -102,6 +102,15 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
     Ok(found)
 }
 
+/// Whether the host asks where the elements of outputs come from.
+pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
+    match input::read(host, true, "host")?.origins {
+        0 => Ok(false),
+        1 => Ok(true),
+        other => Err(Failure::unknown("origins", other.into())),
+    }
+}
+
 /// The host's number of threads, and its callbacks.
 pub(super) fn host(host: *const gusset_host) -> Result<(usize, Callbacks), Failure> {
     let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;

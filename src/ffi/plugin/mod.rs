@@ -4,11 +4,15 @@
 //! | file | what it owns |
 //! |---|---|
 //! | [`descriptor`] | the structs and constants |
+//! | [`channels`] | those of the extension for attributes |
+//! | [`attributes`] | that extension |
 //! | [`table`] | the tables, made once of [`crate::filters::FILTERS`], and runs of filters |
 //! | [`inputs`] | what a host gives: meshes, curves, callbacks |
 //! | [`outcome`] | what a run leaves: outputs, or a failure |
 //! | [`outputs`] | how a host reads it |
 
+mod attributes;
+pub mod channels;
 pub mod descriptor;
 mod inputs;
 pub mod outcome;

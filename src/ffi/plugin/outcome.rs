@@ -1,6 +1,7 @@
 //! What becomes of a run: outputs, or why there are none.
 
 use crate::alloc;
+use crate::attributes::Origins;
 use crate::error::Result;
 use crate::ffi::handle::handle;
 use crate::ffi::status::{Failure, gusset_status};
@@ -20,7 +21,7 @@ handle! { gusset_outputs }
 
 /// An output as hosts read it.
 pub(super) enum Held {
-    Mesh(Mesh),
+    Mesh(Mesh, Option<Box<Origins>>),
     Curves(Curves),
     Text(CString, Vec<(CString, f64)>),
 }
@@ -40,7 +41,7 @@ impl gusset_outputs {
 impl Held {
     fn of(output: Output) -> Result<Self> {
         Ok(match output {
-            Output::Mesh(mesh) => Held::Mesh(mesh),
+            Output::Mesh(mesh, origins) => Held::Mesh(mesh, origins),
             Output::Curves(mut curves) => {
                 // A host may read the first offset even where there are no curves.
                 if curves.offsets.is_empty() {

@@ -4,25 +4,25 @@ use super::descriptor::{
     GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE,
     gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
 };
-use super::outcome::{Held, gusset_outputs};
+use super::outcome::{Fault, Held, gusset_outputs};
 use crate::ffi::context::lend;
 use crate::ffi::handle;
 use crate::ffi::input::lent;
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use libc::c_char;
-use std::ffi::CString;
+use std::ffi::{CStr, CString};
 use std::ptr;
 
 impl gusset_outputs {
     /// Output `index`, if there is one.
-    fn get(&self, index: u32) -> Result<&Held, Failure> {
+    pub(super) fn get(&self, index: u32) -> Result<&Held, Failure> {
         self.outputs.get(index as usize).ok_or_else(|| Failure::no_such("output", index as usize))
     }
 }
 
 /// Output `index`, if there is one.
-fn held<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a Held, Failure> {
+pub(super) fn held<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a Held, Failure> {
     handle::get(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.get(index))
 }
 
@@ -32,7 +32,7 @@ pub(super) unsafe extern "C" fn count(outputs: *const gusset_outputs) -> u32 {
 
 pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32) -> u32 {
     held(outputs, index).map_or(0, |held| match held {
-        Held::Mesh(_) => GUSSET_KIND_MESH,
+        Held::Mesh(..) => GUSSET_KIND_MESH,
         Held::Curves(_) => GUSSET_KIND_CURVES,
         Held::Text(..) => GUSSET_KIND_TEXT,
     })
@@ -42,7 +42,7 @@ pub(super) unsafe extern "C" fn mesh(outputs: *const gusset_outputs, index: u32,
     // Laid out alike, as `inputs` sees to.
     let mesh = mesh.cast::<gusset_mesh_view>();
     let status = lend!(outputs, mesh, |outputs| match outputs.get(index)? {
-        Held::Mesh(mesh) => mesh::lend(mesh),
+        Held::Mesh(mesh, _) => mesh::lend(mesh),
         _ => return Err(Failure::no_such("mesh", index as usize)),
     });
     status as i32
@@ -99,27 +99,30 @@ pub(super) unsafe extern "C" fn value(outputs: *const gusset_outputs, index: u32
 }
 
 pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure: *mut gusset_failure) -> i32 {
-    let status = lend!(outputs, failure, |outputs| {
-        let mut report = gusset_failure {
-            struct_size: 0,
-            message: outputs.message.as_ptr(),
-            status: GUSSET_PLUGIN_DONE,
-            param: GUSSET_PLUGIN_NONE,
-            input: GUSSET_PLUGIN_NONE,
-            element: 0,
-            index: 0,
-            value: 0.0,
-        };
-        if let Some(fault) = &outputs.fault {
-            let failure = &fault.failure;
-            report.status = failure.status as i32;
-            report.param = fault.param.unwrap_or(GUSSET_PLUGIN_NONE);
-            report.input = fault.input.unwrap_or(GUSSET_PLUGIN_NONE);
-            (report.element, report.index, report.value) = (failure.element, failure.index, failure.value);
-        }
-        report
-    });
+    let status = lend!(outputs, failure, |outputs| report(outputs.fault.as_ref(), &outputs.message));
     status as i32
+}
+
+/// What a host is told of a fault, or that there was none.
+pub(super) fn report(fault: Option<&Fault>, message: &CStr) -> gusset_failure {
+    let mut report = gusset_failure {
+        struct_size: 0,
+        message: message.as_ptr(),
+        status: GUSSET_PLUGIN_DONE,
+        param: GUSSET_PLUGIN_NONE,
+        input: GUSSET_PLUGIN_NONE,
+        element: 0,
+        index: 0,
+        value: 0.0,
+    };
+    if let Some(fault) = fault {
+        let failure = &fault.failure;
+        report.status = failure.status as i32;
+        report.param = fault.param.unwrap_or(GUSSET_PLUGIN_NONE);
+        report.input = fault.input.unwrap_or(GUSSET_PLUGIN_NONE);
+        (report.element, report.index, report.value) = (failure.element, failure.index, failure.value);
+    }
+    report
 }
 
 pub(super) unsafe extern "C" fn free(outputs: *mut gusset_outputs) {

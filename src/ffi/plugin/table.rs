@@ -1,6 +1,7 @@
 //! The tables behind the one symbol, made once of [`FILTERS`] and never freed, and the functions in
 //! them by which filters are found and run. Texts get their closing NUL here.
 
+use super::attributes::ATTRIBUTES;
 use super::descriptor::*;
 use super::inputs::{self, Given};
 use super::outcome::{Fault, gusset_outputs};
@@ -97,7 +98,8 @@ impl Entry {
             min_inputs: of.min_inputs as u32,
             max_inputs: u32::try_from(of.max_inputs).unwrap_or(u32::MAX),
             output_count: of.outputs.len() as u32,
-            flags: if of.replaces { GUSSET_FILTER_REPLACES } else { 0 },
+            flags: if of.replaces { GUSSET_FILTER_REPLACES } else { 0 }
+                | if of.has_origins { GUSSET_FILTER_ORIGINS } else { 0 },
             param_count: of.params.len() as u32,
             value_count,
             reserved: 0,
@@ -179,6 +181,7 @@ unsafe extern "C" fn extension(name: *const c_char) -> *const c_void {
     // SAFETY: not NULL; that it points to a text with a closing NUL is the host's promise.
     match unsafe { CStr::from_ptr(name) }.to_bytes() {
         b"values/1" => (&raw const VALUES).cast(),
+        b"attributes/1" => (&raw const ATTRIBUTES).cast(),
         _ => ptr::null(),
     }
 }
@@ -200,6 +203,7 @@ unsafe extern "C" fn run(
     let outcome: Result<_, Fault> = caught(|| {
         let filter = meant(filter)?;
         let (threads, callbacks) = inputs::host(host)?;
+        let traced = inputs::wants_origins(host)?;
         let watch = Watch::default();
         let host = Host::new(&watch, callbacks);
         let job = Job::new(threads, &host);
@@ -210,7 +214,7 @@ unsafe extern "C" fn run(
         // No more of them are read than the filter has.
         filter.check_value_count(value_count as usize)?;
         let values = input::list(values, value_count as usize, "values")?;
-        let outputs = answer(filter, &given, &values, &job.part(0.05, 1.0))?;
+        let outputs = answer(filter, &given, &values, traced, &job.part(0.05, 1.0))?;
         let outputs = handle::boxed(gusset_outputs::of(outputs)?);
         job.memory()?;
         Ok(outputs)
@@ -263,8 +267,15 @@ fn meant(filter: *const gusset_filter) -> Result<&'static Filter, Failure> {
     entry(filter).map(|(_, filter)| filter).ok_or_else(unknown)
 }
 
-fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>, Fault> {
-    filter.run(given, values, job).map_err(|error| {
+fn answer(
+    filter: &Filter,
+    given: &[Input<'_>],
+    values: &[f64],
+    traced: bool,
+    job: &Job<'_>,
+) -> Result<Vec<Output>, Fault> {
+    let outcome = if traced { filter.run_traced(given, values, job) } else { filter.run(given, values, job) };
+    outcome.map_err(|error| {
         let param = match error {
             Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
             _ => None,

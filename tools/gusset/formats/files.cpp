@@ -69,11 +69,23 @@ Curves read_curves(const std::string &path) {
 Losses write_mesh(const std::string &path, const Mesh &mesh, bool text) {
     check_mesh_name(path);
     const std::string kind = extension(path);
-    return kind == ".obj"   ? write_obj(path, mesh)
-           : kind == ".off" ? write_off(path, mesh)
-           : kind == ".ply" ? write_ply(path, mesh, text)
-           : kind == ".stl" ? write_stl(path, mesh, text)
-                            : write_gltf(path, mesh, kind == ".glb");
+    Losses losses = kind == ".obj"   ? write_obj(path, mesh)
+                    : kind == ".off" ? write_off(path, mesh)
+                    : kind == ".ply" ? write_ply(path, mesh, text)
+                    : kind == ".stl" ? write_stl(path, mesh, text)
+                                     : write_gltf(path, mesh, kind == ".glb");
+    // What one kind of files has, or two.
+    const bool has_materials = kind == ".obj" || kind == ".gltf" || kind == ".glb";
+    if (!mesh.face_materials.empty() && !has_materials) {
+        losses.push_back("materials, which such files do not hold");
+    }
+    for (const Property &property : mesh.properties) {
+        if (kind != ".ply") {
+            losses.push_back(property.name + (property.of_faces ? " of faces" : " of vertices") +
+                             ", which PLY files alone hold");
+        }
+    }
+    return losses;
 }
 
 void write_curves(const std::string &path, const Curves &curves) {

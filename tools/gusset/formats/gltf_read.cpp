@@ -1,15 +1,19 @@
-// glTF by tinygltf: the triangles of all meshes that the scene shows, where it shows them. Materials, images, skins and
+// glTF by tinygltf: the triangles of all meshes that the scene shows, where it shows them, with their materials. Skins and
 // animations are left.
 #include "../attributes.hpp"
 #include "../failure.hpp"
 #include "bytes.hpp"
 #include "formats.hpp"
+#include "gltf_materials.hpp"
 #include "gltf_values.hpp"
 #include "scanner.hpp"
 
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
 #include <set>
 #include <unordered_map>
 
@@ -83,7 +87,8 @@ double determinant(const Matrix &m) {
 
 class Reader {
 public:
-    Reader(const std::string &path_, const tinygltf::Model &model_) : path(path_), model(model_) {}
+    Reader(const std::string &path_, std::shared_ptr<const tinygltf::Model> model_)
+        : path(path_), owned(std::move(model_)), model(*owned) {}
 
     Mesh read() {
         const auto mesh_nodes = [&](const std::vector<int> &roots) {
@@ -186,6 +191,7 @@ private:
     }
 
     void add(int place, const Matrix &by) {
+        shared.clear();
         for (const tinygltf::Primitive &primitive : at(model.meshes, place, "mesh").primitives) {
             if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
                 primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN && primitive.mode != -1) {
@@ -204,18 +210,22 @@ private:
         if (attribute("POSITION") < 0) {
             fail("a mesh has no positions");
         }
-        textured = textured || primitive.material >= 0;
         morphed = morphed || !primitive.targets.empty();
-        const std::vector<double> positions = numbers(attribute("POSITION"), 3);
-        const std::size_t first = mesh.points.size(), count = positions.size() / 3;
-        for (std::size_t v = 0; v < count; ++v) {
-            const Point p{positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
-            mesh.points.push_back(by == identity ? p : moved(by, p));
+        const auto [known, is_new] = shared.emplace(primitive.attributes, std::pair(mesh.points.size(), 0));
+        if (is_new) {
+            const std::vector<double> positions = numbers(attribute("POSITION"), 3);
+            const std::size_t added = positions.size() / 3;
+            for (std::size_t v = 0; v < added; ++v) {
+                const Point p{positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
+                mesh.points.push_back(by == identity ? p : moved(by, p));
+            }
+            add_normals(attribute("NORMAL"), added, by);
+            add_texcoords(attribute("TEXCOORD_0"), added);
+            add_colours(attribute("COLOR_0"), added);
+            add_numbers(attribute(vertex_attribute), known->second.first, added);
+            known->second.second = added;
         }
-        add_normals(attribute("NORMAL"), count, by);
-        add_texcoords(attribute("TEXCOORD_0"), count);
-        add_colours(attribute("COLOR_0"), count);
-        add_numbers(attribute(vertex_attribute), first, count);
+        const auto [first, count] = known->second;
         std::vector<uint32_t> indices;
         if (primitive.indices >= 0) {
             for (const double index : numbers(primitive.indices, 1)) {
@@ -232,6 +242,22 @@ private:
             }
         }
         add_faces(primitive, indices, determinant(by) < 0);
+        add_material(primitive.material);
+    }
+
+    /// To all faces since the last one.
+    void add_material(int place) {
+        uint32_t number = no_material;
+        if (place >= 0) {
+            static_cast<void>(at(model.materials, place, "material"));
+            const auto [found, is_new] = materials.emplace(place, static_cast<uint32_t>(mesh.materials.size()));
+            if (is_new) {
+                mesh.materials.push_back(
+                    material_of(owned, place, std::filesystem::path(path).parent_path().string()));
+            }
+            number = found->second;
+        }
+        mesh.face_materials.resize(mesh.face_count(), number);
     }
 
     /// Values of this primitive behind those of the ones before, which may have had none.
@@ -301,6 +327,7 @@ private:
         if (accessor < 0) {
             return;
         }
+        numbered = true;
         const std::vector<double> halves = numbers(accessor, 2);
         for (std::size_t v = 0; v < count && 2 * v + 1 < halves.size(); ++v) {
             const double origin = halves[2 * v] + 65536 * halves[2 * v + 1];
@@ -388,8 +415,31 @@ private:
         }
     }
 
+    /// Vertices that are apart for their normals or texture coordinates are one: those at equal positions. What this
+    /// program wrote says itself which ones.
+    void merge() {
+        const bool apart = bool(mesh.normals) || bool(mesh.texcoords);
+        if (!apart || numbered) {
+            return;
+        }
+        std::map<Point, uint32_t> known;
+        bool any = false;
+        for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+            const auto own = static_cast<uint32_t>(v);
+            mesh.merge.push_back(known.emplace(mesh.points[v], own).first->second);
+            any = any || mesh.merge.back() != own;
+        }
+        if (!any) {
+            mesh.merge.clear();
+        }
+    }
+
     void finish() {
         unite();
+        merge();
+        if (mesh.materials.empty()) {
+            mesh.face_materials.clear();
+        }
         if (!mesh.normals) {
             mesh.normals = {};
         }
@@ -404,8 +454,6 @@ private:
                 mesh.unread.emplace_back(what);
             }
         };
-        note(textured, "materials");
-        note(!model.images.empty(), "images");
         note(has_lines, "points and lines");
         note(morphed, "morph targets");
         note(skinned, "skins");
@@ -414,23 +462,25 @@ private:
     }
 
     const std::string &path;
+    std::shared_ptr<const tinygltf::Model> owned;
     const tinygltf::Model &model;
     Mesh mesh;
+    /// Of the mesh that is being added, where vertices of the same arrays begin, and how many there are.
+    std::map<std::map<std::string, int>, std::pair<std::size_t, std::size_t>> shared;
+    /// The numbers that materials have in the mesh.
+    std::map<int, uint32_t> materials;
     /// Of each vertex, the one that it was divided from.
     std::vector<uint32_t> origins;
-    bool textured = false, coloured = false, has_lines = false, morphed = false, skinned = false;
+    bool coloured = false, numbered = false, has_lines = false, morphed = false, skinned = false;
 };
 
-bool leave_image(tinygltf::Image *, const int, std::string *, std::string *, int, int, const unsigned char *, int,
-                 void *) {
-    return true;
-}
 } // namespace
 
 Mesh read_gltf(const std::string &path, bool binary) {
     tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(leave_image, nullptr);
-    tinygltf::Model model;
+    loader.SetImageLoader(keep_image, nullptr);
+    const auto owned = std::make_shared<tinygltf::Model>();
+    tinygltf::Model &model = *owned;
     std::string error, warning;
     bool read = false;
     try {
@@ -452,5 +502,5 @@ Mesh read_gltf(const std::string &path, bool binary) {
             throw Failure(Exit::file, path + ": it requires the extension " + extension + ", which is not read");
         }
     }
-    return Reader(path, model).read();
+    return Reader(path, owned).read();
 }

@@ -3,6 +3,7 @@
 #include "../attributes.hpp"
 #include "../failure.hpp"
 #include "formats.hpp"
+#include "gltf_materials.hpp"
 #include "gltf_values.hpp"
 #include "triangles.hpp"
 #include "writer.hpp"
@@ -101,7 +102,14 @@ public:
         model.defaultScene = 0;
     }
 
-    tinygltf::Primitive &primitive() { return model.meshes[0].primitives[0]; }
+    tinygltf::Primitive &primitive() { return model.meshes[0].primitives.back(); }
+    /// Another one of the same vertices.
+    void next_primitive() {
+        tinygltf::Primitive next;
+        next.mode = TINYGLTF_MODE_TRIANGLES;
+        next.attributes = primitive().attributes;
+        model.meshes[0].primitives.push_back(next);
+    }
 
     template <class T> void put(T value) {
         const auto *bytes = reinterpret_cast<const unsigned char *>(&value);
@@ -179,17 +187,11 @@ void add_origins(Builder &builder, const Divided &as) {
         TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
-/// All faces as triangles; returns how many were left out.
-std::size_t add_faces(Builder &builder, const Mesh &mesh, const Divided &as, bool polygons) {
-    Mesh shown;
-    shown.offsets = mesh.offsets;
-    shown.corners = as.corners;
-    for (const uint32_t v : as.origins) {
-        shown.points.push_back(mesh.points[v]);
-    }
+/// Faces as triangles of the last primitive; returns how many were left out.
+std::size_t add_faces(Builder &builder, const Mesh &shown, const std::vector<std::size_t> &faces, bool polygons) {
     std::size_t count = 0, left_out = 0;
     std::optional<uint32_t> before;
-    for (std::size_t f = 0; f < shown.face_count(); ++f) {
+    for (const std::size_t f : faces) {
         const std::size_t degree = shown.degree(f);
         if (degree < 3) {
             ++left_out;
@@ -208,8 +210,48 @@ std::size_t add_faces(Builder &builder, const Mesh &mesh, const Divided &as, boo
     builder.primitive().indices = builder.close(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count,
                                                 TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     if (polygons) {
-        builder.model.extensionsUsed = {polygons_extension};
         builder.primitive().extensions[polygons_extension] = tinygltf::Value(tinygltf::Value::Object());
+    }
+    return left_out;
+}
+
+/// All faces, those of each material as one primitive; returns how many were left out.
+std::size_t add_primitives(Builder &builder, const Mesh &mesh, const Divided &as, Losses &losses) {
+    Mesh shown;
+    shown.offsets = mesh.offsets;
+    shown.corners = as.corners;
+    bool polygons = false;
+    for (const uint32_t v : as.origins) {
+        shown.points.push_back(mesh.points[v]);
+    }
+    const UsedMaterials materials = used_materials(mesh);
+    // By material, those without one at last.
+    std::vector<std::vector<std::size_t>> faces(materials.all.size() + 1);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        polygons = polygons || mesh.degree(f) > 3;
+        const uint32_t material = materials.of_faces.empty() ? no_material : materials.of_faces[f];
+        faces[std::min<std::size_t>(material, materials.all.size())].push_back(f);
+    }
+    if (polygons) {
+        builder.model.extensionsUsed.emplace_back(polygons_extension);
+    }
+    MaterialWriter writer(builder.model, losses);
+    std::size_t left_out = 0;
+    bool first = true;
+    for (std::size_t m = 0; m < faces.size(); ++m) {
+        if (faces[m].empty() && !(first && m + 1 == faces.size())) {
+            continue;
+        }
+        if (!first) {
+            builder.next_primitive();
+        }
+        first = false;
+        left_out += add_faces(builder, shown, faces[m], polygons);
+    }
+    // Images are behind everything else.
+    std::size_t primitive = 0;
+    for (std::size_t m = 0; m < materials.all.size(); ++m) {
+        builder.model.meshes[0].primitives[primitive++].material = writer.add(*materials.all[m], materials.names[m]);
     }
     return left_out;
 }
@@ -268,11 +310,8 @@ Losses write_gltf(const std::string &path, const Mesh &mesh, bool binary) {
     if (as.origins.size() > mesh.points.size()) {
         add_origins(builder, as);
     }
-    bool polygons = false;
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        polygons = polygons || mesh.degree(f) > 3;
-    }
-    const std::size_t left_out = add_faces(builder, mesh, as, polygons);
+    Losses losses;
+    const std::size_t left_out = add_primitives(builder, mesh, as, losses);
     if (builder.model.buffers[0].data.size() > UINT32_MAX / 2) {
         throw Failure(Exit::file, path + ": glTF files of more than two gigabytes are not written");
     }
@@ -283,8 +322,6 @@ Losses write_gltf(const std::string &path, const Mesh &mesh, bool binary) {
     Writer out(path);
     out << all.str();
     out.finish();
-
-    Losses losses;
     const std::string rounded = rounded_ones(mesh);
     if (!rounded.empty()) {
         losses.push_back("digits of " + rounded + ": glTF files have single precision");

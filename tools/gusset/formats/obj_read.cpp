@@ -4,13 +4,16 @@
 #include "../attributes.hpp"
 #include "../failure.hpp"
 #include "formats.hpp"
+#include "mtl.hpp"
 #include "scanner.hpp"
 
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <istream>
+#include <map>
 #include <set>
 #include <streambuf>
 
@@ -39,7 +42,10 @@ public:
     /// Of each face of three corners or more.
     std::vector<std::size_t> face_lines;
     std::size_t lines = 0, polylines = 0, dots = 0, small_faces = 0, free_forms = 0;
-    std::set<std::string> materials, groups;
+    std::set<std::string> libraries, groups;
+    /// Of each face of three corners or more, the number of its material's name; no_material before the first.
+    std::vector<uint32_t> face_materials;
+    std::vector<std::string> materials;
 
 protected:
     int_type underflow() override {
@@ -111,13 +117,21 @@ private:
                 ++small_faces;
             } else {
                 face_lines.push_back(lines);
+                face_materials.push_back(material);
             }
         } else if (what == "l") {
             ++polylines;
         } else if (what == "p") {
             ++dots;
-        } else if (what == "usemtl" || what == "mtllib") {
-            materials.emplace(line);
+        } else if (what == "mtllib") {
+            libraries.insert(behind(line, words));
+        } else if (what == "usemtl") {
+            const std::string name = behind(line, words);
+            const auto found = std::find(materials.begin(), materials.end(), name);
+            material = static_cast<uint32_t>(found - materials.begin());
+            if (found == materials.end()) {
+                materials.push_back(name);
+            }
         } else if (what == "g" || what == "o") {
             groups.emplace(line);
         } else if (what == "curv" || what == "curv2" || what == "surf" || what == "vp") {
@@ -125,7 +139,18 @@ private:
         }
     }
 
+    /// All of a line but the first word.
+    static std::string behind(std::string_view line, const std::vector<std::string_view> &words) {
+        if (words.size() < 2) {
+            return "";
+        }
+        const auto start = static_cast<std::size_t>(words[1].data() - line.data());
+        const auto end = static_cast<std::size_t>(words.back().data() - line.data()) + words.back().size();
+        return std::string(line.substr(start, end - start));
+    }
+
     std::string path, text;
+    uint32_t material = no_material;
 };
 
 struct Obj {
@@ -176,6 +201,36 @@ void check(const Lines &lines, std::size_t face, int index, std::size_t count, c
     }
 }
 
+/// Those that faces use, with what their libraries say of them.
+void add_materials(const std::string &path, const Lines &lines, Mesh &mesh) {
+    std::map<std::string, Material> known;
+    const auto folder = std::filesystem::path(path).parent_path();
+    for (const std::string &library : lines.libraries) {
+        if (!read_mtl((folder / library).string(), known)) {
+            mesh.unread.push_back("the materials in " + library + ", which is not there,");
+        }
+    }
+    if (lines.materials.empty()) {
+        return;
+    }
+    std::vector<uint32_t> numbers;
+    for (const std::string &name : lines.materials) {
+        const auto found = known.find(name);
+        // Names that files have for none.
+        const bool none = found == known.end() && (name.empty() || name == "none" || name == "None" || name == "(null)");
+        numbers.push_back(none ? no_material : static_cast<uint32_t>(mesh.materials.size()));
+        if (found != known.end()) {
+            mesh.materials.push_back(found->second);
+        } else if (!none) {
+            mesh.materials.emplace_back();
+            mesh.materials.back().name = name;
+        }
+    }
+    for (const uint32_t material : lines.face_materials) {
+        mesh.face_materials.push_back(material == no_material ? no_material : numbers[material]);
+    }
+}
+
 void scale(std::vector<Colour> &colours) {
     const bool bytes = std::any_of(colours.begin(), colours.end(), [](const Colour &colour) {
         return std::any_of(colour.begin(), colour.begin() + 3, [](float part) { return part > 1; });
@@ -215,12 +270,12 @@ Mesh read_obj(const std::string &path) {
         mesh.vertex_colours = std::move(lines.colours);
         scale(mesh.vertex_colours);
     }
+    add_materials(path, lines, mesh);
     const auto note = [&](bool there, const std::string &what) {
         if (there) {
             mesh.unread.push_back(what);
         }
     };
-    note(!lines.materials.empty(), "materials");
     note(lines.groups.size() > 1, "names of objects and groups");
     note(lines.polylines > 0, number_of(lines.polylines, "polyline"));
     note(lines.dots > 0, "points");

@@ -1,9 +1,11 @@
 // OBJ as text: colours of vertices behind their coordinates, normals and texture coordinates by their own indices.
 #include "../attributes.hpp"
 #include "formats.hpp"
+#include "mtl.hpp"
 #include "writer.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 namespace {
@@ -53,10 +55,22 @@ void write_points(Writer &out, const std::vector<Point> &points, const std::vect
 
 Losses write_obj(const std::string &path, const Mesh &mesh) {
     Writer out(path);
+    const UsedMaterials materials = used_materials(mesh);
+    if (!materials.all.empty()) {
+        const auto library = std::filesystem::path(path).replace_extension(".mtl");
+        write_mtl(library.string(), materials);
+        out << "mtllib " << library.filename().string() << '\n';
+    }
+    uint32_t material = no_material;
     write_points(out, mesh.points, mesh.vertex_colours);
     const auto texcoords = write_values(out, "vt", mesh, mesh.texcoords);
     const auto normals = write_values(out, "vn", mesh, mesh.normals);
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        if (!materials.all.empty() && materials.of_faces[f] != material) {
+            material = materials.of_faces[f];
+            // A name that no library has: there is no word for none.
+            out << "usemtl " << (material == no_material ? "none" : materials.names[material]) << '\n';
+        }
         out << 'f';
         // A face has either all of them or none.
         bool textured = !texcoords.empty(), directed = !normals.empty();

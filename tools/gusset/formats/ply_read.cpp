@@ -14,6 +14,11 @@ std::size_t size_of(PlyType type) {
     return sizes[static_cast<std::size_t>(type)];
 }
 
+const char *name_of(PlyType type) {
+    constexpr const char *names[] = {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
+    return names[static_cast<std::size_t>(type)];
+}
+
 /// The values of elements one after the other, of either form.
 class Source {
 public:
@@ -123,6 +128,20 @@ public:
         return places;
     }
 
+    /// The numbers that are not used yet, which become properties of the mesh.
+    std::vector<std::size_t> rest(bool of_faces, Mesh &mesh) {
+        std::vector<std::size_t> places;
+        for (std::size_t p = 0; p < used.size(); ++p) {
+            const PlyProperty &property = element.properties[p];
+            if (!used[p] && !property.count) {
+                used[p] = true;
+                places.push_back(p);
+                mesh.properties.push_back({property.name, name_of(property.type), of_faces, {}});
+            }
+        }
+        return places;
+    }
+
     /// "confidence and intensity of vertices"; empty if all are used.
     std::string others(const std::string &of) const {
         std::vector<std::string> names;
@@ -183,6 +202,15 @@ template <std::size_t N> void enter(const Source &source, const Places<N> &place
     }
 }
 
+/// The values of a row for the last properties of the mesh.
+void enter_rest(const Source &source, const std::vector<std::size_t> &places, bool of_faces, Mesh &mesh) {
+    auto property = std::find_if(mesh.properties.begin(), mesh.properties.end(),
+                                 [&](const Property &one) { return one.of_faces == of_faces; });
+    for (const std::size_t place : places) {
+        (property++)->values.push_back(source.numbers[place]);
+    }
+}
+
 void note(Mesh &mesh, const std::string &what) {
     if (!what.empty()) {
         mesh.unread.push_back(what);
@@ -201,6 +229,7 @@ void read_vertices(const std::string &path, Source &source, const PlyElement &el
         texcoord = texcoord ? texcoord : properties.together<2>(names);
     }
     const Colours colours(element, properties);
+    const std::vector<std::size_t> more = properties.rest(false, mesh);
     note(mesh, properties.others("vertices"));
     for (std::size_t v = 0; v < element.count; ++v) {
         source.row(element, {"vertex", v});
@@ -211,6 +240,7 @@ void read_vertices(const std::string &path, Source &source, const PlyElement &el
         if (colours.parts) {
             mesh.vertex_colours.push_back(colours.of(source));
         }
+        enter_rest(source, more, false, mesh);
     }
 }
 
@@ -235,6 +265,7 @@ void read_faces(const std::string &path, Source &source, const PlyElement &eleme
     // The number of an image, of which there is none.
     static_cast<void>(properties.one({"texnumber"}, false));
     const Colours colours(element, properties);
+    const std::vector<std::size_t> more = properties.rest(true, mesh);
     note(mesh, properties.others("faces"));
     Attribute<2> texcoords{Attribute<2>::At::corners, {}};
     for (std::size_t f = 0; f < element.count; ++f) {
@@ -257,6 +288,7 @@ void read_faces(const std::string &path, Source &source, const PlyElement &eleme
         if (colours.parts) {
             mesh.face_colours.push_back(colours.of(source));
         }
+        enter_rest(source, more, true, mesh);
     }
     if (texcoord) {
         mesh.texcoords = std::move(texcoords);

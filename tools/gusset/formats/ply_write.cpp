@@ -4,6 +4,7 @@
 #include "writer.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace {
 /// A kind of numbers, and how they are written.
@@ -50,6 +51,50 @@ void write_colour(Writer &out, const Colour &colour, bool opaque, bool text) {
             out << ' ' << uint32_t{step_of(colour[k])};
         } else {
             out.raw(step_of(colour[k]));
+        }
+    }
+}
+
+void announce_properties(Writer &out, const Mesh &mesh, bool of_faces) {
+    for (const Property &property : mesh.properties) {
+        if (property.of_faces == of_faces) {
+            out << "property " << property.type << ' ' << property.name << '\n';
+        }
+    }
+}
+
+/// A number as its type has it, the nearest that it can hold.
+template <class T> void write_as(Writer &out, double value) {
+    constexpr auto low = static_cast<double>(std::numeric_limits<T>::lowest());
+    constexpr auto high = static_cast<double>(std::numeric_limits<T>::max());
+    out.raw(static_cast<T>(value == value ? std::clamp(value, low, high) : 0));
+}
+
+void write_properties(Writer &out, const Mesh &mesh, bool of_faces, std::size_t k, bool text) {
+    for (const Property &property : mesh.properties) {
+        if (property.of_faces != of_faces) {
+            continue;
+        }
+        const double value = property.values[k];
+        const std::string &type = property.type;
+        if (text) {
+            out << ' ' << value;
+        } else if (type == "float") {
+            out.raw(static_cast<float>(value));
+        } else if (type == "double") {
+            out.raw(value);
+        } else if (type == "uchar") {
+            write_as<uint8_t>(out, value);
+        } else if (type == "char") {
+            write_as<int8_t>(out, value);
+        } else if (type == "ushort") {
+            write_as<uint16_t>(out, value);
+        } else if (type == "short") {
+            write_as<int16_t>(out, value);
+        } else if (type == "uint") {
+            write_as<uint32_t>(out, value);
+        } else {
+            write_as<int32_t>(out, value);
         }
     }
 }
@@ -111,6 +156,7 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
     if (texcoords) {
         announce(out, textures.type(), {"s", "t"});
     }
+    announce_properties(out, mesh, false);
     const char *length = small ? "list uchar " : "list uint ";
     out << "element face " << static_cast<uint32_t>(mesh.face_count()) << "\nproperty " << length
         << "int vertex_indices\n";
@@ -118,6 +164,7 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
     if (at_faces) {
         out << "property " << length << textures.type() << "texcoord\n";
     }
+    announce_properties(out, mesh, true);
     out << "end_header\n";
 
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -133,6 +180,7 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
         for (std::size_t k = 0; texcoords && k < 2; ++k) {
             textures.write((*texcoords)[v][k]);
         }
+        write_properties(out, mesh, false, v, text);
         end_line(out, text);
     }
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -154,6 +202,7 @@ Losses write_ply(const std::string &path, const Mesh &mesh, bool text) {
                 textures.write(first[k][1]);
             }
         }
+        write_properties(out, mesh, true, f, text);
         end_line(out, text);
     }
     out.finish();
