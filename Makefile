@@ -109,7 +109,7 @@ test-programs: build
 
 # What is ignored in `make test` because it takes minutes, and all cases of the tests that try some of many.
 exhaustive:
-	GUSSET_EXHAUSTIVE=1 $(CARGO) test --locked -p gusset-tests --release $(released) --test mesh --test net --test surface
+	GUSSET_EXHAUSTIVE=1 $(CARGO) test --locked -p gusset-tests --release $(released) --test curve --test mesh --test net --test surface
 	$(CARGO) test --locked -p gusset --lib --release $(released)
 	$(CARGO) test --locked -p gusset-tests --release $(released) --test surface -- --ignored --nocapture exhaustive_
 

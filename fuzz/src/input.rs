@@ -3,6 +3,7 @@
 
 use arbitrary::{Arbitrary, Result, Unstructured};
 use glam::DVec3;
+use gusset::attributes::{Domain, Origins};
 use gusset::mesh::{Faces, Mesh, MeshView, Positions, Scalar};
 use gusset::net::{Net, Shape, Sides, Topology};
 use gusset::outline::{Curve, CurveView};
@@ -245,5 +246,20 @@ pub fn expect_valid(mesh: &Mesh, visit: impl FnOnce(&MeshView<'_>)) {
         Ok(view) => visit(&view),
         Err(Error::EmptyMesh { .. }) => {}
         Err(error) => panic!("no valid mesh: {error:?}"),
+    }
+}
+
+/// A row for each element, of sources that there are, with weights of the sum 1.
+pub(crate) fn expect_origins(origins: &Origins, mesh: &Mesh) {
+    let counts = [mesh.positions.len(), mesh.face_corners.len(), mesh.face_count()];
+    for (domain, count) in [Domain::Vertices, Domain::Corners, Domain::Faces].into_iter().zip(counts) {
+        let (table, starts) = (origins.table(domain), origins.starts(domain));
+        assert_eq!((table.len(), starts.len()), (count, origins.inputs().len() + 1));
+        for k in 0..count {
+            let (sources, weights) = table.row(k);
+            assert!(sources.iter().all(|source| Some(source) < starts.last()));
+            assert!(weights.iter().all(|&weight| weight > 0.0));
+            assert!(sources.is_empty() || (weights.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+        }
     }
 }

@@ -84,7 +84,9 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
     let second = match split.split_faces {
         0 => None,
         _ => {
-            let options = Options { vertices: Vertices::Boundary, ..*options };
+            // Split vertices are used by no face until faces have theirs again.
+            let remove_unused = options.remove_unused && !mesh.faces().is_merged();
+            let options = Options { vertices: Vertices::Boundary, remove_unused, ..*options };
             let view = split.mesh.view(&job.part(0.75, 0.8))?;
             Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
         }

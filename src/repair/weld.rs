@@ -184,6 +184,14 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     job.step(0.4, STAGE)?;
     let mut stays = alloc::filled(!options.remove_unused, representative.len())?;
     face_corners.iter().for_each(|&v| stays[v as usize] = true);
+    if faces.is_merged() {
+        // Faces will have their split vertices again.
+        let mut stay = |h| stays[representative[faces.split_corner(h) as usize] as usize] = true;
+        match options.collapse {
+            true => left.iter().copied().for_each(&mut stay),
+            false => (0..faces.half_edge_count() as u32).for_each(&mut stay),
+        }
+    }
     let mut kept = Vec::new();
     let mut vertex_map = alloc::filled(NONE, representative.len())?;
     // A representative comes before those that it stands for.

@@ -1,6 +1,7 @@
 //! Circles that pass poles closely, and circles along lines of parameters of both surfaces: whole,
 //! once, or said to be unresolved.
 
+use crate::common::some_of;
 use crate::pairs::distance;
 use crate::rational::{Nurbs, revolved, sphere};
 use crate::shapes::Random;
@@ -50,7 +51,8 @@ fn faults(paths: &Paths, radius: f64, at: impl Fn(f64) -> DVec3) -> Option<Strin
 fn circles_past_poles() {
     let (mut bad, mut unresolved, mut count) = (Vec::new(), 0, 0);
     let mut random = Random(1);
-    for d in [0.0, 1e-12, 3e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 3e-8, 1e-7, 1e-6, 1e-4] {
+    let distances = [0.0, 1e-12, 3e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 3e-8, 1e-7, 1e-6, 1e-4];
+    for d in some_of(3, distances.into_iter()) {
         for turn in [DMat3::IDENTITY, random_turn(&mut random), random_turn(&mut random)] {
             let ball = solid(sphere(), |p| turn * p);
             let wall = plane(turn * DVec3::new(d, -2.0, -2.0), [turn * DVec3::Y * 4.0, turn * DVec3::Z * 4.0]);
@@ -74,7 +76,7 @@ fn circles_past_poles() {
 fn circles_along_lines_of_parameters_of_both_surfaces() {
     let mut random = Random(2);
     let (mut bad, mut unresolved) = (Vec::new(), 0);
-    for _ in 0..40 {
+    for _ in some_of(4, 0..40) {
         let (slope, apex) = (0.4 + 0.8 * random.next(), -0.2 * random.next());
         // From near the apex to beyond the ball: radius = slope (z - apex).
         let section = [0.1, 3.0].map(|z| (slope * (z - apex), z, 1.0));

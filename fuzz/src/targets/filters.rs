@@ -3,11 +3,9 @@
 
 use crate::agree::agreed;
 use crate::input::{self, Cloud, Point, Soup, places};
-use gusset::attributes::{Domain, Origins};
 use gusset::filters::data::{Curves, Input, InputKind, Output, OutputKind};
 use gusset::filters::param::{Param, ParamKind};
 use gusset::filters::{FILTERS, Filter};
-use gusset::mesh::Mesh;
 
 /// A filter, its inputs and values.
 #[derive(Debug)]
@@ -52,7 +50,7 @@ fn answered(filter: &Filter, inputs: &[Input<'_>], case: &Case) {
             (Output::Mesh(mesh, origins), OutputKind::Mesh) => {
                 input::expect_valid(mesh, |_| {});
                 assert_eq!(origins.is_some(), filter.has_origins, "{}", filter.id);
-                origins.iter().for_each(|origins| expect_origins(origins, mesh));
+                origins.iter().for_each(|origins| input::expect_origins(origins, mesh));
             }
             (Output::Curves(curves), OutputKind::Curves) => {
                 curves.check().expect("offsets that fit");
@@ -84,19 +82,4 @@ fn polylines(points: &[Point], parts: u8, closed: bool) -> Curves {
     let parts = 1 + usize::from(parts % 4);
     let offsets = (0..=parts).map(|k| (k * points.len() / parts) as u32).collect();
     Curves { points, offsets, closed: vec![closed; parts] }
-}
-
-/// A row for each element, of sources that there are, with weights of the sum 1.
-fn expect_origins(origins: &Origins, mesh: &Mesh) {
-    let counts = [mesh.positions.len(), mesh.face_corners.len(), mesh.face_count()];
-    for (domain, count) in [Domain::Vertices, Domain::Corners, Domain::Faces].into_iter().zip(counts) {
-        let (table, starts) = (origins.table(domain), origins.starts(domain));
-        assert_eq!((table.len(), starts.len()), (count, origins.inputs().len() + 1));
-        for k in 0..count {
-            let (sources, weights) = table.row(k);
-            assert!(sources.iter().all(|source| Some(source) < starts.last()));
-            assert!(weights.iter().all(|&weight| weight > 0.0));
-            assert!(sources.is_empty() || (weights.iter().sum::<f64>() - 1.0).abs() < 1e-9);
-        }
-    }
 }

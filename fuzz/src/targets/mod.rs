@@ -1,6 +1,7 @@
 //! The targets: a file for each family of functions.
 
 mod assemble;
+mod attributes;
 mod boundary_check;
 mod curve_meet;
 mod curve_net;
@@ -27,6 +28,7 @@ pub type Target = (&'static str, fn(&[u8]));
 /// All targets; `fuzz_targets` has a file for each of them, and the tests run each for a moment.
 pub const TARGETS: &[Target] = &[
     ("assemble", assemble::run),
+    ("attributes", attributes::run),
     ("boundary_check", boundary_check::run),
     ("curve_meet", curve_meet::run),
     ("curve_net", curve_net::run),

@@ -9,6 +9,8 @@ use gusset::fill::{self, Selection, fill_holes};
 use gusset::mesh::merge::merge_map;
 use gusset::mesh::{Mesh, MeshView};
 use gusset::repair::orient::{self, orient};
+use gusset::repair::sew::sew;
+use gusset::repair::weld::{self, weld};
 use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{Options, Request, Rows, stitch};
 use std::collections::BTreeSet;
@@ -203,5 +205,24 @@ fn bad_maps_are_refused() {
         merge[5] = 6;
         merge[v] = of;
         assert_eq!(merged(&soup, &merge).err(), Some(Error::BadMerge { vertex: v as u32, value: of }));
+    }
+}
+
+/// The vertices that faces have by themselves are used, whatever they are one with.
+#[test]
+fn split_vertices_are_no_unused_ones() {
+    for seed in 0..20 {
+        let split = Split::by_chance(shapes(seed), seed);
+        let used = split.split.corners.iter().collect::<BTreeSet<_>>().len();
+        let options = weld::Options { remove_unused: true, ..weld::Options::default() };
+        let mut welded = weld(&split.view(), &options, &job()).unwrap();
+        welded.keep_splits(&[&split.view()], &job()).unwrap();
+        let mut sewn = sew(&split.view(), &options, &job()).unwrap();
+        sewn.keep_splits(&[&split.view()], &job()).unwrap();
+        for (mesh, map) in [(&welded.mesh, &welded.vertex_map), (&sewn.mesh, &sewn.vertex_map)] {
+            assert_eq!(mesh.positions.len(), used, "{seed}");
+            let was = split.split.corners.iter().map(|&v| map[v as usize]);
+            assert!(was.eq(mesh.face_corners.iter().copied()), "{seed}");
+        }
     }
 }
