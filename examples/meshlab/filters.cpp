@@ -1,5 +1,6 @@
 #include "filters.hpp"
 
+#include "attributes.hpp"
 #include "parameters.hpp"
 
 #include <QAction>
@@ -139,7 +140,7 @@ RichParameterList GussetFilters::initParameterList(const QAction *action, const 
     const gusset_filter &of = filter(action);
     Inputs inputs;
     if (of.max_inputs > 0) {
-        inputs.add(layer.cm, input_kind(of, 0));
+        inputs.add(layer, input_kind(of, 0));
     }
     RichParameterList list;
     describe(of, suggested(of, inputs.list()), layer.cm.bbox.IsNull() ? 1 : layer.cm.bbox.Diag(), list);
@@ -163,7 +164,7 @@ RichParameterList GussetFilters::initParameterList(const QAction *action, const 
     }
     Inputs inputs;
     for (const MeshModel *layer : layers) {
-        inputs.add(layer->cm, input_kind(of, inputs.list().size()));
+        inputs.add(*layer, input_kind(of, inputs.list().size()));
     }
     const Box3m box = document.bbox();
     describe(of, suggested(of, inputs.list()), box.IsNull() ? 1 : box.Diag(), list);
@@ -204,9 +205,9 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
         if (layer == nullptr || !fits(layer->cm, kind)) {
             throw MLException(kind == GUSSET_KIND_CURVES ? "the layer has no edges" : "the layer has no faces");
         }
-        // So that the numbers of vertices are the same in the layer and in the filter's view of it.
+        // So that vertices and faces have the same numbers in the layer and in the filter's view of it.
         vcg::tri::Allocator<CMeshO>::CompactEveryVector(layer->cm);
-        inputs.add(layer->cm, kind);
+        inputs.add(*layer, kind);
         layers.push_back(layer);
     }
     const Listener listener{
@@ -230,11 +231,12 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
                 }
                 continue;
             }
+            const Attributes attributes(inputs, outputs, k);
             MeshModel *layer = nullptr;
             if (k == 0 && (of.flags & GUSSET_FILTER_REPLACES) != 0) {
                 layer = layers[0];
                 if (outputs.kind(k) == GUSSET_KIND_MESH) {
-                    replace(*layer, outputs.mesh(k), inputs.faces(0));
+                    replace(*layer, outputs.mesh(k), inputs.faces(0), attributes);
                 } else {
                     replace(*layer, outputs.curves(k));
                 }
@@ -242,7 +244,7 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
                 layer = document.addNewMesh(QString(), text(of.name));
                 layer->cm.Tr = layers.empty() ? Matrix44m::Identity() : layers[0]->cm.Tr;
                 if (outputs.kind(k) == GUSSET_KIND_MESH) {
-                    fill(*layer, outputs.mesh(k));
+                    fill(*layer, outputs.mesh(k), attributes);
                 } else {
                     fill(*layer, outputs.curves(k));
                 }

@@ -1,8 +1,8 @@
 #include "layers.hpp"
 
-#include <array>
+#include "attributes.hpp"
+
 #include <cstring>
-#include <map>
 
 namespace {
 
@@ -41,42 +41,37 @@ Polygons faces_of(const gusset_plugin_mesh &mesh) {
     return faces;
 }
 
-/// Vertices and faces of a mesh, into one that is empty.
-void build(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &faces) {
+/// Vertices and faces of a mesh, and what they carry, into one that is empty.
+void build(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &faces, const Attributes &attributes) {
     vcg::tri::Allocator<CMeshO>::AddVertices(layer.cm, mesh.vertex_count);
     for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
         layer.cm.vert[v].P() = point(mesh.positions, mesh.position_stride, v, mesh.scalar);
     }
-    if (add_faces(layer.cm, faces)) {
+    const Triangles triangles = add_faces(layer.cm, faces);
+    if (triangles.faces.size() != mesh.face_count) {
         layer.updateDataMask(MeshModel::MM_POLYGONAL);
     }
+    attributes.put(layer, triangles);
     layer.updateBoxAndNormals();
 }
 
-/// Takes everything out of a layer, and with it what is known of its elements, but for the attributes named.
-void empty(MeshModel &layer, int keep) {
+/// Takes everything out of a layer, and with it what is known of its elements.
+void empty(MeshModel &layer) {
     const int always = MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_VERTFLAG |
                        MeshModel::MM_FACEVERT | MeshModel::MM_FACENORMAL | MeshModel::MM_FACEFLAG |
                        MeshModel::MM_TRANSFMATRIX | MeshModel::MM_CAMERA;
-    layer.clearDataMask(layer.dataMask() & ~(keep | always));
+    layer.clearDataMask(layer.dataMask() & ~always);
+    layer.clearTextures();
     layer.cm.Clear();
     layer.cm.sfn = layer.cm.svn = 0;
 }
 
-/// What a vertex keeps as long as it stays where it is.
-struct Keepsake {
-    vcg::Color4b colour;
-    Scalarm quality;
-};
-
-using Place = std::array<Scalarm, 3>;
-
-Place place(const CVertexO &vertex) { return {vertex.cP()[0], vertex.cP()[1], vertex.cP()[2]}; }
-
 } // namespace
 
-void Inputs::add(const CMeshO &layer, std::uint32_t kind) {
+void Inputs::add(const MeshModel &model, std::uint32_t kind) {
+    const CMeshO &layer = model.cm;
     Held &held = held_.emplace_back();
+    held.layer = &model;
     if (list_.empty()) {
         first_ = layer.Tr;
     }
@@ -122,7 +117,7 @@ void Inputs::add_mesh(const CMeshO &layer, Held &held, const Matrix44m *move) {
     held.mesh.scalar = GUSSET_PLUGIN_F64;
 }
 
-void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &before) {
+void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &before, const Attributes &attributes) {
     CMeshO &cm = layer.cm;
     const Polygons faces = faces_of(mesh);
     if (cm.vert.size() == mesh.vertex_count && faces == before) {
@@ -132,26 +127,18 @@ void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &b
         layer.updateBoxAndNormals();
         return;
     }
-    std::map<Place, Keepsake> kept;
-    for (const CVertexO &vertex : cm.vert) {
-        kept.emplace(place(vertex), Keepsake{vertex.cC(), vertex.cQ()});
-    }
-    empty(layer, MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY);
-    build(layer, mesh, faces);
-    for (CVertexO &vertex : cm.vert) {
-        if (const auto found = kept.find(place(vertex)); found != kept.end()) {
-            vertex.C() = found->second.colour;
-            vertex.Q() = found->second.quality;
-        }
-    }
+    empty(layer);
+    build(layer, mesh, faces, attributes);
 }
 
 void replace(MeshModel &layer, const gusset_plugin_curves &curves) {
-    empty(layer, 0);
+    empty(layer);
     fill(layer, curves);
 }
 
-void fill(MeshModel &layer, const gusset_plugin_mesh &mesh) { build(layer, mesh, faces_of(mesh)); }
+void fill(MeshModel &layer, const gusset_plugin_mesh &mesh, const Attributes &attributes) {
+    build(layer, mesh, faces_of(mesh), attributes);
+}
 
 void fill(MeshModel &layer, const gusset_plugin_curves &curves) {
     Wires wires;

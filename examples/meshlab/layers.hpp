@@ -10,20 +10,24 @@
 #include <deque>
 #include <vector>
 
+class Attributes;
+
 /// Inputs of a filter: views of layers, and what had to be copied for them. Everything is in the coordinates of the
 /// first layer.
 class Inputs {
 public:
     /// Adds a layer as an input of this kind. Its vertices stay where they are if the layer lies as the first one does.
-    void add(const CMeshO &layer, std::uint32_t kind);
+    void add(const MeshModel &model, std::uint32_t kind);
 
     /// What run and suggest take; valid until the next add.
     const std::vector<gusset_input> &list() const { return list_; }
-    /// The faces of an input that is a mesh.
+    const MeshModel &layer(std::size_t input) const { return *held_[input].layer; }
+    /// The faces of an input that is a mesh; else none.
     const Polygons &faces(std::size_t input) const { return held_[input].faces; }
 
 private:
     struct Held {
+        const MeshModel *layer;
         Polygons faces;
         Wires wires;
         std::vector<double> positions;
@@ -40,14 +44,14 @@ private:
 };
 
 /// Puts a mesh in the place of the layer's. With the same faces only the vertices move, and all else stays; with
-/// others, colour and quality stay with the vertices that stay where they are, and other attributes are dropped.
-void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &before);
+/// others, the layer has these attributes and no more.
+void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &before, const Attributes &attributes);
 
 /// Puts polylines in the place of all that the layer has.
 void replace(MeshModel &layer, const gusset_plugin_curves &curves);
 
 /// Puts a mesh into a new layer.
-void fill(MeshModel &layer, const gusset_plugin_mesh &mesh);
+void fill(MeshModel &layer, const gusset_plugin_mesh &mesh, const Attributes &attributes);
 
 /// Puts polylines into a new layer.
 void fill(MeshModel &layer, const gusset_plugin_curves &curves);

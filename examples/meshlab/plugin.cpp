@@ -69,6 +69,7 @@ Outputs::Outputs(const gusset_plugin &plugin, const gusset_filter &filter, const
     host.user = const_cast<Listener *>(&listener);
     host.progress = on_progress;
     host.log = on_log;
+    host.origins = 1;
     gusset_outputs *made = nullptr;
     const int32_t status = filter.run(&filter, &host, inputs.data(), static_cast<std::uint32_t>(inputs.size()),
                                       values.data(), static_cast<std::uint32_t>(values.size()), &made);
@@ -94,6 +95,30 @@ gusset_plugin_curves Outputs::curves(std::uint32_t index) const {
         throw std::runtime_error("an output is no set of curves");
     }
     return curves;
+}
+
+bool Outputs::has_origins(std::uint32_t index) const {
+    return attributes() != nullptr && attributes()->has_origins(held_.get(), index) != 0;
+}
+
+gusset_plugin_origins Outputs::origins(std::uint32_t index, std::uint32_t domain) const {
+    gusset_plugin_origins origins{};
+    origins.struct_size = sizeof origins;
+    if (attributes()->origins(held_.get(), index, domain, &origins) != GUSSET_PLUGIN_DONE) {
+        throw std::runtime_error("an output does not tell where it comes from");
+    }
+    return origins;
+}
+
+void Outputs::carry(std::uint32_t index, const gusset_plugin_channel &channel,
+                    const std::vector<gusset_plugin_channel_values> &inputs, void *values, std::size_t count) const {
+    gusset_failure failure{};
+    failure.struct_size = sizeof failure;
+    if (attributes()->apply(held_.get(), index, nullptr, &channel, inputs.data(),
+                            static_cast<std::uint32_t>(inputs.size()), values, count, 0,
+                            &failure) != GUSSET_PLUGIN_DONE) {
+        throw std::runtime_error(std::string("attributes are not carried over: ") + failure.message);
+    }
 }
 
 std::vector<std::pair<std::string, double>> Outputs::values(std::uint32_t index) const {

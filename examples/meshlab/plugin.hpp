@@ -49,10 +49,23 @@ public:
     gusset_plugin_curves curves(std::uint32_t index) const;
     const char *text(std::uint32_t index) const { return plugin_.output_text(held_.get(), index); }
 
+    /// Whether the output tells where its elements come from.
+    bool has_origins(std::uint32_t index) const;
+    /// Where the output's elements of a GUSSET_PLUGIN_... domain come from, if it tells.
+    gusset_plugin_origins origins(std::uint32_t index, std::uint32_t domain) const;
+    /// Writes the values of the output's elements, `count` of them, packed, mixed from those of the inputs' elements.
+    void carry(std::uint32_t index, const gusset_plugin_channel &channel,
+               const std::vector<gusset_plugin_channel_values> &inputs, void *values, std::size_t count) const;
+
     /// The numbers in a text under their names; none if the plugin names none.
     std::vector<std::pair<std::string, double>> values(std::uint32_t index) const;
 
 private:
+    /// NULL if the plugin has no such functions.
+    const gusset_plugin_attributes *attributes() const {
+        return static_cast<const gusset_plugin_attributes *>(plugin_.extension("attributes/1"));
+    }
+
     const gusset_plugin &plugin_;
     std::unique_ptr<gusset_outputs, void (*)(gusset_outputs *)> held_;
 };

@@ -36,6 +36,8 @@ struct HalfEdge {
     std::uint32_t from, to, face;
     int edge;
 
+    /// The wedge where it begins.
+    std::uint32_t wedge() const { return 3 * face + static_cast<std::uint32_t>(edge); }
     auto key() const { return std::make_tuple(std::min(from, to), std::max(from, to)); }
 };
 
@@ -65,7 +67,7 @@ std::vector<std::uint8_t> inner_edges(const CMeshO &mesh, Groups &groups) {
         }
         if (end - first == 2 && faux[first].from == faux[first + 1].to && faux[first].face != faux[first + 1].face) {
             for (std::size_t k = first; k < end; ++k) {
-                inner[3 * faux[k].face + static_cast<std::size_t>(faux[k].edge)] = 1;
+                inner[faux[k].wedge()] = 1;
             }
             groups.join(faux[first].face, faux[first + 1].face);
         }
@@ -73,32 +75,33 @@ std::vector<std::uint8_t> inner_edges(const CMeshO &mesh, Groups &groups) {
     return inner;
 }
 
-/// The outline of a group, or nothing if it is not one simple loop.
+/// The wedges along the outline of a group, or nothing if it is not one simple loop.
 std::vector<std::uint32_t> outline(const CMeshO &mesh, const std::vector<std::uint32_t> &group,
                                    const std::vector<std::uint8_t> &inner) {
-    std::unordered_map<std::uint32_t, std::uint32_t> next;
+    // By the vertex where an edge of the outline begins.
+    std::unordered_map<std::uint32_t, HalfEdge> next;
     std::vector<std::uint32_t> loop;
     std::size_t edges = 0;
+    std::uint32_t start = 0;
     for (const std::uint32_t face : group) {
         for (int edge = 0; edge < 3; ++edge) {
             if (inner[3 * face + static_cast<std::size_t>(edge)] == 0) {
                 const HalfEdge outer = half_edge(mesh, face, edge);
-                next[outer.from] = outer.to;
-                if (edges++ == 0) {
-                    loop.push_back(outer.from);
-                }
+                next.insert_or_assign(outer.from, outer);
+                start = edges++ == 0 ? outer.from : start;
             }
         }
     }
-    while (!loop.empty() && loop.size() <= edges) {
-        const auto found = next.find(loop.back());
+    for (std::uint32_t at = start; loop.size() < edges;) {
+        const auto found = next.find(at);
         if (found == next.end()) {
             break;
         }
-        if (found->second == loop.front()) {
+        loop.push_back(found->second.wedge());
+        at = found->second.to;
+        if (at == start) {
             return loop.size() == edges && edges >= 3 ? loop : std::vector<std::uint32_t>();
         }
-        loop.push_back(found->second);
     }
     return {};
 }
@@ -133,8 +136,11 @@ Polygons polygons(const CMeshO &mesh) {
             members[groups.of(face)].push_back(face);
         }
     }
-    const auto add = [&](const std::vector<std::uint32_t> &corners) {
-        found.corners.insert(found.corners.end(), corners.begin(), corners.end());
+    const auto add = [&](const std::vector<std::uint32_t> &wedges) {
+        for (const std::uint32_t wedge : wedges) {
+            found.corners.push_back(half_edge(mesh, wedge / 3, static_cast<int>(wedge % 3)).from);
+        }
+        found.wedges.insert(found.wedges.end(), wedges.begin(), wedges.end());
         found.offsets.push_back(static_cast<std::uint32_t>(found.corners.size()));
     };
     for (std::uint32_t face = 0; face < mesh.face.size(); ++face) {
@@ -150,31 +156,32 @@ Polygons polygons(const CMeshO &mesh) {
             }
         }
         for (const std::uint32_t triangle : group) {
-            add({half_edge(mesh, triangle, 0).from, half_edge(mesh, triangle, 1).from,
-                 half_edge(mesh, triangle, 2).from});
+            add({3 * triangle, 3 * triangle + 1, 3 * triangle + 2});
         }
     }
     return found;
 }
 
-bool add_faces(CMeshO &mesh, const Polygons &faces) {
+Triangles add_faces(CMeshO &mesh, const Polygons &faces) {
     const std::size_t count = faces.offsets.size() - 1;
-    const std::size_t triangles = faces.corners.size() - 2 * count;
-    auto face = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, triangles);
-    for (std::size_t f = 0; f < count; ++f) {
+    Triangles made;
+    auto face = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, faces.corners.size() - 2 * count);
+    for (std::uint32_t f = 0; f < count; ++f) {
         const std::uint32_t *corners = faces.corners.data() + faces.offsets[f];
         const int degree = static_cast<int>(faces.offsets[f + 1] - faces.offsets[f]);
         const std::vector<int> places = cut(mesh, corners, static_cast<std::size_t>(degree));
         for (std::size_t k = 0; k < places.size(); k += 3, ++face) {
+            made.faces.push_back(f);
             for (int c = 0; c < 3; ++c) {
                 const int here = places[k + static_cast<std::size_t>(c)],
                           next = places[k + static_cast<std::size_t>((c + 1) % 3)];
                 face->V(c) = &mesh.vert[corners[here]];
+                made.corners.push_back(faces.offsets[f] + static_cast<std::uint32_t>(here));
                 if ((here + 1) % degree != next) {
                     face->SetF(c);
                 }
             }
         }
     }
-    return triangles != count;
+    return made;
 }
