@@ -10,6 +10,10 @@
 //! them: a face says yes if the interpolated value at its corners across is nearer to the place where
 //! the chart of its base would go on than half the way there, or half the base.
 //!
+//! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old corners
+//! have different values. A new face between two rims has the one on its own side of the cut: the one
+//! nearest to where the chart of its base goes on.
+//!
 //! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
 //! corner at x along the base and at the distance y from its line has the value that the old face's
 //! affine map has at (x, -y), where the old face itself has its third corner at y > 0. These are
@@ -43,6 +47,13 @@ struct Base {
     corners: [u32; 3],
 }
 
+/// An old vertex that a new corner has its value from.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Share {
+    vertex: u32,
+    weight: f64,
+}
+
 /// New faces, as texture coordinates need them.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Continuation {
@@ -54,8 +65,8 @@ pub(super) struct Continuation {
     base_of: Vec<u32>,
     /// Per new corner, how much it has of the three corners of its base where that goes on.
     weights: Vec<[f64; 3]>,
-    /// Per new corner, the rim edges whose values are interpolated there.
-    edges: Buckets<u32>,
+    /// Per new corner, the old vertices whose values are interpolated there.
+    shares: Buckets<Share>,
     /// Both ends of the rim edges, by vertex.
     ends: Vec<End>,
 }
@@ -89,13 +100,13 @@ impl Continuation {
                     v if v == end => [0.0, 1.0, 0.0],
                     _ => weights_beyond(own.corners.map(at), at(corner)),
                 });
-                for (v, _) in spread(v) {
-                    alloc::push(&mut pairs, ((corner - first) as usize, rims.corner_at(v, base).1))?;
+                for (vertex, weight) in spread(v) {
+                    alloc::push(&mut pairs, ((corner - first) as usize, Share { vertex, weight }))?;
                 }
             }
         }
-        let edges = Buckets::new((end - first) as usize, NONE, pairs.into_iter().filter(|&(_, edge)| edge != NONE))?;
-        Ok(Continuation { offsets, bases, base_of: rims.bases, weights, edges, ends: rims.ends })
+        let shares = Buckets::new((end - first) as usize, Share::default(), pairs.into_iter())?;
+        Ok(Continuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
     }
 
     /// Replaces the interpolated values of new corners by those of their bases' charts where the
@@ -104,14 +115,14 @@ impl Continuation {
         if self.base_of.is_empty() {
             return Ok(());
         }
+        let edges = self.choose_sides(values, &job.part(0.0, 0.3))?;
         let mut charts = self.along_rims(values)?;
-        self.vote(&mut charts, values, &job.part(0.0, 0.7))?;
-        let first = self.offsets[0];
+        self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_within(f, STAGE)?;
             let corners = range[0]..range[1];
-            let mut all = corners.clone().flat_map(|corner| self.edges.get((corner - first) as usize));
-            if base == NONE || all.all(|&edge| charts.find(edge) == charts.find(base)) {
+            let mut all = corners.clone().flat_map(|corner| self.edges_at(&edges, corner));
+            if base == NONE || all.all(|edge| charts.find(edge) == charts.find(base)) {
                 continue;
             }
             for corner in corners {
@@ -124,15 +135,62 @@ impl Continuation {
         Ok(())
     }
 
+    /// The rim edges whose values are interpolated at a new corner.
+    fn edges_at<'a>(&self, edges: &'a [u32], corner: u32) -> impl Iterator<Item = u32> + 'a {
+        let own = &edges[self.shares.range((corner - self.offsets[0]) as usize)];
+        own.iter().copied().filter(|&edge| edge != NONE)
+    }
+
+    /// For each share the rim edge at whose end it takes its value, [`NONE`] if none ends at its
+    /// vertex. Where a chart is cut, interpolates anew with the values on the base's side.
+    fn choose_sides(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
+        let mut edges = alloc::filled(NONE, self.shares.items().len())?;
+        let mut chosen = Vec::new();
+        let first = self.offsets[0];
+        for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
+            job.step_within(f, STAGE)?;
+            for corner in range[0]..range[1] {
+                let places = self.shares.range((corner - first) as usize);
+                let mut cut = false;
+                chosen.clear();
+                for (edge, share) in edges[places.clone()].iter_mut().zip(&self.shares.items()[places]) {
+                    let ends = self.ends_at(share.vertex);
+                    let Some(usual) = ends.iter().find(|end| end.edge == base).or(ends.first()) else { continue };
+                    let mut end = usual;
+                    let is_cut = |other: &End| !are_same(values, [usual.corner, other.corner]);
+                    if usual.edge != base && ends.iter().any(is_cut) {
+                        cut = true;
+                        let off = |end: &End| self.distance(values, end.corner, (corner, base));
+                        end = ends.iter().fold(usual, |best, end| if off(end) < off(best) { end } else { best });
+                    }
+                    *edge = end.edge;
+                    alloc::push(&mut chosen, (end.corner, share.weight))?;
+                }
+                if cut && chosen.len() == self.shares.get((corner - first) as usize).len() {
+                    interpolate(values, corner, &chosen);
+                }
+            }
+        }
+        Ok(edges)
+    }
+
+    fn ends_at(&self, vertex: u32) -> &[End] {
+        let start = self.ends.partition_point(|end| end.vertex < vertex);
+        let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
+        &self.ends[start..start + count]
+    }
+
+    /// The squared distance of the value at an old corner from where the chart of a base goes on.
+    fn distance(&self, values: &Output<'_>, old: u32, (corner, base): (u32, u32)) -> f64 {
+        let off = |c| values.get(old as usize, c) - self.continued(values, corner, base, c);
+        (0..values.components).map(|c| off(c).powi(2)).sum()
+    }
+
     /// The charts of rim edges, as far as they can be told at their ends.
     fn along_rims(&self, values: &Output<'_>) -> Result<DisjointSets> {
         let mut charts = DisjointSets::new(self.bases.len())?;
         for pair in self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex) {
-            let is_same = |c: usize| {
-                let [x, y] = [0, 1].map(|k| values.get(pair[k].corner as usize, c));
-                (x - y).abs() <= SAME * x.abs().max(y.abs())
-            };
-            if (0..values.components).all(is_same) {
+            if are_same(values, [pair[0].corner, pair[1].corner]) {
                 charts.union(pair[0].edge, pair[1].edge);
             }
         }
@@ -140,8 +198,7 @@ impl Continuation {
     }
 
     /// Makes one of charts that most of the faces between them say are one.
-    fn vote(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<()> {
-        let first = self.offsets[0];
+    fn vote(&self, charts: &mut DisjointSets, edges: &[u32], values: &Output<'_>, job: &Job<'_>) -> Result<()> {
         let mut votes = Vec::new();
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_within(f, STAGE)?;
@@ -150,7 +207,7 @@ impl Continuation {
             }
             let own = charts.find(base);
             for corner in range[0]..range[1] {
-                for &edge in self.edges.get((corner - first) as usize) {
+                for edge in self.edges_at(edges, corner) {
                     let other = charts.find(edge);
                     if other != own {
                         let agrees = self.agrees(values, corner, base);
@@ -207,6 +264,25 @@ impl Base {
             }
         }
         Base { corners: [start, end, far.1] }
+    }
+}
+
+/// True if two old corners have the same values.
+fn are_same(values: &Output<'_>, corners: [u32; 2]) -> bool {
+    (0..values.components).all(|c| {
+        let [x, y] = corners.map(|corner| values.get(corner as usize, c));
+        (x - y).abs() <= SAME * x.abs().max(y.abs())
+    })
+}
+
+/// Writes the weighted mean of old corners to a new one.
+fn interpolate(values: &mut Output<'_>, corner: u32, of: &[(u32, f64)]) {
+    let total: f64 = of.iter().map(|&(_, weight)| weight).sum();
+    for c in 0..values.components {
+        // Relative to the first, so that equal values stay what they are.
+        let base = values.get(of[0].0 as usize, c);
+        let off: f64 = of.iter().map(|&(old, weight)| weight * (values.get(old as usize, c) - base)).sum();
+        values.set(corner as usize, c, base + off / total);
     }
 }
 

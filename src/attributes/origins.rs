@@ -122,7 +122,7 @@ impl Origins {
             for corner in first..end {
                 row.clear();
                 for (v, weight) in spread_of(&spread, old_vertices, mesh.corner(corner)) {
-                    let (corner, _) = rims.corner_at(v, base);
+                    let corner = rims.corner_at(v, base);
                     if corner != NONE {
                         alloc::extend(
                             &mut row,

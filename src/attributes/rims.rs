@@ -120,17 +120,14 @@ impl Rims {
         self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
     }
 
-    /// The old corner whose values a new face with this base has at an old vertex, and its rim edge;
-    /// [`NONE`] where there is none.
-    pub(super) fn corner_at(&self, v: u32, base: u32) -> (u32, u32) {
+    /// The old corner whose values a new face with this base has at an old vertex; [`NONE`] where
+    /// there is none.
+    pub(super) fn corner_at(&self, v: u32, base: u32) -> u32 {
         let key = (v, base);
         let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
         match own.or_else(|| self.first_end(v)) {
-            Some(end) => (end.corner, end.edge),
-            None => match self.loose.binary_search_by_key(&v, |&(v, _)| v) {
-                Ok(at) => (self.loose[at].1, NONE),
-                Err(_) => (NONE, NONE),
-            },
+            Some(end) => end.corner,
+            None => self.loose.binary_search_by_key(&v, |&(v, _)| v).map_or(NONE, |at| self.loose[at].1),
         }
     }
 }

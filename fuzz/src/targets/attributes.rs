@@ -90,7 +90,11 @@ fn carried(mesh: &MeshView<'_>, way: u8, choice: u8) {
         let is_old = made.face_offsets.partition_point(|&end| end as usize <= c) <= mesh.faces().len();
         if let (&[source], true) = (sources, is_old && way % 4 != 1) {
             let vertex = mesh.faces().split_corner(source);
-            assert!(row.contains(&vertex), "corner {c}: of vertex {vertex}, at one of {row:?}, way {way} {}", mesh.faces().is_merged());
+            assert!(
+                row.contains(&vertex),
+                "corner {c}: of vertex {vertex}, at one of {row:?}, way {way} {}",
+                mesh.faces().is_merged()
+            );
         }
     }
 }

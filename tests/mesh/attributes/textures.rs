@@ -6,6 +6,7 @@ use crate::common::{Soup, cap, sheet};
 use gusset::attributes::{Domain, Origins, Rule};
 use gusset::fill::{self, Selection, fill_holes};
 use gusset::stitch::{Cells, Extent, Options, Rows};
+use std::f64::consts::TAU;
 
 /// Texture coordinates of each corner, an affine map of where its vertex is.
 fn mapped(soup: &Soup, map: impl Fn([f64; 3]) -> [f64; 2]) -> Vec<f64> {
@@ -52,6 +53,45 @@ fn one_chart_goes_on_across_a_strip() {
         for (uv, &v) in found.chunks_exact(2).zip(&case.mesh.face_corners) {
             let exact = plain(case.at(v).to_array());
             assert!((0..2).all(|k| (uv[k] - exact[k]).abs() < 1e-12), "{uv:?} {exact:?}");
+        }
+    }
+}
+
+/// A tube about the z axis, whose texture goes round it once from column `cut` on.
+fn tube(around: u32, low: f64, cut: u32) -> (Soup, Vec<f64>) {
+    let (mut soup, mut values) = (Soup { offsets: vec![0], ..Soup::default() }, Vec::new());
+    for row in 0..3 {
+        for k in 0..around {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(around)).sin_cos();
+            soup.points.push([cos, sin, low + 0.3 * f64::from(row)]);
+        }
+    }
+    for (row, k) in (0..2).flat_map(|row| (0..around).map(move |k| (row, k))) {
+        let at = |row: u32, k: u32| row * around + k % around;
+        soup.face(&[at(row, k), at(row, k + 1), at(row + 1, k + 1), at(row + 1, k)]);
+        let first = (k + around - cut) % around;
+        for (column, row) in [(first, row), (first + 1, row), (first + 1, row + 1), (first, row + 1)] {
+            values.extend([f64::from(column) / f64::from(around), low + 0.3 * f64::from(row)]);
+        }
+    }
+    (soup, values)
+}
+
+/// A chart that goes round is cut somewhere: no face of a strip runs back over all of it.
+#[test]
+fn faces_are_on_one_side_of_a_cut() {
+    let rows = [(Rows::None, Cells::Triangles), (Rows::Count(1), Cells::Triangles), (Rows::Count(4), Cells::Quads)];
+    for (cut, (rows, cells)) in [0, 5].into_iter().flat_map(|cut| rows.map(|rows| (cut, rows))) {
+        for below in [12, 17] {
+            let ((a, of_a), (b, of_b)) = (tube(below, 0.0, cut * below / 12), tube(12, 1.0, cut));
+            let options = Options { rows, cells, ..Options::default() };
+            let case = stitched("cut", &a, Some(&b), &options);
+            let found = carried(&case.origins, Domain::Corners, Rule::Texture, 2, &[of_a, of_b]);
+            for range in case.mesh.face_offsets.windows(2) {
+                let u = (range[0]..range[1]).map(|corner| found[2 * corner as usize]);
+                let (low, high) = u.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+                assert!(high - low < 0.3, "{rows:?} {cut} {below}: {low} to {high}");
+            }
         }
     }
 }
