@@ -38,33 +38,43 @@ public:
     /// The place in the picture where the origin of space is from now on.
     void place(double x, double y) { x_ = x, y_ = y; }
 
-    /// A mesh, face f in the colour that `colour_of(f)` says. Where it is open both sides of faces are seen, the inner one darker.
+    /// A mesh, face f in the colour that `colour_of(f)` says.
     template <class ColourOf>
     void mesh(const gusset::MeshView &mesh, ColourOf &&colour_of) {
-        const bool open = !gusset::Boundary(mesh).empty();
-        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            std::vector<Point3> corners;
-            double depth = 0;
-            for (const uint32_t v : mesh.face(f)) {
-                corners.push_back(mesh.position(v));
-                depth += dot(corners.back(), eye_) / static_cast<double>(mesh.face(f).size());
+        faces(mesh, [&](std::size_t f, const std::vector<Point3> &corners, double lit) {
+            return "<path d='" + path(corners) + "z' fill='" + shade(colour_of(f), lit) + "'/>\n";
+        });
+    }
+
+    /// A mesh with a texture of checks, `checks` of them to a unit of its coordinates, which are those of its corners;
+    /// odd checks in the darker colour of two.
+    void textured(const gusset::MeshView &mesh, const std::vector<std::array<double, 2>> &coordinates, double checks,
+                  const std::array<Colour, 2> &colours) {
+        faces(mesh, [&](std::size_t f, const std::vector<Point3> &corners, double lit) {
+            std::size_t first = 0;
+            for (std::size_t g = 0; g < f; ++g) {
+                first += mesh.face(g).size();
             }
-            const Point3 normal = unit(cross(minus(corners[2], corners[0]), minus(corners.back(), corners[1])));
-            const double front = dot(normal, eye_);
-            if (front < 0 && !open) {
-                continue;
+            std::vector<Textured> face;
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const auto &[u, v] = coordinates[first + k];
+                face.push_back({corners[k], {checks * u, checks * v}});
             }
-            const double lit = front >= 0 ? 0.4 + 0.6 * std::max(0.0, 0.5 + 0.5 * dot(normal, light_)) : 0.32;
-            const Colour colour = colour_of(f);
-            std::ostringstream text;
-            text << "<path d='" << path(corners) << "z' fill='#" << std::hex;
-            for (const int channel : colour) {
-                const long value = std::lround(channel * lit);
-                text << (value < 16 ? "0" : "") << value;
+            std::string text;
+            for (const auto &check : cut(cut({face}, 0), 1)) {
+                std::vector<Point3> points;
+                double u = 0, v = 0;
+                for (const Textured &point : check) {
+                    points.push_back(point.at);
+                    u += point.uv[0] / static_cast<double>(check.size());
+                    v += point.uv[1] / static_cast<double>(check.size());
+                }
+                const bool odd = (std::lround(std::floor(u)) + std::lround(std::floor(v))) % 2 != 0;
+                const std::string fill = shade(colours[odd ? 1 : 0], lit);
+                text += "<path d='" + path(points) + "z' fill='" + fill + "' stroke='" + fill + "'/>\n";
             }
-            text << "'/>\n";
-            painted_.push_back({depth, text.str()});
-        }
+            return text;
+        });
     }
 
     /// A curve, drawn with what it lies on; `nearer`: how far it is lifted towards the eye, so that the faces it lies on do not hide it.
@@ -106,6 +116,84 @@ public:
     }
 
 private:
+    /// A corner of a face with its coordinates on the texture.
+    struct Textured {
+        Point3 at;
+        std::array<double, 2> uv;
+    };
+
+    /// Convex polygons, cut where one of their coordinates is a whole number.
+    static std::vector<std::vector<Textured>> cut(const std::vector<std::vector<Textured>> &polygons, std::size_t axis) {
+        std::vector<std::vector<Textured>> made;
+        for (const auto &polygon : polygons) {
+            double low = polygon[0].uv[axis], high = low;
+            for (const Textured &point : polygon) {
+                low = std::min(low, point.uv[axis]), high = std::max(high, point.uv[axis]);
+            }
+            for (double line = std::floor(low); line < high; ++line) {
+                auto part = clipped(clipped(polygon, axis, line, 1), axis, line + 1, -1);
+                if (part.size() > 2) {
+                    made.push_back(std::move(part));
+                }
+            }
+        }
+        return made;
+    }
+
+    /// What of a polygon is beyond a line, or before it if `side` is -1.
+    static std::vector<Textured> clipped(const std::vector<Textured> &polygon, std::size_t axis, double line, double side) {
+        std::vector<Textured> made;
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Textured &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+            const double x = side * (a.uv[axis] - line), y = side * (b.uv[axis] - line);
+            if (x >= 0) {
+                made.push_back(a);
+            }
+            if (x * y < 0) {
+                const double t = x / (x - y);
+                Textured between = a;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    between.at[i] += t * (b.at[i] - a.at[i]);
+                }
+                for (std::size_t i = 0; i < 2; ++i) {
+                    between.uv[i] += t * (b.uv[i] - a.uv[i]);
+                }
+                made.push_back(between);
+            }
+        }
+        return made;
+    }
+
+    /// Faces that are seen: `text_of(f, corners, lit)`. Where the mesh is open both sides are, the inner one darker.
+    template <class TextOf>
+    void faces(const gusset::MeshView &mesh, TextOf &&text_of) {
+        const bool open = !gusset::Boundary(mesh).empty();
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            std::vector<Point3> corners;
+            double depth = 0;
+            for (const uint32_t v : mesh.face(f)) {
+                corners.push_back(mesh.position(v));
+                depth += dot(corners.back(), eye_) / static_cast<double>(mesh.face(f).size());
+            }
+            const Point3 normal = unit(cross(minus(corners[2], corners[0]), minus(corners.back(), corners[1])));
+            const double front = dot(normal, eye_);
+            if (front >= 0 || open) {
+                const double lit = front >= 0 ? 0.4 + 0.6 * std::max(0.0, 0.5 + 0.5 * dot(normal, light_)) : 0.32;
+                painted_.push_back({depth, text_of(f, corners, lit)});
+            }
+        }
+    }
+
+    static std::string shade(const Colour &colour, double lit) {
+        std::ostringstream text;
+        text << '#' << std::hex;
+        for (const int channel : colour) {
+            const long value = std::lround(channel * lit);
+            text << (value < 16 ? "0" : "") << value;
+        }
+        return text.str();
+    }
+
     struct Painted {
         double depth;
         std::string text;

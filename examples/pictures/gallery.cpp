@@ -1,4 +1,5 @@
-// Draws the pictures of docs/pictures.md that no other example draws: stitch.svg, pieces.svg, fill.svg and meet.svg.
+// Draws the pictures of docs/pictures.md that no other example draws: stitch.svg, texture.svg, pieces.svg, fill.svg
+// and meet.svg.
 //   gallery FOLDER
 #include "shapes.hpp"
 
@@ -24,6 +25,29 @@ bool stitched(const std::string &file) {
         const std::size_t first = upper.view().face_count(), strip = stitch.strip_faces().first;
         drawing.place(x, 178);
         drawing.mesh(stitch.mesh(), [&](std::size_t f) { return f >= strip ? green : f < first ? blue : ochre; });
+        drawing.caption(x, 368, what);
+        x += 315;
+    }
+    return drawing.write(file);
+}
+
+/// Two textured shells; joined, where both are on one chart, and where they are not.
+bool textured(const std::string &file) {
+    const Mesh upper = shell(36, 8, 1, 0.25), lower = shell(29, 7, -1, 0.25);
+    const std::vector<Pair> a = coordinates_of(upper, 0, 1), b = coordinates_of(lower, 0, 1), turned = coordinates_of(lower, 0.4, 1.3);
+    const std::array<Colour, 2> checks{Colour{226, 214, 188}, blue};
+    Drawing drawing(960, 380, {0.4, -1, 0.42}, 118);
+    drawing.place(165, 178);
+    drawing.textured(upper.view(), a, 20, checks);
+    drawing.textured(lower.view(), b, 20, checks);
+    drawing.caption(165, 368, "two textured meshes");
+    const gusset::Stitch stitch = gusset::stitch(upper.view(), lower.view(), blend());
+    const gusset::Origins origins = stitch.origins();
+    double x = 480;
+    for (const auto &[of_lower, what] : {std::pair(&b, "on one chart: it goes on"), std::pair(&turned, "on two: they meet in the middle")}) {
+        const auto carried = origins.apply<Pair>(gusset::Domain::corners, gusset::Rule::texture, {a, *of_lower});
+        drawing.place(x, 178);
+        drawing.textured(stitch.mesh(), carried, 20, checks);
         drawing.caption(x, 368, what);
         x += 315;
     }
@@ -118,8 +142,8 @@ int main(int argc, char **argv) {
     }
     const std::string folder = std::string(argv[1]) + "/";
     try {
-        if (stitched(folder + "stitch.svg") && assembled(folder + "pieces.svg") && filled(folder + "fill.svg") && met(folder + "meet.svg")) {
-            std::cout << "stitch.svg pieces.svg fill.svg meet.svg\n";
+        if (stitched(folder + "stitch.svg") && textured(folder + "texture.svg") && assembled(folder + "pieces.svg") && filled(folder + "fill.svg") && met(folder + "meet.svg")) {
+            std::cout << "stitch.svg texture.svg pieces.svg fill.svg meet.svg\n";
             return 0;
         }
         std::cerr << "cannot write into " << folder << '\n';

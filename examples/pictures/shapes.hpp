@@ -31,6 +31,27 @@ inline Mesh shell(uint32_t sides, uint32_t rings, double up, double gap) {
     return mesh;
 }
 
+/// Coordinates on a texture that is wrapped once round the z axis, for each corner; a face at the end of it goes on beyond 1.
+using Pair = std::array<double, 2>;
+inline std::vector<Pair> coordinates_of(const Mesh &mesh, double shift, double stretch) {
+    const double turn = 6.283185307179586;
+    std::vector<Pair> made;
+    for (std::size_t f = 0; f < mesh.corners.size() / 3; ++f) {
+        double first = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            // A pole is beside the others.
+            const Point3 &p = mesh.points[mesh.corners[3 * f + k]];
+            const bool pole = std::hypot(p[0], p[1]) < 1e-9;
+            const Point3 &at = pole ? mesh.points[mesh.corners[3 * f + (k + 1) % 3]] : p;
+            double u = 0.5 - std::atan2(at[0], at[1]) / turn;
+            first = k == 0 ? u : first;
+            u += std::round(first - u);
+            made.push_back({shift + stretch * u, stretch * p[2] / turn});
+        }
+    }
+    return made;
+}
+
 /// Strips and patches with new vertices on a smooth surface.
 inline gusset::StitchOptions blend() {
     gusset::StitchOptions options;

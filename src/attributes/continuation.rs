@@ -11,8 +11,10 @@
 //! the chart of its base would go on than half the way there, or half the base.
 //!
 //! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old corners
-//! have different values. A new face between two rims has the one on its own side of the cut: the one
-//! nearest to where the chart of its base goes on.
+//! have different values. A new face between two rims has those on its own side of the cut: the ones
+//! nearest to where the chart of its base goes on. If a jump occurs more than once, as where a texture
+//! repeats, values beyond the cut are as near by it; where none does, a face across a cut goes on with
+//! the chart of its base.
 //!
 //! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
 //! corner at x along the base and at the distance y from its line has the value that the old face's
@@ -30,6 +32,7 @@ use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
 use crate::sort::{Buckets, sort};
 use glam::DVec3;
+use std::ops::Range;
 
 /// Charts go on at most so many heights of the old face: needles lead nowhere.
 const MAX_HEIGHTS: f64 = 64.0;
@@ -37,6 +40,11 @@ const MAX_HEIGHTS: f64 = 64.0;
 const MIN_HEIGHT: f64 = 1e-6;
 /// Values on both sides agree if they differ by less than this part of the way from the base.
 const MAX_DEVIATION: f64 = 0.5;
+/// As many different jumps are told apart; and those that differ by less than this part are the same.
+const MAX_JUMPS: usize = 16;
+const SAME_JUMP: f64 = 1e-3;
+/// A face is across a cut if a value is farther off by this much than the way from its base.
+const FAR: f64 = 4.0;
 /// Values at one vertex are the same if they differ by less than this part of the largest.
 const SAME: f64 = 1e-6;
 
@@ -51,6 +59,20 @@ struct Base {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Share {
     vertex: u32,
+    weight: f64,
+}
+
+/// Where charts are cut: whether anywhere, and the jumps that occur more than once, there and back,
+/// as where a texture repeats.
+struct Cuts {
+    any: bool,
+    jumps: Vec<Vec<f64>>,
+}
+
+/// An old corner that a new one has its value from, beyond a cut if there is a jump.
+struct Side<'a> {
+    corner: u32,
+    jump: Option<&'a [f64]>,
     weight: f64,
 }
 
@@ -115,14 +137,17 @@ impl Continuation {
         if self.base_of.is_empty() {
             return Ok(());
         }
-        let edges = self.choose_sides(values, &job.part(0.0, 0.3))?;
+        let cuts = self.cuts(values)?;
+        let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
         let mut charts = self.along_rims(values)?;
         self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
+        let usual_way = if cuts.any { self.usual_way(values)? } else { 0.0 };
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_within(f, STAGE)?;
             let corners = range[0]..range[1];
             let mut all = corners.clone().flat_map(|corner| self.edges_at(&edges, corner));
-            if base == NONE || all.all(|edge| charts.find(edge) == charts.find(base)) {
+            let is_one = base == NONE || all.all(|edge| charts.find(edge) == charts.find(base));
+            if is_one && !(cuts.any && base != NONE && self.is_across_cut(values, corners.clone(), base, usual_way)) {
                 continue;
             }
             for corner in corners {
@@ -142,8 +167,8 @@ impl Continuation {
     }
 
     /// For each share the rim edge at whose end it takes its value, [`NONE`] if none ends at its
-    /// vertex. Where a chart is cut, interpolates anew with the values on the base's side.
-    fn choose_sides(&self, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
+    /// vertex. Where charts are cut, interpolates anew with the values on the base's side.
+    fn choose_sides(&self, cuts: &Cuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
         let mut edges = alloc::filled(NONE, self.shares.items().len())?;
         let mut chosen = Vec::new();
         let first = self.offsets[0];
@@ -151,22 +176,20 @@ impl Continuation {
             job.step_within(f, STAGE)?;
             for corner in range[0]..range[1] {
                 let places = self.shares.range((corner - first) as usize);
-                let mut cut = false;
+                let mut other = false;
                 chosen.clear();
-                for (edge, share) in edges[places.clone()].iter_mut().zip(&self.shares.items()[places]) {
+                for (edge, share) in edges[places.clone()].iter_mut().zip(&self.shares.items()[places.clone()]) {
                     let ends = self.ends_at(share.vertex);
                     let Some(usual) = ends.iter().find(|end| end.edge == base).or(ends.first()) else { continue };
-                    let mut end = usual;
-                    let is_cut = |other: &End| !are_same(values, [usual.corner, other.corner]);
-                    if usual.edge != base && ends.iter().any(is_cut) {
-                        cut = true;
-                        let off = |end: &End| self.distance(values, end.corner, (corner, base));
-                        end = ends.iter().fold(usual, |best, end| if off(end) < off(best) { end } else { best });
-                    }
+                    let (end, jump) = match cuts.any && usual.edge != base {
+                        true => self.nearest_side(values, ends, (corner, base), cuts),
+                        false => (usual, None),
+                    };
+                    other |= end.corner != usual.corner || jump.is_some();
                     *edge = end.edge;
-                    alloc::push(&mut chosen, (end.corner, share.weight))?;
+                    alloc::push(&mut chosen, Side { corner: end.corner, jump, weight: share.weight })?;
                 }
-                if cut && chosen.len() == self.shares.get((corner - first) as usize).len() {
+                if other && chosen.len() == places.len() {
                     interpolate(values, corner, &chosen);
                 }
             }
@@ -174,16 +197,63 @@ impl Continuation {
         Ok(edges)
     }
 
+    /// Of the ends at a vertex the one whose value is nearest to where the chart of a base goes on at
+    /// a new corner, and the jump that brings it there, if one does.
+    fn nearest_side<'a>(
+        &self,
+        values: &Output<'_>,
+        ends: &'a [End],
+        (corner, base): (u32, u32),
+        cuts: &'a Cuts,
+    ) -> (&'a End, Option<&'a [f64]>) {
+        let mut best = (f64::INFINITY, &ends[0], None);
+        for end in ends {
+            for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
+                let off = |c| lifted(values, end.corner, jump, c) - self.continued(values, corner, base, c);
+                let off: f64 = (0..values.components).map(|c| off(c).powi(2)).sum();
+                if off < best.0 {
+                    best = (off, end, jump);
+                }
+            }
+        }
+        (best.1, best.2)
+    }
+
+    /// Where charts are cut along the rims.
+    fn cuts(&self, values: &Output<'_>) -> Result<Cuts> {
+        let mut seen: Vec<(Vec<f64>, bool)> = Vec::new();
+        let mut any = false;
+        for ends in self.ends.chunk_by(|a, b| a.vertex == b.vertex) {
+            let &[a, b] = ends else { continue };
+            if are_same(values, [a.corner, b.corner]) {
+                continue;
+            }
+            any = true;
+            let jump = |c| values.get(a.corner as usize, c) - values.get(b.corner as usize, c);
+            let like = |known: &[f64], sign: f64| {
+                let size = known.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+                known.iter().enumerate().all(|(c, x)| (sign * jump(c) - x).abs() <= SAME_JUMP * size)
+            };
+            match seen.iter().position(|(known, _)| like(known, 1.0) || like(known, -1.0)) {
+                Some(known) => seen[known].1 = true,
+                None if seen.len() < MAX_JUMPS => {
+                    alloc::push(&mut seen, (alloc::collect((0..values.components).map(jump))?, false))?;
+                }
+                None => {}
+            }
+        }
+        let mut jumps = Vec::new();
+        for (jump, _) in seen.into_iter().filter(|&(_, again)| again) {
+            let back = alloc::collect(jump.iter().map(|x| -x))?;
+            alloc::extend(&mut jumps, [jump, back].into_iter())?;
+        }
+        Ok(Cuts { any, jumps })
+    }
+
     fn ends_at(&self, vertex: u32) -> &[End] {
         let start = self.ends.partition_point(|end| end.vertex < vertex);
         let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
         &self.ends[start..start + count]
-    }
-
-    /// The squared distance of the value at an old corner from where the chart of a base goes on.
-    fn distance(&self, values: &Output<'_>, old: u32, (corner, base): (u32, u32)) -> f64 {
-        let off = |c| values.get(old as usize, c) - self.continued(values, corner, base, c);
-        (0..values.components).map(|c| off(c).powi(2)).sum()
     }
 
     /// The charts of rim edges, as far as they can be told at their ends.
@@ -228,6 +298,31 @@ impl Continuation {
 
     /// True if the value at a new corner is about where the chart of its base goes on.
     fn agrees(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
+        let (off, way) = self.off_and_way(values, corner, base);
+        off <= MAX_DEVIATION * MAX_DEVIATION * way
+    }
+
+    /// True if the value at a corner of a new face is much farther from where the chart of its base
+    /// goes on than faces are large.
+    fn is_across_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
+        corners.any(|corner| {
+            let (off, way) = self.off_and_way(values, corner, base);
+            off > FAR * FAR * way.max(usual)
+        })
+    }
+
+    /// The median of the squared ways of the new corners that have a base.
+    fn usual_way(&self, values: &Output<'_>) -> Result<f64> {
+        let corners = self.offsets.windows(2).zip(&self.base_of).filter(|&(_, &base)| base != NONE);
+        let ways = corners.flat_map(|(range, &base)| (range[0]..range[1]).map(move |corner| (corner, base)));
+        let mut ways = alloc::gather(ways.map(|(corner, base)| self.off_and_way(values, corner, base).1))?;
+        let middle = ways.len() / 2;
+        Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
+    }
+
+    /// Squared, how far the value at a new corner is from where the chart of its base goes on, and how
+    /// far that is from the base, or the base long.
+    fn off_and_way(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
         let Base { corners: [start, end, _] } = self.bases[base as usize];
         let value = |corner: u32, c: usize| values.get(corner as usize, c);
         let (mut off, mut way) = (0.0, 0.0);
@@ -237,7 +332,7 @@ impl Continuation {
             // Values may change along the base alone.
             way += (there - f64::midpoint(from, to)).powi(2) + (to - from).powi(2);
         }
-        off <= MAX_DEVIATION * MAX_DEVIATION * way
+        (off, way)
     }
 
     /// A component of the value at a new corner where the chart of its base goes on.
@@ -275,14 +370,20 @@ fn are_same(values: &Output<'_>, corners: [u32; 2]) -> bool {
     })
 }
 
+/// A component of the value at an old corner, beyond a cut if there is a jump.
+fn lifted(values: &Output<'_>, corner: u32, jump: Option<&[f64]>, c: usize) -> f64 {
+    values.get(corner as usize, c) + jump.map_or(0.0, |jump| jump[c])
+}
+
 /// Writes the weighted mean of old corners to a new one.
-fn interpolate(values: &mut Output<'_>, corner: u32, of: &[(u32, f64)]) {
-    let total: f64 = of.iter().map(|&(_, weight)| weight).sum();
+fn interpolate(values: &mut Output<'_>, corner: u32, of: &[Side<'_>]) {
+    let total: f64 = of.iter().map(|side| side.weight).sum();
     for c in 0..values.components {
+        let at = |side: &Side<'_>| lifted(values, side.corner, side.jump, c);
         // Relative to the first, so that equal values stay what they are.
-        let base = values.get(of[0].0 as usize, c);
-        let off: f64 = of.iter().map(|&(old, weight)| weight * (values.get(old as usize, c) - base)).sum();
-        values.set(corner as usize, c, base + off / total);
+        let first = at(&of[0]);
+        let off: f64 = of.iter().map(|side| side.weight * (at(side) - first)).sum();
+        values.set(corner as usize, c, first + off / total);
     }
 }
 
