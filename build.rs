@@ -29,9 +29,11 @@ fn status_text(source: &str) -> String {
     let (mut code, mut text) = (String::new(), String::new());
     for line in listed.split_once("\n}").expect("the enum ends").0.lines().map(str::trim) {
         if let Some(comment) = line.strip_prefix("/// ") {
-            text = comment.split(". ").next().expect("a part").trim_end_matches('.').to_owned();
+            text = if text.is_empty() { comment.to_owned() } else { format!("{text} {comment}") };
         } else if let Some((_, number)) = line.split_once(" = ") {
-            let (first, rest) = text.split_at(1);
+            let sentence = text.split(". ").next().expect("a part").trim_end_matches('.').to_owned();
+            text.clear();
+            let (first, rest) = sentence.split_at(1);
             let number = number.trim_end_matches(',');
             writeln!(code, "        {number} => c\"{}{rest}\",", first.to_lowercase()).expect("a String takes all");
         }

@@ -154,8 +154,8 @@ pub enum Error {
         needed: u64,
         given: u64,
     },
-    /// The distance between positions is smaller than one position.
-    #[error("a position stride of {stride} bytes: one position takes {min}")]
+    /// The distance between elements is smaller than one element.
+    #[error("a stride of {stride} bytes: one element takes {min}")]
     StrideTooSmall {
         /// The stride given, in bytes.
         stride: u64,

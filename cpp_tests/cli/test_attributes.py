@@ -178,6 +178,49 @@ class Attributes(unittest.TestCase):
         self.assertEqual(len(model["meshes"][0]["primitives"]), 1)
         self.assertEqual(model["accessors"][model["meshes"][0]["primitives"][0]["indices"]]["count"], 12)
 
+    def test_files_that_are_not_as_they_should_be(self):
+        self.at("odd").mkdir(exist_ok=True)
+        vertices, faces = tube(6, 0, 1)
+        backslash = chr(92)
+        rows = ["mtllib a.mtl b.mtl", f"mtllib deeper{backslash}c.mtl"]
+        rows += ["v " + " ".join(map(repr, vertex)) for vertex in vertices]
+        for f, face in enumerate(faces):
+            # A line that goes on.
+            rows += [f"usemtl {'abcde'[f % 5]}", f"f {backslash}", " ".join(str(v + 1) for v in face)]
+        self.at("odd/odd.obj").write_text("\n".join(rows) + "\n")
+        self.at("odd/deeper").mkdir(exist_ok=True)
+        for name, at, colour in (("a", "a", "1 0 0"), ("b", "b", "0 1 0"), ("c", "deeper/c", "0 0 1")):
+            self.at(f"odd/{at}.mtl").write_text(f"newmtl {name}\nKd {colour}\nmap_Kd missing {name}.png\n")
+        lost = self.lost("convert", "odd/odd.obj", "-o", "even.obj")
+        self.assertEqual(lost, [])
+        found = {material for _, material in seen_by_assimp(self.at("even.obj"))}
+        self.assertTrue({("a", (1, 0, 0)), ("b", (0, 1, 0)), ("c", (0, 0, 1))} <= {one[:2] for one in found}, found)
+        self.assertIn("map_Kd odd/missing a.png", self.at("even.mtl").read_text())
+        # An image that is not there is told, and the file is one that others read.
+        lost = self.lost("convert", "odd/odd.obj", "-o", "even.gltf")
+        self.assertEqual(sum("which is not there" in text for text in lost), 3, lost)
+        self.assertEqual(len(seen_by_assimp(self.at("even.gltf"))), 12)
+        self.assertNotIn("null", self.at("even.gltf").read_text())
+
+    def test_what_gltf_has_beyond_is_told(self):
+        self.at("my image.png").write_bytes(png(7, 8, 9))
+        points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (0, 3, 2)]
+        material = {"name": "m", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                    "occlusionTexture": {"index": 0, "texCoord": 1}, "normalTexture": {"index": 1}}
+        meshes.write_glb(self.at("rich.glb"), points, faces, pairs=[(0, 0)] * 4,
+                         meshes=[{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 2, "TEXCOORD_1": 2, "_ID": 2},
+                                                  "indices": 1, "material": 0}]}],
+                         materials=[material], textures=[{"source": 0}, {"source": 1}],
+                         images=[{"uri": "my%20image.png"}, {"uri": "gone.png"}])
+        lost = self.lost("fill", "rich.glb", "-o", "rich.gltf")
+        for what in ("TEXCOORD_1 of", "_ID of", "gone.png, which is not there", "other texture coordinates"):
+            self.assertTrue(any(what in text for text in lost), (what, lost))
+        model = json.loads(self.at("rich.gltf").read_text())
+        self.assertEqual((len(model["images"]), len(model["textures"])), (1, 1))
+        self.assertEqual(len(seen_by_assimp(self.at("rich.gltf"))), 4)
+        self.expect(DONE, "convert", "rich.gltf", "-o", "again.obj")
+        self.assertEqual(self.at("again_m.png").read_bytes(), png(7, 8, 9))
+
     def test_colours_through_ply(self):
         vertices, faces = tube(8, 0, 1)
         rows = [f"v {x!r} {y!r} {z!r} {k % 2} {k % 3 / 2} 0.25" for k, (x, y, z) in enumerate(vertices)]
@@ -196,11 +239,11 @@ class Attributes(unittest.TestCase):
         head = ["ply", "format ascii 1.0", "element vertex 4", "property double x", "property double y", "property double z",
                 "property float confidence", "property int label", "element face 3", "property list uchar int vertex_indices",
                 "property uchar region", "end_header"]
-        rows = ["0 0 0 0.25 7", "1 0 0 0.5 8", "0 1 0 0.75 9", "0 0 1 1 -10", "3 0 2 1 4", "3 0 1 3 5", "3 0 3 2 6"]
+        rows = ["0 0 0 nan 7", "1 0 0 0.5 8", "0 1 0 0.75 9", "0 0 1 1 -10", "3 0 2 1 4", "3 0 1 3 5", "3 0 3 2 6"]
         self.at("scan.ply").write_text("\n".join(head + rows) + "\n")
         self.assertEqual(self.lost("fill", "scan.ply", "-o", "filled.ply", "--text"), [])
         found = read_ply(self.at("filled.ply"))
-        self.assertEqual([(row["confidence"], row["label"]) for row in found["vertex"]], [(0.25, 7), (0.5, 8), (0.75, 9), (1, -10)])
+        self.assertEqual([("nan" if math.isnan(row["confidence"]) else row["confidence"], row["label"]) for row in found["vertex"]], [("nan", 7), (0.5, 8), (0.75, 9), (1, -10)])
         self.assertEqual([row["region"] for row in found["face"]][:3], [4, 5, 6])
         self.assertIn(found["face"][3]["region"], (4, 5, 6))
         lost = self.lost("fill", "scan.ply", "-o", "filled.off")

@@ -108,8 +108,9 @@ std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &re
     return detail::add_faces(mesh, result, vertices);
 }
 
-/// Appends a whole result, and carries over what its inputs have: all property maps of numbers, arrays of them, colours and vectors, of
-/// vertices, halfedges and faces, by their names. Halfedges count as the corners that they end at. Vectors whose name has "normal" in
+/// Appends a whole result, and carries over what its inputs have: property maps of floats, doubles, ints, longs, unsigned ones of
+/// them, unsigned shorts and chars, arrays of two to four floats, doubles or ints, of three or four unsigned chars, colours, and vectors,
+/// of vertices, halfedges and faces, by their names; others stay behind. No input may be the mesh itself. Halfedges count as the corners that they end at. Vectors whose name has "normal" in
 /// it are directions, and turned with what is turned over; "f:normal" is left to the host. `inputs`: the meshes that the result was made
 /// of, in their order. Returns the faces that CGAL refused.
 template <class Point>

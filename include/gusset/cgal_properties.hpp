@@ -68,7 +68,8 @@ void carry(Mesh &mesh, Domain domain, const std::vector<Element> &to, const Orig
             }
             done.push_back(name);
             std::vector<std::vector<T>> values(inputs.size());
-            gusset::detail::HostChannel channel{domain, gusset::Rule::linear, gusset::detail::host_value_type<Value>(), Values<T>::count, {}};
+            gusset::detail::HostChannel channel{domain, gusset::Rule::linear, gusset::detail::host_value_type<Value>(),
+                                                gusset::detail::host_components<Value>(Values<T>::count), {}};
             channel.rule = gusset::detail::rule_of(name, domain, channel.value_type, channel.components);
             for (std::size_t i = 0; i < inputs.size(); ++i) {
                 const auto map = find_map<T, Element>(*inputs[i], name);
@@ -95,9 +96,9 @@ void carry_all(Mesh &mesh, Domain domain, const std::vector<Element> &to, const 
                const std::vector<std::vector<Element>> &from, const Context &context) {
     using Vector = typename CGAL::Kernel_traits<typename Mesh::Point>::Kernel::Vector_3;
     const auto each = [&](auto... types) { (carry<decltype(types)>(mesh, domain, to, origins, inputs, from, context), ...); };
-    each(0.0F, 0.0, 0, 0U, static_cast<unsigned short>(0), static_cast<unsigned char>(0), Color(), Vector(), std::array<float, 2>(),
+    each(0.0F, 0.0, 0, 0U, 0L, 0UL, static_cast<unsigned short>(0), static_cast<unsigned char>(0), Color(), Vector(), std::array<float, 2>(),
          std::array<float, 3>(), std::array<float, 4>(), std::array<double, 2>(), std::array<double, 3>(), std::array<double, 4>(),
-         std::array<unsigned char, 3>(), std::array<unsigned char, 4>());
+         std::array<unsigned char, 3>(), std::array<unsigned char, 4>(), std::array<int, 2>(), std::array<int, 3>(), std::array<int, 4>());
 }
 
 } // namespace gusset::cgal::detail

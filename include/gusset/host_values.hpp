@@ -39,14 +39,20 @@ inline Rule rule_of(const std::string &name, Domain domain, uint32_t value_type,
     return floats || has("color") || has("colour") ? Rule::linear : Rule::nearest;
 }
 
-/// Integers of any sign are carried as numbers, by their bits.
+/// Integers of any sign are carried as numbers, by their bits; those of 64 bits in two halves.
 template <class Value>
 constexpr uint32_t host_value_type() {
     if constexpr (std::is_floating_point_v<Value>) {
         return value_type<Value>();
+    } else if constexpr (sizeof(Value) > sizeof(uint32_t)) {
+        return GUSSET_VALUE_U32;
     } else {
         return value_type<std::make_unsigned_t<Value>>();
     }
+}
+template <class Value>
+constexpr uint32_t host_components(uint32_t count) {
+    return std::is_integral_v<Value> && sizeof(Value) > sizeof(uint32_t) ? 2 * count : count;
 }
 
 } // namespace gusset::detail

@@ -100,8 +100,9 @@ std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
 }
 
 /// Appends a whole result, and carries over what its inputs have: the normals, colours and texture coordinates that OpenMesh keeps, and
-/// all properties of numbers and of vectors of them, of vertices, halfedges and faces, by their names. Halfedges count as the corners
-/// that they end at. Normals are turned with what is turned over, those of faces are left to update_face_normals(). `inputs`: the
+/// properties of floats, doubles, chars, ints, shorts and longs, signed or not, and of up to four floats, doubles or ints, of
+/// vertices, halfedges and faces, by their names; others stay behind. Halfedges count as the corners that they end at. No input may be
+/// the mesh itself. Normals are turned with what is turned over, those of faces are left to update_face_normals(). `inputs`: the
 /// meshes that the result was made of, in their order. Returns the faces that OpenMesh refused.
 template <class Mesh>
 std::vector<uint32_t> append(Mesh &mesh, const MeshView &result, const Origins &origins, const std::vector<const Mesh *> &inputs,

@@ -95,7 +95,8 @@ void carry(Mesh &mesh, const std::vector<Element> &to, const Origins &origins, c
             }
             done.push_back(name);
             std::vector<std::vector<T>> values(inputs.size());
-            gusset::detail::HostChannel channel{Kind::domain, gusset::Rule::linear, gusset::detail::host_value_type<Value>(), Values<T>::count, {}};
+            gusset::detail::HostChannel channel{Kind::domain, gusset::Rule::linear, gusset::detail::host_value_type<Value>(),
+                                                gusset::detail::host_components<Value>(Values<T>::count), {}};
             channel.rule = gusset::detail::rule_of(name, channel.domain, channel.value_type, channel.components);
             for (std::size_t i = 0; i < inputs.size(); ++i) {
                 Handle handle;
@@ -128,8 +129,9 @@ void carry_all(Mesh &mesh, const std::vector<Element> &to, const Origins &origin
                const std::vector<std::vector<Element>> &from, const Context &context) {
     const auto each = [&](auto... types) { (carry<Kind, decltype(types)>(mesh, to, origins, inputs, from, context), ...); };
     using namespace OpenMesh;
-    each(float{}, double{}, int{}, unsigned{}, short{}, static_cast<unsigned short>(0), static_cast<unsigned char>(0), Vec1f{}, Vec2f{}, Vec3f{},
-         Vec4f{}, Vec1d{}, Vec2d{}, Vec3d{}, Vec4d{}, Vec3uc{}, Vec4uc{}, Vec2ui{}, Vec3ui{}, Vec4ui{});
+    each(float{}, double{}, int{}, unsigned{}, long{}, static_cast<unsigned long>(0), short{}, static_cast<unsigned short>(0), char{},
+         static_cast<unsigned char>(0), Vec1f{}, Vec2f{}, Vec3f{}, Vec4f{}, Vec1d{}, Vec2d{}, Vec3d{}, Vec4d{}, Vec3uc{}, Vec4uc{}, Vec2i{},
+         Vec3i{}, Vec4i{}, Vec2ui{}, Vec3ui{}, Vec4ui{});
 }
 
 } // namespace gusset::openmesh::detail

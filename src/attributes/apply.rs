@@ -151,8 +151,12 @@ impl<'a> Mixer<'a> {
                 for (c, mean) in mean.iter_mut().enumerate() {
                     let at = |values: &[u8]| value_type.read(&values[c * size..]);
                     let base = at(first);
-                    let off: f64 = entries().map(|(_, values, weight)| weight * (at(values) - base)).sum();
-                    *mean = if total > 0.0 { base + off / total } else { base };
+                    let off: f64 = entries().map(|(_, values, weight)| weight / total * (at(values) - base)).sum();
+                    *mean = if total > 0.0 { base + off } else { base };
+                    if !mean.is_finite() {
+                        // Differences are beyond the range of numbers, but no mean is.
+                        *mean = entries().map(|(_, values, weight)| weight / total * at(values)).sum();
+                    }
                 }
                 if self.channel.rule == Rule::SkinWeights {
                     self.keep_largest(mean, order);
@@ -195,10 +199,16 @@ fn vector(value_type: ValueType, values: &[u8]) -> DVec3 {
     DVec3::new(value_type.read(values), value_type.read(&values[size..]), value_type.read(&values[2 * size..]))
 }
 
+/// A vector of length 1, whatever the length given; 0 for 0.
+fn unit(v: DVec3) -> DVec3 {
+    let size = v.abs().max_element();
+    if size > 0.0 { (v / size).normalize() } else { DVec3::ZERO }
+}
+
 /// The mean of directions on the sphere, by weights; of length 1, but for directions without
 /// length.
 fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> DVec3 {
-    let units = || entries().map(|(direction, weight)| (direction.normalize_or_zero(), weight));
+    let units = || entries().map(|(direction, weight)| (unit(direction), weight));
     let heaviest = units().fold((DVec3::ZERO, f64::NEG_INFINITY), |best, one| if one.1 > best.1 { one } else { best });
     let mut mean = units().map(|(direction, weight)| direction * weight).sum::<DVec3>().normalize_or_zero();
     if mean == DVec3::ZERO {

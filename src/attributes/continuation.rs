@@ -12,9 +12,9 @@
 //!
 //! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old corners
 //! have different values. A new face between two rims has those on its own side of the cut: the ones
-//! nearest to where the chart of its base goes on. If a jump occurs more than once, as where a texture
-//! repeats, values beyond the cut are as near by it; where none does, a face across a cut goes on with
-//! the chart of its base.
+//! nearest to where the chart of its base goes on, with the jump of a cut added where that is nearer: a
+//! texture that repeats is continuous so. A face whose values are far from there all the same goes on
+//! with the chart of its base.
 //!
 //! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
 //! corner at x along the base and at the distance y from its line has the value that the old face's
@@ -40,10 +40,12 @@ const MAX_HEIGHTS: f64 = 64.0;
 const MIN_HEIGHT: f64 = 1e-6;
 /// Values on both sides agree if they differ by less than this part of the way from the base.
 const MAX_DEVIATION: f64 = 0.5;
-/// As many different jumps are told apart; and those that differ by less than this part are the same.
-const MAX_JUMPS: usize = 16;
+/// As many different jumps are told apart, there and back; those that differ by less than this part
+/// are the same.
+const MAX_JUMPS: usize = 32;
 const SAME_JUMP: f64 = 1e-3;
-/// A face is across a cut if a value is farther off by this much than the way from its base.
+/// Jumps, and values off where a chart would go on, are long if they are so many times the usual way
+/// along a base.
 const FAR: f64 = 4.0;
 /// Values at one vertex are the same if they differ by less than this part of the largest.
 const SAME: f64 = 1e-6;
@@ -62,11 +64,12 @@ struct Share {
     weight: f64,
 }
 
-/// Where charts are cut: whether anywhere, and the jumps that occur more than once, there and back,
-/// as where a texture repeats.
+/// Where charts are cut: whether anywhere, and the long jumps there and back. Jumps are long against
+/// the usual squared way along a base.
 struct Cuts {
     any: bool,
     jumps: Vec<Vec<f64>>,
+    usual_way: f64,
 }
 
 /// An old corner that a new one has its value from, beyond a cut if there is a jump.
@@ -137,17 +140,18 @@ impl Continuation {
         if self.base_of.is_empty() {
             return Ok(());
         }
-        let cuts = self.cuts(values)?;
-        let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
         let mut charts = self.along_rims(values)?;
+        let cuts = self.cuts(&mut charts, values)?;
+        let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
         self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
-        let usual_way = if cuts.any { self.usual_way(values)? } else { 0.0 };
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_within(f, STAGE)?;
             let corners = range[0]..range[1];
             let mut all = corners.clone().flat_map(|corner| self.edges_at(&edges, corner));
             let is_one = base == NONE || all.all(|edge| charts.find(edge) == charts.find(base));
-            if is_one && !(cuts.any && base != NONE && self.is_across_cut(values, corners.clone(), base, usual_way)) {
+            if is_one
+                && !(cuts.any && base != NONE && self.is_across_cut(values, corners.clone(), base, cuts.usual_way))
+            {
                 continue;
             }
             for corner in corners {
@@ -220,34 +224,41 @@ impl Continuation {
     }
 
     /// Where charts are cut along the rims.
-    fn cuts(&self, values: &Output<'_>) -> Result<Cuts> {
-        let mut seen: Vec<(Vec<f64>, bool)> = Vec::new();
-        let mut any = false;
+    fn cuts(&self, charts: &mut DisjointSets, values: &Output<'_>) -> Result<Cuts> {
+        let mut cuts = Cuts { any: false, jumps: Vec::new(), usual_way: self.usual_way(values)? };
         for ends in self.ends.chunk_by(|a, b| a.vertex == b.vertex) {
             let &[a, b] = ends else { continue };
-            if are_same(values, [a.corner, b.corner]) {
+            // Where different charts meet it is no cut.
+            if are_same(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
                 continue;
             }
-            any = true;
+            cuts.any = true;
             let jump = |c| values.get(a.corner as usize, c) - values.get(b.corner as usize, c);
-            let like = |known: &[f64], sign: f64| {
-                let size = known.iter().fold(0.0f64, |size, x| size.max(x.abs()));
-                known.iter().enumerate().all(|(c, x)| (sign * jump(c) - x).abs() <= SAME_JUMP * size)
+            let size: f64 = (0..values.components).map(|c| jump(c).powi(2)).sum();
+            let is_known = |known: &Vec<f64>| {
+                let off: f64 = known.iter().enumerate().map(|(c, x)| (jump(c) - x).powi(2)).sum();
+                off <= SAME_JUMP * SAME_JUMP * size
             };
-            match seen.iter().position(|(known, _)| like(known, 1.0) || like(known, -1.0)) {
-                Some(known) => seen[known].1 = true,
-                None if seen.len() < MAX_JUMPS => {
-                    alloc::push(&mut seen, (alloc::collect((0..values.components).map(jump))?, false))?;
+            let is_long = size > FAR * FAR * cuts.usual_way;
+            if is_long && cuts.jumps.len() < MAX_JUMPS && !cuts.jumps.iter().any(is_known) {
+                for sign in [1.0, -1.0] {
+                    let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
+                    alloc::push(&mut cuts.jumps, there)?;
                 }
-                None => {}
             }
         }
-        let mut jumps = Vec::new();
-        for (jump, _) in seen.into_iter().filter(|&(_, again)| again) {
-            let back = alloc::collect(jump.iter().map(|x| -x))?;
-            alloc::extend(&mut jumps, [jump, back].into_iter())?;
-        }
-        Ok(Cuts { any, jumps })
+        Ok(cuts)
+    }
+
+    /// The median of the squared lengths of bases, in values.
+    fn usual_way(&self, values: &Output<'_>) -> Result<f64> {
+        let way = |base: &Base| {
+            let [from, to, _] = base.corners.map(|corner| corner as usize);
+            (0..values.components).map(|c| (values.get(to, c) - values.get(from, c)).powi(2)).sum::<f64>()
+        };
+        let mut ways = alloc::collect(self.bases.iter().map(way))?;
+        let middle = ways.len() / 2;
+        Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
     }
 
     fn ends_at(&self, vertex: u32) -> &[End] {
@@ -311,15 +322,6 @@ impl Continuation {
         })
     }
 
-    /// The median of the squared ways of the new corners that have a base.
-    fn usual_way(&self, values: &Output<'_>) -> Result<f64> {
-        let corners = self.offsets.windows(2).zip(&self.base_of).filter(|&(_, &base)| base != NONE);
-        let ways = corners.flat_map(|(range, &base)| (range[0]..range[1]).map(move |corner| (corner, base)));
-        let mut ways = alloc::gather(ways.map(|(corner, base)| self.off_and_way(values, corner, base).1))?;
-        let middle = ways.len() / 2;
-        Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
-    }
-
     /// Squared, how far the value at a new corner is from where the chart of its base goes on, and how
     /// far that is from the base, or the base long.
     fn off_and_way(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
@@ -338,8 +340,10 @@ impl Continuation {
     /// A component of the value at a new corner where the chart of its base goes on.
     fn continued(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
         let weights = self.weights[(corner - self.offsets[0]) as usize];
-        let corners = self.bases[base as usize].corners;
-        corners.iter().zip(weights).map(|(&corner, weight)| weight * values.get(corner as usize, c)).sum()
+        let at = self.bases[base as usize].corners.map(|corner| values.get(corner as usize, c));
+        let there: f64 = at.iter().zip(weights).map(|(value, weight)| weight * value).sum();
+        // Beyond the range of numbers it goes on no further.
+        if there.is_finite() { there } else { at[0] }
     }
 }
 

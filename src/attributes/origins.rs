@@ -90,16 +90,26 @@ impl Origins {
         job: &Job<'_>,
     ) -> Result<Origins> {
         let (old_vertices, old_faces) = (kept.vertices.len(), kept.faces.len());
-        // New vertices by old ones of the result, in which chains of parents end.
+        // New vertices by those that old faces have, in which chains of parents end: old ones, and new ones
+        // on edges of old faces.
+        let mut is_end = BitSet::new(mesh.positions.len())?;
+        (0..old_vertices as u32).for_each(|v| is_end.insert(v));
+        job.part(0.0, 0.0).ranges(STAGE, mesh.face_offsets[old_faces] as usize, |corners| {
+            corners.for_each(|corner| is_end.insert(mesh.corner(corner)));
+            Ok(())
+        })?;
         let mut spread = Table::with_capacity(parents.len(), 3 * parents.len())?;
         let mut row = Vec::new();
         for (k, (vertices, weights)) in parents.enumerate() {
             job.step_within(k, STAGE)?;
             row.clear();
             for (v, weight) in vertices.into_iter().zip(weights) {
-                match (v as usize).checked_sub(old_vertices) {
-                    None => alloc::push(&mut row, (v, weight))?,
-                    Some(k) => alloc::extend(&mut row, spread.entries(k).map(|(v, share)| (v, weight * share)))?,
+                match is_end.contains(v) {
+                    true => alloc::push(&mut row, (v, weight))?,
+                    false => {
+                        let of_parent = spread.entries(v as usize - old_vertices);
+                        alloc::extend(&mut row, of_parent.map(|(v, share)| (v, weight * share)))?;
+                    }
                 }
             }
             spread.push(row.iter().copied())?;
@@ -109,9 +119,13 @@ impl Origins {
             job.step_within(k, STAGE)?;
             row.clear();
             for (v, weight) in spread.entries(k) {
-                let count = vertices.row(v as usize).0.len().clamp(1, MAX_SHARED);
-                let own = vertices.entries(v as usize).take(count);
-                alloc::extend(&mut row, own.map(|(source, _)| (source, weight / count as f64)))?;
+                let all = vertices.row(v as usize).0.len();
+                if (v as usize) < old_vertices && all > MAX_SHARED {
+                    let own = vertices.entries(v as usize).take(MAX_SHARED);
+                    alloc::extend(&mut row, own.map(|(source, _)| (source, weight / MAX_SHARED as f64)))?;
+                } else {
+                    alloc::extend(&mut row, vertices.entries(v as usize).map(|(s, share)| (s, weight * share)))?;
+                }
             }
             vertices.push(row.iter().copied())?;
         }
@@ -121,7 +135,7 @@ impl Origins {
             let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
             for corner in first..end {
                 row.clear();
-                for (v, weight) in spread_of(&spread, old_vertices, mesh.corner(corner)) {
+                for (v, weight) in spread_of(&spread, &is_end, old_vertices, mesh.corner(corner)) {
                     let corner = rims.corner_at(v, base);
                     if corner != NONE {
                         alloc::extend(
@@ -136,8 +150,13 @@ impl Origins {
             let source = across.map_or(NONE, |face| faces.main_source(face));
             faces.push((source != NONE).then_some((source, 1.0)))?;
         }
-        let continuation =
-            Continuation::new(mesh, old_faces, rims, |v| spread_of(&spread, old_vertices, v), &job.part(0.7, 1.0))?;
+        let continuation = Continuation::new(
+            mesh,
+            old_faces,
+            rims,
+            |v| spread_of(&spread, &is_end, old_vertices, v),
+            &job.part(0.7, 1.0),
+        )?;
         Origins::of_tables(inputs, [vertices, corners, faces], continuation)
     }
 
@@ -152,9 +171,14 @@ impl Origins {
                 let insert =
                     |set: &mut BitSet, table: &Table, k: usize| table.row(k).0.iter().for_each(|&s| set.insert(s));
                 insert(&mut turned[2], &self.tables[2], f);
+                // Where pieces were welded, those of the face's own piece alone.
+                let face = self.tables[2].main_source(f);
+                let input = self.starts[2].partition_point(|&start| start <= face).saturating_sub(1);
+                let own = self.starts[0][input]..self.starts[0][(input + 1).min(self.inputs.len())];
                 for c in mesh.face_offsets[f] as usize..mesh.face_offsets[f + 1] as usize {
                     insert(&mut turned[1], &self.tables[1], c);
-                    insert(&mut turned[0], &self.tables[0], mesh.face_corners[c] as usize);
+                    let vertices = self.tables[0].row(mesh.face_corners[c] as usize).0;
+                    vertices.iter().filter(|&source| own.contains(source)).for_each(|&s| turned[0].insert(s));
                 }
             }
             Ok(())
@@ -164,9 +188,10 @@ impl Origins {
     }
 }
 
-/// The old vertices of a result that one of its vertices has its values from.
-fn spread_of(spread: &Table, old: usize, v: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
-    let row = (v as usize).checked_sub(old);
+/// The vertices of old faces that a vertex of the result has its values from: itself, or those that
+/// a new one is spread over.
+fn spread_of(spread: &Table, is_end: &BitSet, old: usize, v: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
+    let row = (!is_end.contains(v)).then(|| v as usize - old);
     let own = row.is_none().then_some((v, 1.0));
     own.into_iter().chain(row.into_iter().flat_map(|k| spread.entries(k)))
 }

@@ -59,7 +59,8 @@ impl ValueType {
     pub(super) fn write(self, value: f64, bytes: &mut [u8]) {
         let mut put = |value: &[u8]| bytes[..value.len()].copy_from_slice(value);
         match self {
-            ValueType::F32 => put(&(value as f32).to_ne_bytes()),
+            // Finite values stay finite.
+            ValueType::F32 => put(&(value.clamp(f32::MIN.into(), f32::MAX.into()) as f32).to_ne_bytes()),
             ValueType::F64 => put(&value.to_ne_bytes()),
             ValueType::U8 => put(&[value.round() as u8]),
             ValueType::U16 => put(&(value.round() as u16).to_ne_bytes()),

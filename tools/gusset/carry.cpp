@@ -264,6 +264,14 @@ private:
         }
     }
 
+    static double of_source(const std::vector<Values<1>> &given, const gusset_plugin_origins &from, uint32_t source) {
+        std::size_t i = 0;
+        while (source >= from.starts[i + 1]) {
+            ++i;
+        }
+        return given[i][source - from.starts[i]][0];
+    }
+
     void carry_property(const Property &property) {
         static_cast<void>(present([&](const Mesh &mesh) { return find(mesh, property) != nullptr; }, property.name,
                                   "0 is taken"));
@@ -278,8 +286,12 @@ private:
         Property made{property.name, property.type, property.of_faces, {}};
         const uint32_t domain = property.of_faces ? GUSSET_PLUGIN_FACES : GUSSET_PLUGIN_VERTICES;
         const uint32_t rule = property.is_whole() ? GUSSET_PLUGIN_RULE_NEAREST : GUSSET_PLUGIN_RULE_LINEAR;
-        for (const auto &[value] : carried(domain, rule, given)) {
-            made.values.push_back(value);
+        // Old elements keep what they had, numbers or not.
+        const gusset_plugin_origins from = origins.of(domain);
+        const Values<1> values = carried(domain, rule, given);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const bool is_old = from.offsets[k + 1] == from.offsets[k] + 1;
+            made.values.push_back(is_old ? of_source(given, from, from.sources[from.offsets[k]]) : values[k][0]);
         }
         result.properties.push_back(std::move(made));
     }

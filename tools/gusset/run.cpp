@@ -107,6 +107,9 @@ Mesh mesh_of(const Plugin &plugin, const gusset_outputs *outputs, uint32_t index
     mesh.points = points(view.positions, view.position_stride, view.vertex_count, view.scalar);
     mesh.offsets = indices(view.face_offsets, view.face_count + 1);
     mesh.corners = indices(view.face_corners, mesh.offsets.back());
+    if (view.merge != nullptr) {
+        mesh.merge = indices(view.merge, view.vertex_count);
+    }
     return mesh;
 }
 

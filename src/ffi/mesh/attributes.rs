@@ -108,7 +108,8 @@ fixed! { gusset_channel_values: 24 }
 /// @param inputs the values of each input of the origins, in their order; at any alignment.
 /// @param input_count their number.
 /// @param[out] values receives the components of each element at the start of every stride, at any
-///     alignment; the bytes between are left alone. It must not overlap the inputs' values.
+///     alignment; the bytes between are left alone. From its first byte to its last it must not
+///     overlap the inputs' values.
 /// @param count the number of elements that it has room for, at least those of the result.
 /// @param stride bytes from one element to the next; 0 for packed ones.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
@@ -149,7 +150,14 @@ pub(crate) fn carry_over(
     job: &Job<'_>,
 ) -> Result<(), Failure> {
     let domain = choice(given.domain)?;
-    let mut channel = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?)?
+    let made = Channel::new(domain, choice(given.value_type)?, given.components, choice(given.rule)?);
+    let mut channel = made
+        .map_err(|error| match error {
+            Error::OptionOutOfRange { option: "value_type", .. } => {
+                Error::OptionOutOfRange { option: "value_type", value: given.value_type.into() }
+            }
+            other => other,
+        })?
         .with_max_influences(given.max_influences);
     // Before any of them is read.
     let inputs_needed = origins.inputs().len();
@@ -188,8 +196,8 @@ pub(crate) fn carry_over(
 /// at seams of texture coordinates or normals, or those at equal positions, where -0 equals 0.
 ///
 /// For each vertex it gives the smallest of those that it is one with, as the field merge of
-/// gusset_mesh_view takes it. A vertex whose position is not finite is one with itself alone, without
-/// keys.
+/// gusset_mesh_view takes it. Without keys, a vertex whose position is not finite is one with itself
+/// alone.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param mesh the mesh.

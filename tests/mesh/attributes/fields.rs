@@ -1,7 +1,7 @@
 //! Linear fields come out as what they are at the places of the result, for each operation.
 
 use super::{Case, carried};
-use crate::common::{Soup, cap, sheet, torus};
+use crate::common::{Soup, cap, sheet, some_of, torus};
 use glam::DVec3;
 use gusset::Job;
 use gusset::attributes::{Domain, Origins, Rule};
@@ -11,6 +11,7 @@ use gusset::repair::sew::sew;
 use gusset::repair::weld::{self, weld};
 use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{self, Cells, Finish, Options, Request, Rows, stitch};
+use std::collections::HashMap;
 
 pub(super) fn job() -> Job<'static> {
     Job::default()
@@ -212,4 +213,38 @@ fn blends_have_both_rims() {
     let new = &heights[top.points.len() + bottom.points.len()..];
     assert!(!new.is_empty() && new.iter().all(|z| z.abs() < 0.3 + 1e-12));
     assert!(new.iter().any(|z| z.abs() < 0.1));
+}
+
+/// Sheets torn at random, with vertices beside the edges of others: sewing splits edges at which
+/// strips begin, and each new corner has all of its sources.
+#[test]
+fn strips_at_split_edges_lose_no_sources() {
+    for seed in some_of(4, 0..200) {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let whole = sheet(3, 3);
+        let parts = random.u32(1..4);
+        let mut torn = Soup { offsets: vec![0], ..Soup::default() };
+        let mut names = HashMap::new();
+        for face in whole.faces() {
+            let part = random.u32(..parts);
+            let mut corners = Vec::new();
+            for &v in face {
+                let name = *names.entry((part, v)).or_insert_with(|| {
+                    let jitter = |x: f64| x + 0.16 * (random.f64() - 0.5);
+                    torn.points.push(whole.points[v as usize].map(jitter));
+                    torn.points.len() as u32 - 1
+                });
+                corners.push(name);
+            }
+            torn.face(&corners);
+        }
+        let weld = Some(weld::Options { tolerance: Some(0.05), ..weld::Options::default() });
+        let pieces = vec![torn, whole];
+        let views: Vec<_> = pieces.iter().map(Soup::view).collect();
+        let Ok(done) = assemble(&views, &assemble::Options { weld, ..assemble::Options::default() }, &job()) else {
+            continue;
+        };
+        let origins = Origins::of_assembly(&done, &job()).unwrap();
+        Case { name: "torn", mesh: done.mesh, origins, pieces }.assert_sound();
+    }
 }

@@ -2,11 +2,12 @@
 
 use super::carried;
 use super::fields::{cases, job, stitched};
-use crate::common::{cap, sheet};
+use crate::common::{Soup, cap, sheet};
 use glam::DVec3;
 use gusset::attributes::{Channel, Domain, Origins, Output, Rule, ValueType, apply};
 use gusset::error::Element;
 use gusset::repair::weld;
+use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{Options, Rows};
 use gusset::{Error, Job};
 
@@ -201,4 +202,52 @@ fn what_does_not_fit_is_refused() {
     let channel = Channel::new(Domain::Vertices, ValueType::F64, 1, Rule::Linear).unwrap();
     assert!(matches!(Output::new(&mut [0; 23], 0, 3, channel.values()), Err(Error::ArrayTooShort { .. })));
     assert!(matches!(Output::new(&mut [0; 24], 7, 3, channel.values()), Err(Error::StrideTooSmall { .. })));
+}
+
+fn welding() -> assemble::Options<'static> {
+    assemble::Options { weld: Some(weld::Options::default()), ..assemble::Options::default() }
+}
+
+/// A piece that is turned over is welded to one that is not: its normals are turned, the other's are
+/// not.
+#[test]
+fn normals_of_welded_pieces_turn_one_by_one() {
+    let quad = |x: f64, corners: [u32; 4]| {
+        Soup::new(vec![[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x + 1.0, 1.0, 0.0], [x, 1.0, 0.0]], &[&corners])
+    };
+    for first_turned in [false, true] {
+        let turned = |k: usize| if (k == 0) == first_turned { [3, 2, 1, 0] } else { [0, 1, 2, 3] };
+        let pieces = [quad(0.0, turned(0)), quad(1.0, turned(1))];
+        let views = pieces.each_ref().map(Soup::view);
+        let done = assemble(&views, &welding(), &job()).unwrap();
+        let origins = Origins::of_assembly(&done, &job()).unwrap();
+        // As the faces of each piece have them.
+        let up = |k: usize| if turned(k)[0] == 0 { 1.0 } else { -1.0 };
+        let given = [0, 1].map(|k| [0.0, 0.0, up(k)].repeat(4));
+        for domain in [Domain::Vertices, Domain::Corners] {
+            let found = carried(&origins, domain, Rule::Normal, 3, &given);
+            let all = if done.turned[0] == first_turned { 1.0 } else { -1.0 };
+            assert!(found.chunks_exact(3).all(|normal| normal == [0.0, 0.0, all]), "{domain:?} {found:?}");
+        }
+    }
+}
+
+/// The largest and the smallest numbers have means, too.
+#[test]
+fn means_of_extreme_values_are_finite() {
+    let quad = |x: f64| {
+        Soup::new(vec![[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x + 1.0, 1.0, 0.0], [x, 1.0, 0.0]], &[&[0, 1, 2, 3]])
+    };
+    let pieces = [quad(0.0), quad(1.0)];
+    let views = pieces.each_ref().map(Soup::view);
+    let done = assemble(&views, &welding(), &job()).unwrap();
+    let origins = Origins::of_assembly(&done, &job()).unwrap();
+    let found = carried(&origins, Domain::Vertices, Rule::Linear, 1, &[vec![1e308; 4], vec![-1e308; 4]]);
+    assert!(found.iter().all(|x| x.is_finite()) && found.contains(&0.0), "{found:?}");
+    for size in [5e-324, 1e-200, 1e200, 1e308] {
+        let given = [[size, 0.0, 0.0].repeat(4), [0.0, size, 0.0].repeat(4)];
+        let found = carried(&origins, Domain::Vertices, Rule::Normal, 3, &given);
+        let mixed = found.chunks_exact(3).filter(|normal| normal[0] > 0.0 && normal[1] > 0.0);
+        assert_eq!(mixed.map(|normal| (normal[0].hypot(normal[1]) - 1.0).abs()).filter(|off| *off < 1e-12).count(), 2);
+    }
 }

@@ -3,6 +3,7 @@
 #include "gltf_values.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace {
@@ -10,6 +11,18 @@ namespace fs = std::filesystem;
 
 template <class T> const T *at(const std::vector<T> &all, int place) {
     return place >= 0 && static_cast<std::size_t>(place) < all.size() ? &all[static_cast<std::size_t>(place)] : nullptr;
+}
+
+/// A name of a file that was written as part of an address: "my%20image.png".
+std::string decoded(const std::string &uri) {
+    std::string made;
+    for (std::size_t k = 0; k < uri.size(); ++k) {
+        const bool escaped = uri[k] == '%' && k + 2 < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[k + 1])) != 0 &&
+                             std::isxdigit(static_cast<unsigned char>(uri[k + 2])) != 0;
+        made += escaped ? static_cast<char>(std::stoi(uri.substr(k + 1, 2), nullptr, 16)) : uri[k];
+        k += escaped ? 2 : 0;
+    }
+    return made;
 }
 
 /// The image of a texture.
@@ -20,7 +33,7 @@ Image image_of(const tinygltf::Model &model, int texture, const std::string &fol
     if (image != nullptr && !image->image.empty()) {
         made.bytes.assign(image->image.begin(), image->image.end());
     } else if (image != nullptr && !image->uri.empty()) {
-        made.file = fs::absolute(fs::path(folder) / image->uri).string();
+        made.file = fs::absolute(fs::path(folder) / decoded(image->uri)).string();
     }
     return made;
 }
@@ -55,14 +68,16 @@ int MaterialWriter::add(const Material &material, const std::string &name) {
     tinygltf::Material made;
     if (const auto *whole = material.model ? at(material.model->materials, material.place) : nullptr) {
         made = *whole;
-        const auto texture = [&](int &index) { index = add_texture(material, index); };
-        texture(made.pbrMetallicRoughness.baseColorTexture.index);
-        texture(made.pbrMetallicRoughness.metallicRoughnessTexture.index);
-        texture(made.normalTexture.index);
-        texture(made.occlusionTexture.index);
-        texture(made.emissiveTexture.index);
+        const auto texture = [&](auto &info) {
+            info.index = is_shown(info.index, info.texCoord, name) ? add_texture(material, info.index) : -1;
+        };
+        texture(made.pbrMetallicRoughness.baseColorTexture);
+        texture(made.pbrMetallicRoughness.metallicRoughnessTexture);
+        texture(made.normalTexture);
+        texture(made.occlusionTexture);
+        texture(made.emissiveTexture);
         for (auto &[extension, value] : made.extensions) {
-            value = remapped(material, value);
+            value = remapped(material, name, value);
             if (std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), extension) ==
                 model.extensionsUsed.end()) {
                 model.extensionsUsed.push_back(extension);
@@ -87,7 +102,8 @@ int MaterialWriter::add(const Material &material, const std::string &name) {
             }
         }
         const bool more = std::any_of(material.lines.begin(), material.lines.end(), [](const std::string &line) {
-            return line.compare(0, 2, "Kd") != 0 && line.compare(0, 2, "d ") != 0 && line.compare(0, 6, "map_Kd") != 0;
+            return line.compare(0, 2, "Kd") != 0 && line.compare(0, 2, "d ") != 0 &&
+                   (line.compare(0, 6, "map_Kd") != 0 || line.compare(0, 8, "map_Kd -") == 0);
         });
         if (more) {
             losses.push_back("all of material " + name + " but its diffuse colour and image");
@@ -98,6 +114,14 @@ int MaterialWriter::add(const Material &material, const std::string &name) {
     return static_cast<int>(model.materials.size() - 1);
 }
 
+/// Whether a texture is there, by the one set of texture coordinates that is kept.
+bool MaterialWriter::is_shown(int texture, int set, const std::string &name) {
+    if (texture >= 0 && set > 0) {
+        losses.push_back("a texture of material " + name + " that other texture coordinates show");
+    }
+    return texture >= 0 && set == 0;
+}
+
 int MaterialWriter::add_texture(const Material &material, int place) {
     const auto *found = at(material.model->textures, place);
     if (found == nullptr) {
@@ -105,6 +129,9 @@ int MaterialWriter::add_texture(const Material &material, int place) {
     }
     tinygltf::Texture texture = *found;
     texture.source = add_image(image_of(*material.model, place, material.folder));
+    if (texture.source < 0) {
+        return -1;
+    }
     const auto *sampler = at(material.model->samplers, found->sampler);
     texture.sampler = sampler == nullptr ? -1 : static_cast<int>(model.samplers.size());
     if (sampler != nullptr) {
@@ -148,11 +175,12 @@ int MaterialWriter::add_image(const Image &image) {
 }
 
 /// The same value with the numbers of textures in it those of this model.
-tinygltf::Value MaterialWriter::remapped(const Material &material, const tinygltf::Value &value) {
+tinygltf::Value MaterialWriter::remapped(const Material &material, const std::string &name,
+                                         const tinygltf::Value &value) {
     if (value.IsArray()) {
         tinygltf::Value::Array made;
         for (std::size_t k = 0; k < value.ArrayLen(); ++k) {
-            made.push_back(remapped(material, value.Get(static_cast<int>(k))));
+            made.push_back(remapped(material, name, value.Get(static_cast<int>(k))));
         }
         return tinygltf::Value(made);
     }
@@ -163,10 +191,16 @@ tinygltf::Value MaterialWriter::remapped(const Material &material, const tinyglt
     for (const std::string &key : value.Keys()) {
         const tinygltf::Value &inner = value.Get(key);
         const bool is_texture = key.size() >= 7 && key.compare(key.size() - 7, 7, "Texture") == 0;
-        made[key] = remapped(material, inner);
-        if (is_texture && inner.IsObject() && inner.Has("index")) {
-            auto texture = made[key].Get<tinygltf::Value::Object>();
-            texture["index"] = tinygltf::Value(add_texture(material, inner.Get("index").GetNumberAsInt()));
+        if (!is_texture || !inner.IsObject() || !inner.Has("index")) {
+            made[key] = remapped(material, name, inner);
+            continue;
+        }
+        const int set = inner.Has("texCoord") ? inner.Get("texCoord").GetNumberAsInt() : 0;
+        const int index = inner.Get("index").GetNumberAsInt();
+        const int added = is_shown(index, set, name) ? add_texture(material, index) : -1;
+        if (added >= 0) {
+            auto texture = remapped(material, name, inner).Get<tinygltf::Value::Object>();
+            texture["index"] = tinygltf::Value(added);
             made[key] = tinygltf::Value(texture);
         }
     }

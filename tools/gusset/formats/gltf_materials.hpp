@@ -26,7 +26,8 @@ public:
 private:
     int add_texture(const Material &material, int place);
     int add_image(const Image &image);
-    tinygltf::Value remapped(const Material &material, const tinygltf::Value &value);
+    tinygltf::Value remapped(const Material &material, const std::string &name, const tinygltf::Value &value);
+    bool is_shown(int texture, int set, const std::string &name);
 
     tinygltf::Model &model;
     Losses &losses;

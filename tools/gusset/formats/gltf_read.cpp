@@ -18,7 +18,11 @@
 #include <unordered_map>
 
 namespace {
+const std::set<std::string> read_attributes = {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0", vertex_attribute};
+
 using Matrix = std::array<std::array<double, 4>, 3>;
+/// Of accessors that have a count alone.
+constexpr std::size_t most_zeros = std::size_t{1} << 24;
 constexpr Matrix identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
 Matrix product(const Matrix &a, const Matrix &b) {
@@ -144,9 +148,12 @@ private:
         if (static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type))) != width) {
             fail(name + " has elements of another size than " + std::to_string(width));
         }
-        std::vector<double> all(accessor.count * width);
+        // Before memory is taken for numbers that are not there.
         if (accessor.bufferView < 0) {
-            return all;
+            if (accessor.count > most_zeros) {
+                fail(name + " has " + std::to_string(accessor.count) + " elements, and no numbers");
+            }
+            return std::vector<double>(accessor.count * width);
         }
         const tinygltf::BufferView &view = at(model.bufferViews, accessor.bufferView, "buffer view");
         const auto &bytes = at(model.buffers, view.buffer, "buffer").data;
@@ -161,6 +168,7 @@ private:
             (start > bytes.size() || (accessor.count - 1) * step + width * part > bytes.size() - start)) {
             fail(name + " reaches beyond its buffer");
         }
+        std::vector<double> all(accessor.count * width);
         const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
         for (std::size_t k = 0; k < all.size(); ++k) {
             all[k] = number(text, start + k / width * step + k % width * part, accessor);
@@ -211,6 +219,11 @@ private:
             fail("a mesh has no positions");
         }
         morphed = morphed || !primitive.targets.empty();
+        for (const auto &[name, accessor] : primitive.attributes) {
+            if (read_attributes.count(name) == 0) {
+                others.insert(name);
+            }
+        }
         const auto [known, is_new] = shared.emplace(primitive.attributes, std::pair(mesh.points.size(), 0));
         if (is_new) {
             const std::vector<double> positions = numbers(attribute("POSITION"), 3);
@@ -454,6 +467,9 @@ private:
                 mesh.unread.emplace_back(what);
             }
         };
+        for (const std::string &name : others) {
+            note(true, name.c_str());
+        }
         note(has_lines, "points and lines");
         note(morphed, "morph targets");
         note(skinned, "skins");
@@ -471,6 +487,8 @@ private:
     std::map<int, uint32_t> materials;
     /// Of each vertex, the one that it was divided from.
     std::vector<uint32_t> origins;
+    /// Attributes of vertices that have no place in a mesh.
+    std::set<std::string> others;
     bool coloured = false, numbered = false, has_lines = false, morphed = false, skinned = false;
 };
 

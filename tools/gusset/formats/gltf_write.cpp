@@ -178,8 +178,32 @@ void add_colours(Builder &builder, const Mesh &mesh, const Divided &as) {
                                                               as.origins.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
-void add_origins(Builder &builder, const Divided &as) {
-    for (const uint32_t v : as.origins) {
+/// The vertex that each one was before it was divided, here or where the mesh comes from.
+std::vector<uint32_t> undivided(const Mesh &mesh, const Divided &as) {
+    std::vector<uint32_t> made = as.origins;
+    for (uint32_t &v : made) {
+        v = mesh.merge.empty() ? v : mesh.merge[v];
+    }
+    return made;
+}
+
+/// Whether a reader must be told: where vertices were divided, and where others at equal positions were not.
+bool needs_origins(const Mesh &mesh, const std::vector<uint32_t> &undivided) {
+    for (std::size_t v = 0; v < undivided.size(); ++v) {
+        if (undivided[v] != v) {
+            return true;
+        }
+    }
+    std::vector<std::array<float, 3>> places;
+    for (const Point &point : mesh.points) {
+        places.push_back({single(point[0]), single(point[1]), single(point[2])});
+    }
+    std::sort(places.begin(), places.end());
+    return std::adjacent_find(places.begin(), places.end()) != places.end();
+}
+
+void add_origins(Builder &builder, const Divided &as, const std::vector<uint32_t> &undivided) {
+    for (const uint32_t v : undivided) {
         builder.put(static_cast<uint16_t>(v & 0xFFFF));
         builder.put(static_cast<uint16_t>(v >> 16));
     }
@@ -307,8 +331,9 @@ Losses write_gltf(const std::string &path, const Mesh &mesh, bool binary) {
     if (!mesh.vertex_colours.empty()) {
         add_colours(builder, mesh, as);
     }
-    if (as.origins.size() > mesh.points.size()) {
-        add_origins(builder, as);
+    const std::vector<uint32_t> whole = undivided(mesh, as);
+    if (needs_origins(mesh, whole)) {
+        add_origins(builder, as, whole);
     }
     Losses losses;
     const std::size_t left_out = add_primitives(builder, mesh, as, losses);

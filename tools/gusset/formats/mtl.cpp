@@ -28,18 +28,21 @@ std::optional<NamedFile> file_in(const std::string &line, const std::string &fol
         return std::nullopt;
     }
     const std::size_t end = static_cast<std::size_t>(words.back().data() - line.data()) + words.back().size();
-    for (std::size_t w = 1; w < words.size(); ++w) {
+    const auto from = [&](std::size_t w) {
         const auto start = static_cast<std::size_t>(words[w].data() - line.data());
         std::string name = line.substr(start, end - start);
         // As Windows writes them.
         std::replace(name.begin(), name.end(), '\\', '/');
-        const fs::path file = fs::path(folder) / name;
+        return NamedFile{start, fs::path(folder) / name};
+    };
+    for (std::size_t w = 1; w < words.size(); ++w) {
         std::error_code error;
-        if (fs::is_regular_file(file, error)) {
-            return NamedFile{start, file};
+        if (fs::is_regular_file(from(w).file, error)) {
+            return from(w);
         }
     }
-    return std::nullopt;
+    // There is none: as if there were, and behind options it were one word.
+    return from(words[1][0] == '-' ? words.size() - 1 : 1);
 }
 
 /// A file as it is named from a folder.

@@ -24,6 +24,14 @@ constexpr std::size_t most_corners = 255;
 class Lines : public std::streambuf {
 public:
     Lines(const std::string &path_, std::string text_) : path(path_), text(std::move(text_)) {
+        // Lines that go on after a backslash are one.
+        for (std::size_t k = text.find('\\'); k != std::string::npos; k = text.find('\\', k + 1)) {
+            const std::size_t end = k + (text.compare(k + 1, 1, "\r") == 0 ? 2 : 1);
+            if (text.compare(end, 1, "\n") == 0) {
+                std::fill(text.begin() + static_cast<std::ptrdiff_t>(k),
+                          text.begin() + static_cast<std::ptrdiff_t>(end + 1), ' ');
+            }
+        }
         // tinyobjloader writes no further than what it has read.
         char *const start = text.data();
         setg(start, start, start);
@@ -42,7 +50,8 @@ public:
     /// Of each face of three corners or more.
     std::vector<std::size_t> face_lines;
     std::size_t lines = 0, polylines = 0, dots = 0, small_faces = 0, free_forms = 0;
-    std::set<std::string> libraries, groups;
+    std::set<std::string> groups;
+    std::vector<std::string> libraries;
     /// Of each face of three corners or more, the number of its material's name; no_material before the first.
     std::vector<uint32_t> face_materials;
     std::vector<std::string> materials;
@@ -124,7 +133,7 @@ private:
         } else if (what == "p") {
             ++dots;
         } else if (what == "mtllib") {
-            libraries.insert(behind(line, words));
+            libraries.push_back(behind(line, words));
         } else if (what == "usemtl") {
             const std::string name = behind(line, words);
             const auto found = std::find(materials.begin(), materials.end(), name);
@@ -205,9 +214,20 @@ void check(const Lines &lines, std::size_t face, int index, std::size_t count, c
 void add_materials(const std::string &path, const Lines &lines, Mesh &mesh) {
     std::map<std::string, Material> known;
     const auto folder = std::filesystem::path(path).parent_path();
+    const auto read = [&](std::string name) {
+        // As Windows writes them.
+        std::replace(name.begin(), name.end(), '\\', '/');
+        return read_mtl((folder / name).string(), known);
+    };
     for (const std::string &library : lines.libraries) {
-        if (!read_mtl((folder / library).string(), known)) {
-            mesh.unread.push_back("the materials in " + library + ", which is not there,");
+        // One file whose name may have spaces, or several.
+        if (read(library)) {
+            continue;
+        }
+        for (const std::string_view word : words_of(library)) {
+            if (!read(std::string(word))) {
+                mesh.unread.push_back("the materials in " + std::string(word) + ", which is not there,");
+            }
         }
     }
     if (lines.materials.empty()) {
@@ -217,7 +237,8 @@ void add_materials(const std::string &path, const Lines &lines, Mesh &mesh) {
     for (const std::string &name : lines.materials) {
         const auto found = known.find(name);
         // Names that files have for none.
-        const bool none = found == known.end() && (name.empty() || name == "none" || name == "None" || name == "(null)");
+        const bool none = found == known.end() && (name.empty() || name == "none" || name == "None" || name == "(null)" ||
+                                                   name == "(none)");
         numbers.push_back(none ? no_material : static_cast<uint32_t>(mesh.materials.size()));
         if (found != known.end()) {
             mesh.materials.push_back(found->second);

@@ -4,6 +4,7 @@
 #include "mtl.hpp"
 #include "writer.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -61,6 +62,11 @@ Losses write_obj(const std::string &path, const Mesh &mesh) {
         write_mtl(library.string(), materials);
         out << "mtllib " << library.filename().string() << '\n';
     }
+    // There is no word for none: a name that no library has.
+    std::string none = "none";
+    while (std::find(materials.names.begin(), materials.names.end(), none) != materials.names.end()) {
+        none = '(' + none + ')';
+    }
     uint32_t material = no_material;
     write_points(out, mesh.points, mesh.vertex_colours);
     const auto texcoords = write_values(out, "vt", mesh, mesh.texcoords);
@@ -68,8 +74,7 @@ Losses write_obj(const std::string &path, const Mesh &mesh) {
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         if (!materials.all.empty() && materials.of_faces[f] != material) {
             material = materials.of_faces[f];
-            // A name that no library has: there is no word for none.
-            out << "usemtl " << (material == no_material ? "none" : materials.names[material]) << '\n';
+            out << "usemtl " << (material == no_material ? none : materials.names[material]) << '\n';
         }
         out << 'f';
         // A face has either all of them or none.

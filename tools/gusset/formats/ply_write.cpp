@@ -77,7 +77,9 @@ void write_properties(Writer &out, const Mesh &mesh, bool of_faces, std::size_t 
         }
         const double value = property.values[k];
         const std::string &type = property.type;
-        if (text) {
+        if (text && value != value) {
+            out << " nan";
+        } else if (text) {
             out << ' ' << value;
         } else if (type == "float") {
             out.raw(static_cast<float>(value));
