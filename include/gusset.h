@@ -1219,7 +1219,7 @@ enum gusset_status
      */
     GUSSET_ERROR_NO_SUCH_ELEMENT = 8,
     /**
-     * position_stride is smaller than one position.
+     * A stride is smaller than what lies at each step of it.
      */
     GUSSET_ERROR_BAD_STRIDE = 9,
     /**
@@ -1265,8 +1265,8 @@ enum gusset_status
      */
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
     /**
-     * A coordinate is NaN or infinite: of a vertex that a face uses, a point, a tangent, a query
-     * or a node.
+     * A number is NaN or infinite: a coordinate of a vertex that a face uses, of a point, a tangent,
+     * a query or a node, or a value of a channel.
      */
     GUSSET_ERROR_NOT_FINITE = 1006,
     /**

@@ -31,7 +31,7 @@ pub enum gusset_status {
     GUSSET_ERROR_CONTEXT_BUSY = 7,
     /// There is no element of this index.
     GUSSET_ERROR_NO_SUCH_ELEMENT = 8,
-    /// position_stride is smaller than one position.
+    /// A stride is smaller than what lies at each step of it.
     GUSSET_ERROR_BAD_STRIDE = 9,
     /// Exactly one of face_offsets and face_size must be given.
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
@@ -55,8 +55,8 @@ pub enum gusset_status {
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A face names a vertex that does not exist.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A coordinate is NaN or infinite: of a vertex that a face uses, a point, a tangent, a query
-    /// or a node.
+    /// A number is NaN or infinite: a coordinate of a vertex that a face uses, of a point, a tangent,
+    /// a query or a node, or a value of a channel.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// The second mesh, or a later piece, has f64 positions and the first f32.
     GUSSET_ERROR_MIXED_SCALARS = 1007,

@@ -79,6 +79,21 @@ fn every_status_has_a_text_of_its_own() {
         // SAFETY: the function returns a static string.
         unsafe { CStr::from_ptr(gusset::ffi::status::gusset_status_text(status)) }.to_str().unwrap()
     };
+    // Each is the first sentence of what the header says of the number.
+    let mut comment = String::new();
+    for line in header.lines().map(str::trim) {
+        if let Some(more) = line.strip_prefix("* ") {
+            comment += &format!("{more} ");
+        } else if let Some((_, number)) = line.strip_prefix("GUSSET_").and_then(|rest| rest.split_once(" = ")) {
+            if let Ok(number) = number.trim_end_matches(',').parse::<i32>() {
+                let begins = comment.to_lowercase().starts_with(&format!("{}.", text(number).to_lowercase()));
+                assert!(begins, "{number}: {} is not the beginning of {comment}", text(number));
+            }
+            comment.clear();
+        } else if line.starts_with("/**") {
+            comment.clear();
+        }
+    }
     let mut texts: Vec<_> = numbers.iter().map(|&n| text(n)).collect();
     assert!(!texts.contains(&"unknown status"));
     assert_eq!(text(-1), "unknown status");
