@@ -45,6 +45,33 @@ std::function<Call(std::size_t)> filled(Rim rim) {
         });
     };
 }
+/// The origins of a result that is made beforehand, of a mesh.
+template <class Shape, class Make>
+std::function<Call(std::size_t)> origins_of(Shape shape, Make make) {
+    return [=](std::size_t n) {
+        const auto mesh = std::make_shared<const Mesh>(shape(n));
+        const auto made = std::make_shared<const decltype(make(mesh->view(), gusset::Context()))>(make(mesh->view(), gusset::Context()));
+        return making([=](const gusset::Context &context) { return made->origins(context); });
+    };
+}
+
+/// The same of two shells of n vertices a rim, joined by rows, and texture coordinates carried over by them.
+template <class Use>
+std::function<Call(std::size_t)> with_strip(Use use) {
+    return [=](std::size_t n) {
+        const auto mesh = std::make_shared<const Mesh>(shell(circle(n, 1.0, 0.0), {0, 0, -0.5}));
+        const auto other = std::make_shared<const Mesh>(shell(circle(n, 1.0, 1.0), {0, 0, 0.5}));
+        const auto loop = std::make_shared<std::vector<uint32_t>>();
+        for (uint32_t i = 0; i < n; ++i) {
+            loop->push_back(i);
+        }
+        gusset::StitchOptions options;
+        options.rows = gusset::StripRows::exactly(2);
+        const auto made = std::make_shared<const gusset::Stitch>(gusset::stitch(mesh->view(), *loop, other->view(), *loop, options));
+        const auto origins = std::make_shared<const gusset::Origins>(made->origins());
+        return making([=](const gusset::Context &context) { return use(*made, *origins, context); });
+    };
+}
 } // namespace
 
 std::vector<Row> mesh_rows() {
@@ -95,6 +122,20 @@ std::vector<Row> mesh_rows() {
     const auto tube = [](std::size_t n) { return shell(circle(n, 1.0, 0.0), {0, 0, -0.5}); };
     const auto point_rim = [](std::size_t n, double height) { return point(n, {0, 0, height}); };
     const auto spiral_rim = [](std::size_t n, double height) { return spiral(n, height); };
+    const auto again = [](const gusset::Stitch &made, const gusset::Origins &, const Context &context) {
+        return made.origins(context);
+    };
+    const auto textured = [](const gusset::Stitch &, const gusset::Origins &origins, const Context &context) {
+        const gusset::Indices starts = origins.starts(gusset::Domain::corners);
+        std::vector<std::array<double, 2>> values[2];
+        for (std::size_t input = 0; input < 2; ++input) {
+            for (uint32_t k = starts[input]; k < starts[input + 1]; ++k) {
+                values[input].push_back({0.25 * (k % 7), 0.125 * (k % 5)});
+            }
+        }
+        return origins.apply<std::array<double, 2>>(gusset::Domain::corners, gusset::Rule::texture, {values[0], values[1]}, context);
+    };
+    const auto merge = [](const MeshView &mesh, const Context &context) { return gusset::find_merge(mesh, {}, context); };
     return {
         {"boundary_create", "fan", 250, 4000000, 1, 1, 0, on(closed_fan, boundary)},
         {"boundary_create", "loops", 250, 4000000, 1, 1, 0, on(loose, boundary)},
@@ -134,6 +175,14 @@ std::vector<Row> mesh_rows() {
         {"stitch_create", "spirals", 128, 100000, 1, 1, 0, joined(spiral_rim), true},
         {"stitch_create", "nested stars", 64, 100000, 2, 1, 0, joined(star_rim), true},
         {"stitch_create", "rims in one point", 128, 100000, 1, 1, 0, joined(point_rim), true},
+        {"weld_origins_create", "points in one", 250, 1000000, 1, 1, 0, origins_of(in_one_point, weld)},
+        {"orient_origins_create", "triangles at a vertex", 250, 1000000, 1, 1, 0, origins_of(bundle, orient)},
+        {"fill_origins_create", "loops", 32, 100000, 1, 1, 0, origins_of(loose, fill)},
+        {"fill_origins_create", "fan", 128, 10000, 1, 1, 0, origins_of(open_fan, fill), true},
+        {"stitch_origins_create", "round rims", 64, 100000, 1, 1, 0, with_strip(again)},
+        {"attributes_apply", "rims on many charts", 64, 100000, 1, 1, 0, with_strip(textured)},
+        {"mesh_find_merge", "points in one", 250, 4000000, 1, 1, 0, on(in_one_point, merge)},
+        {"mesh_find_merge", "square", 250, 4000000, 1, 1, 0, on(flat, merge)},
     };
 }
 

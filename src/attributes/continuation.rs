@@ -22,7 +22,7 @@
 //! affine weights for the three corners of the old face: the same for all channels.
 
 use super::rims::{End, Rims};
-use super::table::STAGE;
+use super::table::{FACES_PER_REPORT, STAGE, Table};
 use super::values::Output;
 use crate::alloc;
 use crate::error::Result;
@@ -30,7 +30,7 @@ use crate::geom::disjoint_sets::DisjointSets;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Mesh, NONE};
-use crate::sort::{Buckets, sort};
+use crate::sort::sort;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -55,13 +55,6 @@ const SAME: f64 = 1e-6;
 struct Base {
     /// The old face's corners at both ends, and one off the line between them.
     corners: [u32; 3],
-}
-
-/// An old vertex that a new corner has its value from.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-struct Share {
-    vertex: u32,
-    weight: f64,
 }
 
 /// Where charts are cut: whether anywhere, and the long jumps there and back. Jumps are long against
@@ -91,7 +84,7 @@ pub(super) struct Continuation {
     /// Per new corner, how much it has of the three corners of its base where that goes on.
     weights: Vec<[f64; 3]>,
     /// Per new corner, the old vertices whose values are interpolated there.
-    shares: Buckets<Share>,
+    shares: Table,
     /// Both ends of the rim edges, by vertex.
     ends: Vec<End>,
 }
@@ -110,12 +103,13 @@ impl Continuation {
         let offsets = alloc::copied(&mesh.face_offsets[first_face..])?;
         let (first, end) = (offsets[0], offsets[offsets.len() - 1]);
         let mut weights = alloc::with_capacity((end - first) as usize)?;
-        let mut pairs = Vec::new();
-        for (range, &base) in offsets.windows(2).zip(&rims.bases) {
+        let mut shares = Table::with_capacity((end - first) as usize, (end - first) as usize)?;
+        for (f, (range, &base)) in offsets.windows(2).zip(&rims.bases).enumerate() {
+            job.step_every(FACES_PER_REPORT, f, rims.bases.len(), STAGE)?;
             for corner in range[0]..range[1] {
-                job.step_within(weights.len(), STAGE)?;
                 let Some(own) = bases.get(base as usize) else {
                     weights.push([0.0; 3]);
+                    shares.push(None)?;
                     continue;
                 };
                 let v = mesh.corner(corner as usize);
@@ -125,12 +119,9 @@ impl Continuation {
                     v if v == end => [0.0, 1.0, 0.0],
                     _ => weights_beyond(own.corners.map(at), at(corner)),
                 });
-                for (vertex, weight) in spread(v) {
-                    alloc::push(&mut pairs, ((corner - first) as usize, Share { vertex, weight }))?;
-                }
+                shares.push(spread(v))?;
             }
         }
-        let shares = Buckets::new((end - first) as usize, Share::default(), pairs.into_iter())?;
         Ok(Continuation { offsets, bases, base_of: rims.bases, weights, shares, ends: rims.ends })
     }
 
@@ -140,12 +131,12 @@ impl Continuation {
         if self.base_of.is_empty() {
             return Ok(());
         }
-        let mut charts = self.along_rims(values)?;
-        let cuts = self.cuts(&mut charts, values)?;
+        let mut charts = self.along_rims(values, job)?;
+        let cuts = self.cuts(&mut charts, values, job)?;
         let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
         self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
-            job.step_within(f, STAGE)?;
+            job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             let corners = range[0]..range[1];
             let mut all = corners.clone().flat_map(|corner| self.edges_at(&edges, corner));
             let is_one = base == NONE || all.all(|edge| charts.find(edge) == charts.find(base));
@@ -173,17 +164,18 @@ impl Continuation {
     /// For each share the rim edge at whose end it takes its value, [`NONE`] if none ends at its
     /// vertex. Where charts are cut, interpolates anew with the values on the base's side.
     fn choose_sides(&self, cuts: &Cuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
-        let mut edges = alloc::filled(NONE, self.shares.items().len())?;
+        let mut edges = alloc::filled(NONE, self.shares.sources().len())?;
         let mut chosen = Vec::new();
         let first = self.offsets[0];
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
-            job.step_within(f, STAGE)?;
+            job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             for corner in range[0]..range[1] {
                 let places = self.shares.range((corner - first) as usize);
                 let mut other = false;
                 chosen.clear();
-                for (edge, share) in edges[places.clone()].iter_mut().zip(&self.shares.items()[places.clone()]) {
-                    let ends = self.ends_at(share.vertex);
+                let shares = self.shares.entries((corner - first) as usize);
+                for (edge, (vertex, weight)) in edges[places.clone()].iter_mut().zip(shares) {
+                    let ends = self.ends_at(vertex);
                     let Some(usual) = ends.iter().find(|end| end.edge == base).or(ends.first()) else { continue };
                     let (end, jump) = match cuts.any && usual.edge != base {
                         true => self.nearest_side(values, ends, (corner, base), cuts),
@@ -191,7 +183,7 @@ impl Continuation {
                     };
                     other |= end.corner != usual.corner || jump.is_some();
                     *edge = end.edge;
-                    alloc::push(&mut chosen, Side { corner: end.corner, jump, weight: share.weight })?;
+                    alloc::push(&mut chosen, Side { corner: end.corner, jump, weight })?;
                 }
                 if other && chosen.len() == places.len() {
                     interpolate(values, corner, &chosen);
@@ -224,9 +216,10 @@ impl Continuation {
     }
 
     /// Where charts are cut along the rims.
-    fn cuts(&self, charts: &mut DisjointSets, values: &Output<'_>) -> Result<Cuts> {
+    fn cuts(&self, charts: &mut DisjointSets, values: &Output<'_>, job: &Job<'_>) -> Result<Cuts> {
         let mut cuts = Cuts { any: false, jumps: Vec::new(), usual_way: self.usual_way(values)? };
-        for ends in self.ends.chunk_by(|a, b| a.vertex == b.vertex) {
+        for (k, ends) in self.ends.chunk_by(|a, b| a.vertex == b.vertex).enumerate() {
+            job.step_within(k, STAGE)?;
             let &[a, b] = ends else { continue };
             // Where different charts meet it is no cut.
             if are_same(values, [a.corner, b.corner]) || charts.find(a.edge) != charts.find(b.edge) {
@@ -268,9 +261,11 @@ impl Continuation {
     }
 
     /// The charts of rim edges, as far as they can be told at their ends.
-    fn along_rims(&self, values: &Output<'_>) -> Result<DisjointSets> {
+    fn along_rims(&self, values: &Output<'_>, job: &Job<'_>) -> Result<DisjointSets> {
         let mut charts = DisjointSets::new(self.bases.len())?;
-        for pair in self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex) {
+        let pairs = self.ends.windows(2).filter(|pair| pair[0].vertex == pair[1].vertex);
+        for (k, pair) in pairs.enumerate() {
+            job.step_within(k, STAGE)?;
             if are_same(values, [pair[0].corner, pair[1].corner]) {
                 charts.union(pair[0].edge, pair[1].edge);
             }
@@ -282,7 +277,7 @@ impl Continuation {
     fn vote(&self, charts: &mut DisjointSets, edges: &[u32], values: &Output<'_>, job: &Job<'_>) -> Result<()> {
         let mut votes = Vec::new();
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
-            job.step_within(f, STAGE)?;
+            job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             if base == NONE {
                 continue;
             }
@@ -298,7 +293,8 @@ impl Continuation {
             }
         }
         sort(&mut votes, Ord::cmp, job, STAGE)?;
-        for between in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
+        for (k, between) in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)).enumerate() {
+            job.step_within(k, STAGE)?;
             let no = between.partition_point(|vote| !vote.2);
             if between.len() - no > no {
                 charts.union(between[0].0, between[0].1);

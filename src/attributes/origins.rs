@@ -3,7 +3,7 @@
 use super::continuation::Continuation;
 use super::domain::{Counts, Domain};
 use super::rims::Rims;
-use super::table::{STAGE, Table};
+use super::table::{FACES_PER_REPORT, STAGE, Table};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bit_set::BitSet;
@@ -131,7 +131,7 @@ impl Origins {
         }
         let rims = Rims::find(mesh, old_faces, &job.part(0.0, 0.7))?;
         for (f, &base) in (old_faces..mesh.face_count()).zip(&rims.bases) {
-            job.step_within(f, STAGE)?;
+            job.part(0.7, 0.8).step_every(FACES_PER_REPORT, f - old_faces, rims.bases.len(), STAGE)?;
             let [first, end] = [f, f + 1].map(|k| mesh.face_offsets[k] as usize);
             for corner in first..end {
                 row.clear();

@@ -77,6 +77,7 @@ impl Rims {
         // In the order of the faces' corners.
         sort(&mut own, |a, b| a.1.cmp(&b.1), &job.part(0.6, 0.7), STAGE)?;
         let bases = bases(count, &own, &links, &job.part(0.7, 0.8))?;
+        job.step(0.8, STAGE)?;
         let after = |corner: u32| {
             let f = face_of(corner) as usize;
             if corner + 1 == mesh.face_offsets[f + 1] { mesh.face_offsets[f] } else { corner + 1 }
@@ -100,9 +101,12 @@ impl Rims {
         let old = mesh.face_corners.len() - new.len();
         let mut wanted = BitSet::new(mesh.positions.len())?;
         let mut any = false;
-        for &v in new.iter().filter(|&&v| self.first_end(v).is_none()) {
-            wanted.insert(v);
-            any = true;
+        for (k, &v) in new.iter().enumerate() {
+            job.step_within(k, STAGE)?;
+            if self.first_end(v).is_none() {
+                wanted.insert(v);
+                any = true;
+            }
         }
         if any {
             job.ranges(STAGE, old, |range| {

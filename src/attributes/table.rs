@@ -5,15 +5,18 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort::Buckets;
+use std::ops::Range;
 
 /// What hosts are told.
 pub(super) const STAGE: &str = "finding origins";
+/// New faces between two progress reports: each has many sources.
+pub(super) const FACES_PER_REPORT: usize = 1 << 12;
 
 /// For each element of a result its sources and how much it has of each.
 ///
 /// Row k has the entries `offsets()[k]` to `offsets()[k + 1]`. A row without sources is an element
 /// that comes from nothing.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     offsets: Vec<u32>,
     sources: Vec<u32>,
@@ -80,7 +83,7 @@ impl Table {
 
     /// The number of rows.
     pub fn len(&self) -> usize {
-        self.offsets.len() - 1
+        self.offsets.len().saturating_sub(1)
     }
 
     /// True if there are none.
@@ -91,8 +94,14 @@ impl Table {
     /// The sources of an element and their weights.
     #[inline]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
-        let range = self.offsets[k] as usize..self.offsets[k + 1] as usize;
+        let range = self.range(k);
         (&self.sources[range.clone()], &self.weights[range])
+    }
+
+    /// Where the sources of an element are among all.
+    #[inline]
+    pub(crate) fn range(&self, k: usize) -> Range<usize> {
+        self.offsets[k] as usize..self.offsets[k + 1] as usize
     }
 
     /// The sources of an element with their weights.

@@ -31,7 +31,8 @@ pub(crate) fn split_simple<Step: Copy>(
         let at = place[head(step) as usize];
         if at != NONE {
             emit(&stack[at as usize..], true)?;
-            for step in stack.drain(at as usize..) {
+            for (k, step) in stack.drain(at as usize..).enumerate() {
+                job.step_within(k, STAGE)?;
                 place[tail(step) as usize] = NONE;
             }
         }

@@ -35,7 +35,7 @@ pub(super) fn avoid_cuts(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
-    let old = Neighbourhood::new(whole, strip, unit, Vec::new())?.old_triangles_nearby(&[])?;
+    let old = Neighbourhood::new(whole, strip, unit, Vec::new())?.old_triangles_nearby(&[], job)?;
     let test =
         |strip: &Strip, job: &Job<'_>| Neighbourhood::new(whole, strip, unit, Vec::new())?.intersections(&old, job);
     let mut best = test(strip, &job.part(0.0, 0.1))?;

@@ -44,7 +44,7 @@ pub(super) fn plan(
     unit: f64,
     job: &Job<'_>,
 ) -> Result<Option<blend::Plan<impl Fn(u32, u32) -> bool + use<>>>> {
-    let (ring, edges) = old_ring(whole, strip, unit)?;
+    let (ring, edges) = old_ring(whole, strip, unit, &job.part(0.0, 0.0))?;
     let taken = move |u: u32, v: u32| edges.binary_search(&(u.min(v), u.max(v))).is_ok();
     let triangles = alloc::copied(strip.faces.corners.as_chunks::<3>().0)?;
     blend::Plan::new(ring, triangles, LIMITS, taken, job)
@@ -79,9 +79,9 @@ fn parents(strip: &Strip, unfaired: &[DVec3], job: &Job<'_>) -> Result<Vec<Paren
 
 /// The old faces round a strip, and their edges between two vertices of the rims, the smaller one
 /// first, ascending.
-fn old_ring(whole: &Mesh, strip: &Strip, unit: f64) -> Result<(OldRing, Vec<(u32, u32)>)> {
+fn old_ring(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<(OldRing, Vec<(u32, u32)>)> {
     let around = Neighbourhood::new(whole, strip, unit, Vec::new())?;
-    let old = around.old_triangles(|face| face.iter().any(|&v| around.rim.contains(v)))?.corners;
+    let old = around.old_triangles(|face| face.iter().any(|&v| around.rim.contains(v)), job)?.corners;
     let rims = strip.a.vertices.iter().chain(&strip.b.vertices);
     let mut names = alloc::gather(rims.clone().copied())?;
     let rim = names.len();

@@ -164,7 +164,7 @@ impl Neighbourhood<'_> {
             return Ok(checked);
         }
         let look = |round: u32| job.share(round as usize, MAX_BACK_OFFS as usize + 2);
-        let old = self.old_triangles_nearby(&straight)?;
+        let old = self.old_triangles_nearby(&straight, job)?;
         let mut found = self.intersections(&old, &look(0))?;
         let plate = alloc::copied(&self.points)?;
         let mut share = alloc::filled(1.0, plate.len())?;
@@ -193,7 +193,7 @@ impl Neighbourhood<'_> {
     /// Moves the new vertices to where a thin plate would have them.
     fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
-        let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)))?.corners;
+        let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)), job)?.corners;
         alloc::append(&mut triangles, &round)?;
         // The patch's own numbers.
         let mut vertices = alloc::collect(triangles.as_flattened().iter().copied())?;

@@ -10,6 +10,8 @@ use crate::mesh::{Mesh, Scalar};
 use crate::sort::sort_distinct;
 use glam::DVec3;
 
+const STAGE: &str = "looking for intersections";
+
 /// Triangles, and the faces that they are part of.
 #[derive(Default)]
 pub(super) struct Triangles {
@@ -95,9 +97,10 @@ impl<'a> Neighbourhood<'a> {
     }
 
     /// The old faces that `wanted` takes, as triangles.
-    pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool) -> Result<Triangles> {
+    pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<Triangles> {
         let mut triangles = Triangles::default();
         for (face, number) in self.whole.faces().zip(0..) {
+            job.step_within(number as usize, STAGE)?;
             if wanted(face) {
                 self.split(face, number, &mut triangles)?;
             }
@@ -106,13 +109,13 @@ impl<'a> Neighbourhood<'a> {
     }
 
     /// The old triangles that reach into the box round the strip, faired or `straight`.
-    pub(super) fn old_triangles_nearby(&self, straight: &[DVec3]) -> Result<Triangles> {
+    pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<Triangles> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
         let new = self.points.iter().chain(straight).copied();
         let Aabb { low, high } = Aabb::of(rims.chain(new));
         // In the host's numbers: the unit is a power of two, and what is far below it became 0.
         let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
-        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around))
+        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around), job)
     }
 
     /// The pairs of triangles that cut each other, and the strip's triangles that they are counted

@@ -2,7 +2,7 @@
 
 use super::grid::{FaceList, Grid};
 use super::meridian::{
-    MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
+    self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
 };
 use super::request::{Cells, Options, Rows};
 use super::rim::{Bridges, Rim};
@@ -62,7 +62,10 @@ impl Strip {
         } else {
             from_given_start(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
         };
-        Strip::on(a, b, meridians, bridges, options, mean_side)
+        job.step(1.0, meridian::STAGE)?;
+        let strip = Strip::on(a, b, meridians, bridges, options, mean_side)?;
+        job.step(1.0, meridian::STAGE)?;
+        Ok(strip)
     }
 
     /// Hangs a strip on two rims by meridians that are known.
@@ -129,17 +132,19 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     a.start_at(i);
     b.start_at(j);
     let job = job.part(0.2, 1.0);
+    job.step(0.0, meridian::STAGE)?;
     let Some((i2, j2)) = second else {
         return from_given_start(a, b, bridges, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
     };
     let (mut other_a, mut other_b) = (a.try_clone()?, b.try_clone()?);
+    job.step(0.0, meridian::STAGE)?;
     other_a.start_at((i2 + a.vertices.len() - i) % a.vertices.len());
     other_b.start_at((j2 + count - j) % count);
     let linear = matches!(options.meridians, Meridians::Index | Meridians::ArcLength | Meridians::Greedy);
     let threads = if linear || a.vertices.len() * count < MIN_NODES_PER_THREAD { 1 } else { job.threads() };
     let (first, other) = par::both(
         &job.with_threads(threads),
-        "finding the best meridians",
+        meridian::STAGE,
         |job| from_given_start(a, b, bridges, options, job),
         |job| from_given_start(&other_a, &other_b, bridges, options, job),
     )?;

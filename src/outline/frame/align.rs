@@ -11,6 +11,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::outline::curve::Place;
 use crate::outline::ops::Lengths;
 use glam::DVec3;
@@ -71,14 +72,18 @@ pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> us
     best.map_or(0, |(k, _)| k)
 }
 
+/// Sections between two progress reports.
+const SECTIONS_PER_REPORT: usize = 1 << 8;
+
 /// After which part of its length from its anchor each section starts. `ring`: the last one is
 /// followed by the first. O(sections), with the comparison of 128 points with 128 for each.
-pub(super) fn starts(sections: &[Ring<'_>], ring: bool) -> Result<Vec<f64>> {
+pub(super) fn starts(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
     let samples = alloc::try_collect(sections.iter().map(Ring::samples))?;
     let mut starts = alloc::with_capacity(sections.len())?;
     let mut start = 0.0;
     starts.push(start);
-    for pair in samples.windows(2) {
+    for (k, pair) in samples.windows(2).enumerate() {
+        job.step_every(SECTIONS_PER_REPORT, k, samples.len(), "finding nodes")?;
         start += shift(&pair[0], &pair[1]);
         starts.push(start);
     }

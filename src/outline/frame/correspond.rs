@@ -166,7 +166,11 @@ fn add_round(
     let mut marks = in_common(sections, &along, columns, &job.part(0.4, 0.5))?;
     let count = marks.first().map_or(0, Vec::len);
     if count == 0 {
-        let starts = if options.given_starts { alloc::filled(0.0, rows)? } else { starts(&rings, options.ring)? };
+        let starts = if options.given_starts {
+            alloc::filled(0.0, rows)?
+        } else {
+            starts(&rings, options.ring, &job.part(0.5, 0.5))?
+        };
         for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
             let total = ring.lengths.total();
@@ -205,7 +209,7 @@ fn rings<'a>(
     let mut before = DVec3::ZERO;
     for k in 0..found.rows {
         job.step(k as f64 / found.rows as f64, "finding nodes")?;
-        let lengths = curve_of(curves, k)?.lengths(&Job::default())?;
+        let lengths = curve_of(curves, k)?.lengths(&job.share(k, found.rows))?;
         let turn = turn_of(sections, k);
         let backwards = turn.dot(before) < 0.0;
         if turn != DVec3::ZERO {
@@ -233,7 +237,7 @@ fn add_across(
     let mut rings = alloc::with_capacity(rows)?;
     for k in 0..rows {
         job.step(0.8 * k as f64 / rows as f64, "finding nodes")?;
-        let lengths = curve_of(curves, k)?.lengths(&Job::default())?;
+        let lengths = curve_of(curves, k)?.lengths(&job.part(0.0, 0.8).share(k, rows))?;
         rings.push(Ring { lengths, anchor: 0.0, backwards: false });
     }
     let mut marks = in_common(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;

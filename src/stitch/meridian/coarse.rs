@@ -6,6 +6,7 @@
 //! where forbidden meridians close it. Nearly optimal, not exact; O(N + M) nodes for each
 //! level.
 
+use super::STAGE;
 use super::band::Band;
 use super::rims::{Pair, RimPair};
 use crate::alloc;
@@ -39,7 +40,9 @@ pub(super) fn coarse_to_fine(
     if (n + 1) * (m + 1) <= MAX_COARSEST_NODES || (n < MIN_SEGMENTS && m < MIN_SEGMENTS) {
         return search(rims, &Band::full(n, m)?, job);
     }
+    job.step(0.0, STAGE)?;
     let (kept_a, kept_b) = (thinned(rims.a)?, thinned(rims.b)?);
+    job.step(0.0, STAGE)?;
     let points = |all: &[DVec3], kept: &[u32]| alloc::collect(kept.iter().map(|&i| all[i as usize]));
     let (a, b) = (points(rims.a, &kept_a)?, points(rims.b, &kept_b)?);
     let sides = match rims.sides {
@@ -52,6 +55,7 @@ pub(super) fn coarse_to_fine(
     let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
+    job.step(0.4, STAGE)?;
     path.iter_mut().for_each(|[i, j]| (*i, *j) = (kept_a[*i as usize], kept_b[*j as usize]));
     let mut band = Band::around(&path, n, m, HALF_BAND)?;
     let (mut width, mut done) = (HALF_BAND, 0.4);

@@ -7,6 +7,7 @@
 //! time: the first pass keeps the costs at each block's start, and the way back computes each block
 //! but the last once more.
 
+use super::STAGE;
 use super::band::Band;
 use super::metric::{Line, Metric, StepCosts};
 use super::rims::{Pair, RimPair};
@@ -129,7 +130,7 @@ impl Table<'_> {
             done += width;
             if done >= next_report {
                 next_report += REPORT_INTERVAL;
-                job.step((i - first) as f64 / count as f64, "finding the best meridians")?;
+                job.step((i - first) as f64 / count as f64, STAGE)?;
             }
         }
         Ok(())

@@ -38,6 +38,9 @@ pub use rims::Pair;
 pub(crate) use rims::{RimPair, StepPenalty, forbidden_nodes};
 use states::{Cost, cheapest, is_simple};
 
+/// What a host reads of the search.
+pub(super) const STAGE: &str = "finding the best meridians";
+
 /// How meridians are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Meridians {
@@ -112,7 +115,9 @@ pub(crate) fn meridians(
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
     let (a, b) = (rims.a, rims.b);
+    job.step(0.0, STAGE)?;
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
+    job.step(0.0, STAGE)?;
     let area = Metric::area(a, b, &paper);
     let chosen = |metric: Metric, pairs: Vec<Pair>| MeridianChoice { cost: metric.of_path(a, b, &pairs), pairs };
     let simple = match choice {

@@ -14,6 +14,7 @@
 //! The search keeps the cheapest way to each node in each state, and is exact. O(8 N M) time
 //! and memory in the band.
 
+use super::STAGE;
 use super::band::Band;
 use super::bend::{Bends, Row};
 use super::metric::{Line, Metric, StepCosts};
@@ -172,7 +173,7 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
             start += self.band.width(i);
             if start / REPORT_INTERVAL > reported {
                 reported = start / REPORT_INTERVAL;
-                job.step(i as f64 / self.band.last_row() as f64, "finding the best meridians")?;
+                job.step(i as f64 / self.band.last_row() as f64, STAGE)?;
             }
         }
         Ok(())

@@ -35,7 +35,7 @@ pub struct Minima {
 /// Cells left undecided before a search gives up.
 const MAX_UNDECIDED: usize = 512;
 /// Blocks and cells between two chances to cancel.
-const REPORT_INTERVAL: usize = 1 << 8;
+const REPORT_INTERVAL: usize = 1 << 7;
 /// Points no farther apart than this many tolerances are one.
 const SAME_POINT: f64 = 16.0;
 
