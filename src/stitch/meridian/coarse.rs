@@ -6,9 +6,8 @@
 //! where forbidden meridians close it. Nearly optimal, not exact; O(N + M) nodes for each
 //! level.
 
-use super::STAGE;
 use super::band::Band;
-use super::rims::{Pair, RimPair};
+use super::rims::{Pair, RimPair, STAGE};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

@@ -7,10 +7,9 @@
 //! time: the first pass keeps the costs at each block's start, and the way back computes each block
 //! but the last once more.
 
-use super::STAGE;
 use super::band::Band;
 use super::metric::{Line, Metric, StepCosts};
-use super::rims::{Pair, RimPair};
+use super::rims::{Pair, RimPair, STAGE};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

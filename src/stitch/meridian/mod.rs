@@ -35,11 +35,9 @@ use bend::{Bends, tie_break};
 use index_rule::index_meridians;
 use metric::Metric;
 pub use rims::Pair;
+pub(super) use rims::STAGE;
 pub(crate) use rims::{RimPair, StepPenalty, forbidden_nodes};
 use states::{Cost, cheapest, is_simple};
-
-/// What a host reads of the search.
-pub(super) const STAGE: &str = "finding the best meridians";
 
 /// How meridians are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

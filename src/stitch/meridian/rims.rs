@@ -5,6 +5,9 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
+/// What a host reads of the search for meridians.
+pub(in crate::stitch) const STAGE: &str = "finding the best meridians";
+
 /// One meridian: the places on rim A and on rim B.
 pub type Pair = [u32; 2];
 

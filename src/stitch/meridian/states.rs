@@ -14,11 +14,10 @@
 //! The search keeps the cheapest way to each node in each state, and is exact. O(8 N M) time
 //! and memory in the band.
 
-use super::STAGE;
 use super::band::Band;
 use super::bend::{Bends, Row};
 use super::metric::{Line, Metric, StepCosts};
-use super::rims::{Pair, RimPair};
+use super::rims::{Pair, RimPair, STAGE};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
