@@ -124,7 +124,7 @@ impl<'a> Splits<'a> {
                 *corner = own;
             }
         }
-        mesh.merge = Some(merge);
+        mesh.merge = merge;
         Ok(())
     }
 }

@@ -104,20 +104,20 @@ pub struct Mesh {
     /// Vertex indices, face after face.
     pub face_corners: Vec<u32>,
     /// For each vertex the one that it is one with, where faces name vertices that are kept apart for
-    /// the values that they carry; see [`MeshView::merged`].
-    pub merge: Option<Vec<u32>>,
+    /// the values that they carry, see [`MeshView::merged`]; empty if none is one with another.
+    pub merge: Vec<u32>,
 }
 
 impl Mesh {
     /// A mesh none of whose vertices is one with another.
     pub(crate) fn new(positions: PositionBuffer, face_offsets: Vec<u32>, face_corners: Vec<u32>) -> Mesh {
-        Mesh { positions, face_offsets, face_corners, merge: None }
+        Mesh { positions, face_offsets, face_corners, merge: Vec::new() }
     }
 
     /// The vertex at a corner, as the one that it is one with.
     pub(crate) fn corner(&self, corner: usize) -> u32 {
         let v = self.face_corners[corner];
-        self.merge.as_ref().map_or(v, |merge| merge[v as usize])
+        self.merge.get(v as usize).copied().unwrap_or(v)
     }
 
     /// The face that a corner belongs to, by bisection.

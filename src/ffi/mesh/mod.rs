@@ -183,7 +183,7 @@ pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
         index: GUSSET_U32,
         face_size: 0,
         reserved: 0,
-        merge: mesh.merge.as_ref().map_or(ptr::null(), |merge| lent(merge).cast()),
+        merge: lent(&mesh.merge).cast(),
     }
 }
 

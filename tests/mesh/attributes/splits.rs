@@ -96,7 +96,8 @@ fn by_original(mesh: &Mesh, original: &[u32], whole: usize, take: impl Fn(usize)
 /// whole, and whose corners have their values.
 fn assert_kept(split: &Split, made: &Mesh, origins: &Origins, expected: Option<&Mesh>) {
     let (old, whole) = (split.split.points.len(), split.whole.points.len());
-    let merge = made.merge.as_ref().unwrap();
+    let merge = &made.merge;
+    assert!(!merge.is_empty());
     let named = by_original(made, &split.original, whole, |c| made.face_corners[c]);
     if let Some(expected) = expected {
         // New faces depend on the numbers of vertices where they are as good as others; borders do not.
