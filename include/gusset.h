@@ -8625,8 +8625,8 @@ gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
  *     element and the input, but for GUSSET_RULE_NEAREST; COUNT_DIFFERS (another number of
  *     inputs than there are, or of values, with the input), BAD_STRIDE, SIZE_OVERFLOW,
  *     BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE: 16 bytes for each new
- *     corner; on the context's threads.
+ * @complexity O(sources and elements); no memory, but for GUSSET_RULE_TEXTURE, linear in the corners of
+ *     new faces; on the context's threads.
  * @since 0.1
  */
 GUSSET_API

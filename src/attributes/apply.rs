@@ -24,8 +24,8 @@ const ROUNDING: f64 = 1e-15;
 /// Carries a channel over: writes the values of each vertex, corner or face of the result.
 ///
 /// Elements of one source have its bits. What has no source, and what all sources of lack the
-/// channel, has the value 0. O(elements and sources), on the job's threads; memory for [`Rule::Texture`]
-/// alone, linear in the corners of new faces.
+/// channel, has the value 0. O(elements and sources), on the job's threads; memory for
+/// [`Rule::Texture`] alone, linear in the corners of new faces.
 ///
 /// # Errors
 /// [`Error::InputsDiffer`], [`Error::ValuesDiffer`], [`Error::BadValue`],

@@ -10,11 +10,11 @@
 //! them: a face says yes if the interpolated value at its corners across is nearer to the place where
 //! the chart of its base would go on than half the way there, or half the base.
 //!
-//! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old corners
-//! have different values. A new face between two rims has those on its own side of the cut: the ones
-//! nearest to where the chart of its base goes on, with the jump of a cut added where that is nearer: a
-//! texture that repeats is continuous so. A face whose values are far from there all the same goes on
-//! with the chart of its base.
+//! **Cuts.** A chart that goes round an object is cut somewhere, and at a vertex of the cut old
+//! corners have different values. A new face between two rims has those on its own side of the cut:
+//! the ones nearest to where the chart of its base goes on, with the jump of a cut added where that
+//! is nearer: a texture that repeats is continuous so. A face whose values are far from there all the
+//! same goes on with the chart of its base.
 //!
 //! **Going on.** The base's old face is unfolded about the base into the plane of the new face: a
 //! corner at x along the base and at the distance y from its line has the value that the old face's
@@ -57,8 +57,8 @@ struct Base {
     corners: [u32; 3],
 }
 
-/// Where charts are cut: whether anywhere, and the long jumps there and back. Jumps are long against
-/// the usual squared way along a base.
+/// Where charts are cut: whether anywhere, the long jumps there and back, and the square of the usual
+/// way along a base, which they are long against.
 struct Cuts {
     any: bool,
     jumps: Vec<Vec<f64>>,
@@ -318,8 +318,8 @@ impl Continuation {
         })
     }
 
-    /// Squared, how far the value at a new corner is from where the chart of its base goes on, and how
-    /// far that is from the base, or the base long.
+    /// Squared, how far the value at a new corner is from where the chart of its base goes on, and
+    /// how far that is from the base, or the base long.
     fn off_and_way(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
         let Base { corners: [start, end, _] } = self.bases[base as usize];
         let value = |corner: u32, c: usize| values.get(corner as usize, c);

@@ -41,9 +41,9 @@ impl Origins {
     }
 
     /// Those of the mesh of a net that has some of the rows and columns of nodes that a mesh in rows
-    /// and columns has, by its vertices, corners and faces. A cell between rows that are no neighbours
-    /// has the face of the old cell at its first node, and its corners are those of the outermost old
-    /// cells in it.
+    /// and columns has, by its vertices, corners and faces. A cell between rows that are no
+    /// neighbours has the face of the old cell at its first node, and its corners are those of the
+    /// outermost old cells in it.
     ///
     /// # Errors
     /// As [`Origins::of_stitch`].

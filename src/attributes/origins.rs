@@ -155,7 +155,7 @@ impl Origins {
             old_faces,
             rims,
             |v| spread_of(&spread, &is_end, old_vertices, v),
-            &job.part(0.7, 1.0),
+            &job.part(0.8, 1.0),
         )?;
         Origins::of_tables(inputs, [vertices, corners, faces], continuation)
     }

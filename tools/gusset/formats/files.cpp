@@ -74,6 +74,9 @@ Losses write_mesh(const std::string &path, const Mesh &mesh, bool text) {
                     : kind == ".ply" ? write_ply(path, mesh, text)
                     : kind == ".stl" ? write_stl(path, mesh, text)
                                      : write_gltf(path, mesh, kind == ".glb");
+    if (kind == ".stl") {
+        return losses; // It names all that it loses.
+    }
     // What one kind of files has, or two.
     const bool has_materials = kind == ".obj" || kind == ".gltf" || kind == ".glb";
     if (!mesh.face_materials.empty() && !has_materials) {
