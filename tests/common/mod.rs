@@ -1,6 +1,8 @@
 //! Shapes made by formula, and independent checks, for the integration tests.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
+pub mod data;
+
 use gusset::mesh::{Faces, Mesh, MeshView, Positions};
 use gusset::{Job, Progress};
 use std::cell::Cell;

@@ -15,15 +15,7 @@ pub(crate) struct Line {
 }
 
 fn directory() -> Option<PathBuf> {
-    let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let data = given
-        .unwrap_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"))
-        .join("outlines");
-    if !data.is_dir() {
-        println!("SKIPPED: no outlines in {}; set GUSSET_DATA", data.display());
-        return None;
-    }
-    Some(data)
+    crate::common::data::path("outlines")
 }
 
 /// The outlines of the data directory; none if it is not there.

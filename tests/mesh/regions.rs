@@ -1,13 +1,12 @@
 //! Regions of genus 0 with two to six loops cut out of real closed meshes, and closed again by one
 //! patch. Skipped where the data are not.
 
-use crate::common::{Soup, edge_counts, euler, faces_of, is_exhaustive, some_of};
+use crate::common::{Soup, data, edge_counts, euler, faces_of, is_exhaustive, some_of};
 use glam::DVec3;
 use gusset::Job;
 use gusset::fill::{Fairing, Filled, Options, Refinement, Selection, Together, fill_holes};
 use gusset::mesh::Mesh;
 use std::collections::{BTreeMap, HashMap};
-use std::path::{Path, PathBuf};
 
 const NAMES: [&str; 6] = [
     "elephant-with-holes.off",
@@ -18,26 +17,6 @@ const NAMES: [&str; 6] = [
     "double-torus-3-holes.off",
 ];
 
-fn numbers<'a>(words: &mut impl Iterator<Item = &'a str>, count: usize) -> Vec<f64> {
-    words.take(count).map(|word| word.parse().unwrap()).collect()
-}
-
-/// Of OFF.
-fn read(path: &Path) -> Option<Soup> {
-    let text = std::fs::read_to_string(path).ok()?;
-    let mut words = text.strip_prefix("OFF")?.split_whitespace();
-    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
-    let counts = numbers(&mut words, 3);
-    for _ in 0..counts[0] as usize {
-        soup.points.push(numbers(&mut words, 3).try_into().unwrap());
-    }
-    for _ in 0..counts[1] as usize {
-        let n = numbers(&mut words, 1)[0] as usize;
-        soup.face(&numbers(&mut words, n).iter().map(|&v| v as u32).collect::<Vec<_>>());
-    }
-    Some(soup)
-}
-
 fn soup_of(mesh: &Mesh) -> Soup {
     let points = (0..mesh.positions.len() as u32).map(|v| mesh.positions.get(v).to_array()).collect();
     Soup { points, offsets: mesh.face_offsets.clone(), corners: mesh.face_corners.clone() }
@@ -45,12 +24,9 @@ fn soup_of(mesh: &Mesh) -> Soup {
 
 /// The closed meshes: those whose holes could be filled.
 fn closed_meshes() -> Vec<(&'static str, Soup)> {
-    let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let data = given.unwrap_or_else(|| Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"));
     let mut found = Vec::new();
     for name in NAMES {
-        let Some(soup) = read(&data.join("meshes").join(name)) else {
-            println!("SKIPPED: no {name} in {}; set GUSSET_DATA", data.display());
+        let Some(soup) = data::off(&format!("meshes/{name}")) else {
             continue;
         };
         let filled = fill_holes(&soup.view(), Selection::All, &Options::default(), &Job::default()).unwrap();

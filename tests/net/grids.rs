@@ -1,22 +1,14 @@
 //! The grids of the data folder: arrays of numbers in npz archives and csv files.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
+use crate::common::data;
 use std::fs::File;
 use std::io::Read;
 use std::path::PathBuf;
 
-/// Where the data are: the folder that GUSSET_DATA names, or its usual place. Says so if there is
-/// none.
+/// Where they are.
 pub fn folder() -> Option<PathBuf> {
-    let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let folder =
-        given.unwrap_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data"));
-    let grids = folder.join("grids");
-    if grids.is_dir() {
-        return Some(grids);
-    }
-    eprintln!("skipped: there is no folder {}", grids.display());
-    None
+    data::path("grids")
 }
 
 /// An array of an archive: its shape and its numbers, row after row.

@@ -8,17 +8,10 @@ use gusset::surface::construct::{CurveNet, FrameSurface};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
 use serde_json::Value;
-use std::path::PathBuf;
 
 /// A file of the surface folder of the data; `None`, with a note, where there is none.
 fn text(name: &str) -> Option<String> {
-    let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-    let data = std::env::var_os("GUSSET_DATA").map_or_else(|| root.join("../shared/data"), PathBuf::from);
-    let found = std::fs::read_to_string(data.join("carcass").join(name)).ok();
-    if found.is_none() {
-        println!("skipped: no {name}");
-    }
-    found
+    crate::common::data::text(&format!("carcass/{name}"))
 }
 
 fn json(name: &str) -> Option<Value> {

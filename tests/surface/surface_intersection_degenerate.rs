@@ -1,6 +1,7 @@
 //! Intersections where surfaces touch, coincide, end in poles, or have lines of nodes in common;
 //! and sheets of other kinds.
 
+use crate::common::data;
 use crate::pairs::{ball, changes, distance, flat, from_torus, grid, length, meet, one, ring, summary, surface, turn};
 use crate::shapes::{Random, Shape};
 use glam::{DMat3, DVec3};
@@ -190,11 +191,7 @@ fn sheets_that_are_no_surfaces() {
 
 /// Newell's teapot of 32 patches, if the data is there.
 fn teapot() -> Option<Surface<'static>> {
-    let folder = std::env::var("GUSSET_DATA").unwrap_or_else(|_| "../shared/data".into());
-    let Ok(text) = std::fs::read_to_string(format!("{folder}/carcass/teapot_bezier.json")) else {
-        println!("skipped: no teapot in {folder}");
-        return None;
-    };
+    let text = data::text("carcass/teapot_bezier.json")?;
     let data: serde_json::Value = serde_json::from_str(&text).unwrap();
     let numbers = |value: &serde_json::Value| -> Vec<f64> {
         value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()

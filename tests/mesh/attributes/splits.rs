@@ -1,7 +1,7 @@
 //! Vertices split at seams: with a merge map the surface is that of the mesh before.
 
 use super::fields::job;
-use crate::common::{Soup, cap, edge_counts, some_of, torus};
+use crate::common::{Soup, cap, data, edge_counts, some_of, torus};
 use gusset::Error;
 use gusset::attributes::{Domain, KeepSplits, Origins, Rule};
 use gusset::boundary::{self, boundary_loops};
@@ -13,7 +13,7 @@ use gusset::repair::sew::sew;
 use gusset::repair::weld::{self, weld};
 use gusset::stitch::assemble::{self, assemble};
 use gusset::stitch::{Options, Request, Rows, stitch};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// A mesh whose vertices are split between charts of its faces.
 struct Split {
@@ -42,12 +42,12 @@ impl Split {
         pairs.sort_unstable();
         pairs.dedup_by(|next, before| next.0 == before.0 && next.1 == usize::MAX || next == before);
         random.shuffle(&mut pairs);
-        let name = |v: u32, chart: usize| pairs.iter().position(|&pair| pair == (v, chart)).unwrap() as u32;
+        let names: HashMap<(u32, usize), u32> = pairs.iter().copied().zip(0..).collect();
         let points = pairs.iter().map(|&(v, _)| whole.points[v as usize]).collect();
         let mut split = Soup { points, offsets: vec![0], ..Soup::default() };
         for face in whole.faces() {
             let chart = chart_of(face);
-            split.face(&face.iter().map(|&v| name(v, chart)).collect::<Vec<_>>());
+            split.face(&face.iter().map(|&v| names[&(v, chart)]).collect::<Vec<_>>());
         }
         let original: Vec<u32> = pairs.iter().map(|&(v, _)| v).collect();
         let merge = merge_map(&split.view(), Some(&original), &job()).unwrap();
@@ -130,20 +130,44 @@ fn assert_kept(split: &Split, made: &Mesh, origins: &Origins, expected: Option<&
     }
 }
 
+/// The loops of the split mesh, which are those of the whole.
+fn assert_same_loops(split: &Split) {
+    let loops = |mesh: &MeshView<'_>, name: &dyn Fn(u32) -> u32| {
+        let found = boundary_loops(mesh, &boundary::Options::default(), &job()).unwrap();
+        let loops = (0..found.len()).map(|k| found.get(k).unwrap());
+        loops
+            .map(|l| (l.half_edges.to_vec(), l.vertices.iter().map(|&v| name(v)).collect()))
+            .collect::<Vec<(_, Vec<u32>)>>()
+    };
+    assert_eq!(loops(&split.view(), &|v| split.original[v as usize]), loops(&split.whole.view(), &|v| v));
+}
+
+/// Real meshes split by a seed each: loops, filled holes, and the values of old corners.
+#[test]
+fn real_meshes_are_what_they_were_before() {
+    let names = ["elephant-with-holes", "nefertiti", "head", "lion", "mech-holes-shark", "double-torus-3-holes"];
+    let others = ["pig", "patch-01", "boeing", "hole_capsule", "b9_mesh", "oblong-shuffled", "ALSTOM_TEST4"];
+    let meshes = names.iter().chain(&others).filter_map(|name| data::off(&format!("meshes/{name}.off")));
+    let meshes: Vec<Soup> = meshes.collect();
+    for (seed, whole) in some_of(15, (0..200).zip(meshes.iter().cycle())) {
+        let split = Split::by_chance(whole.clone(), seed);
+        assert_same_loops(&split);
+        let view = split.view();
+        let plain = fill::Options { refinement: fill::Refinement::None, ..fill::Options::default() };
+        let mut made = fill_holes(&view, Selection::All, &plain, &job()).unwrap();
+        made.keep_splits(&[&view], &job()).unwrap();
+        if made.turned_outwards.is_empty() {
+            assert_kept(&split, &made.mesh, &Origins::of_filled(&made, &job()).unwrap(), None);
+        }
+    }
+}
+
 #[test]
 fn loops_and_results_are_those_of_the_mesh_before() {
     for seed in some_of(5, 0..200) {
         let split = Split::by_chance(shapes(seed), seed);
+        assert_same_loops(&split);
         let (view, whole) = (split.view(), split.whole.view());
-        let loops = |mesh: &MeshView<'_>, name: &dyn Fn(u32) -> u32| {
-            let found = boundary_loops(mesh, &boundary::Options::default(), &job()).unwrap();
-            let loops = (0..found.len()).map(|k| found.get(k).unwrap());
-            loops
-                .map(|l| (l.half_edges.to_vec(), l.vertices.iter().map(|&v| name(v)).collect()))
-                .collect::<Vec<(_, Vec<u32>)>>()
-        };
-        assert_eq!(loops(&view, &|v| split.original[v as usize]), loops(&whole, &|v| v), "{seed}");
-
         let options = fill::Options { refinement: fill::Refinement::RimDensity(500), ..fill::Options::default() };
         let expected = fill_holes(&whole, Selection::All, &options, &job()).unwrap();
         let mut made = fill_holes(&view, Selection::All, &options, &job()).unwrap();

@@ -1,19 +1,13 @@
 //! A real part with sharp edges: the fandisk of H. Hoppe and others (1994), of which discs round points
 //! of its feature edges are cut out.
 
+use crate::common::data;
+
 use super::case::{Case, options, sharp_edges};
 use glam::DVec3;
-use std::path::PathBuf;
 
-/// The mesh, in the folder that GUSSET_DATA names, or in its usual place. Says so if it is not there.
 fn fandisk() -> Option<(Vec<DVec3>, Vec<[u32; 3]>)> {
-    let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let usual = || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("../shared/data");
-    let file = given.unwrap_or_else(usual).join("meshes/fandisk.obj");
-    let Ok(text) = std::fs::read_to_string(&file) else {
-        eprintln!("skipped: there is no {}", file.display());
-        return None;
-    };
+    let text = data::text("meshes/fandisk.obj")?;
     let (mut points, mut triangles) = (Vec::new(), Vec::new());
     for line in text.lines() {
         let words: Vec<_> = line.split_whitespace().collect();
