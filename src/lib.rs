@@ -46,6 +46,7 @@
 //! printed, no file is touched, and the same input gives the same bytes for any number of threads.
 
 mod alloc;
+pub mod align;
 pub mod attributes;
 mod blend;
 pub mod boundary;
@@ -73,6 +74,7 @@ pub mod surface;
 #[cfg(test)]
 mod testing;
 mod threads;
+pub mod trim;
 pub mod winged;
 
 pub use error::{Element, Error, PairFault, Result, Side};

@@ -345,6 +345,7 @@ impl From<Error> for Failure {
             BadLine { line: item, value, .. } | SheetOutOfRange { sheet: item, value } => {
                 Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
             }
+            NotRigid { pose } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pose, 0.0),
             InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),
             InputUnfit { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
             BadLoopPair { pair, piece, vertex, fault, .. } => {

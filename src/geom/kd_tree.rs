@@ -78,6 +78,11 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
+    /// The points' indices in the order of the tree: neighbours are near each other.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
     /// Enters and returns the box of a range.
     fn find_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
         if range.len() <= MAX_LEAF_POINTS {

@@ -7,6 +7,7 @@
 //! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
 //! * [`hull_distance`]: how far two convex hulls are apart.
 //! * [`oriented_box`]: boxes turned with what they hold.
+//! * [`rotation`]: the rotation that brings points nearest to others.
 //! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
 //!   what is left.
 //! * [`strided`]: elements of a host, at any stride and alignment.
@@ -24,6 +25,7 @@ pub(crate) mod hull_distance;
 pub(crate) mod kd_tree;
 pub(crate) mod linear;
 pub(crate) mod oriented_box;
+pub(crate) mod rotation;
 pub(crate) mod scale;
 pub(crate) mod strided;
 pub(crate) mod subdivision;

@@ -11,6 +11,58 @@ use glam::DVec3;
 /// Places between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
+/// A place on a set of triangles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TrianglePlace {
+    pub(crate) triangle: u32,
+    /// At least 0, with sum 1.
+    pub(crate) weights: [f64; 3],
+    /// The square of the distance from what was looked for.
+    pub(crate) squared: f64,
+}
+
+/// Triangles that answer which of their places is nearest.
+pub(crate) struct TriangleTree<'a> {
+    points: &'a [DVec3],
+    triangles: &'a [[u32; 3]],
+    order: Vec<u32>,
+    tree: BoxTree,
+}
+
+impl<'a> TriangleTree<'a> {
+    /// O(n log n).
+    pub(crate) fn new(
+        points: &'a [DVec3],
+        triangles: &'a [[u32; 3]],
+        stage: &'static str,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let boxes = alloc::collect(triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize]))))?;
+        let order = spatial_order(&boxes, 1, job, stage)?;
+        let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
+        Ok(TriangleTree { points, triangles, order, tree })
+    }
+
+    /// The place nearest to a point, among those nearer than `limit` (squared); of equally near ones
+    /// that which is met first.
+    pub(crate) fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
+        let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared: limit };
+        self.tree.nearest(p, limit, &mut |leaf| {
+            if let Some(&triangle) = self.order.get(leaf) {
+                let corners = self.triangles[triangle as usize].map(|v| self.points[v as usize]);
+                let weights = nearest_weights(corners, p);
+                let place: DVec3 = corners.into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
+                let squared = place.distance_squared(p);
+                if squared < best.squared {
+                    best = TrianglePlace { triangle, weights, squared };
+                }
+            }
+            best.squared
+        });
+        (best.triangle != u32::MAX).then_some(best)
+    }
+}
+
 /// For each of `places` the corners of the triangle nearest to it and the barycentric coordinates
 /// of its nearest point: at least 0, with sum 1. There must be a triangle if there are places.
 /// O(n log n).
@@ -24,25 +76,11 @@ pub(crate) fn nearest_places(
     if places.is_empty() {
         return Ok(Vec::new());
     }
-    let corners = |t: u32| triangles[t as usize].map(|v| points[v as usize]);
-    let boxes = alloc::collect((0..triangles.len() as u32).map(|t| Aabb::of(corners(t))))?;
-    let order = spatial_order(&boxes, 1, &job.part(0.0, 0.1), stage)?;
+    let tree = TriangleTree::new(points, triangles, stage, &job.part(0.0, 0.1))?;
     let job = job.part(0.1, 1.0);
-    let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
     alloc::try_collect(places.iter().enumerate().map(|(k, &p)| {
         job.step_every(REPORT_INTERVAL, k, places.len(), stage)?;
-        let mut best = (f64::INFINITY, 0, [1.0, 0.0, 0.0]);
-        tree.nearest(p, f64::INFINITY, &mut |leaf| {
-            if let Some(&t) = order.get(leaf) {
-                let weights = nearest_weights(corners(t), p);
-                let place: DVec3 = corners(t).into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
-                let found = (place.distance_squared(p), t, weights);
-                if found.0 < best.0 {
-                    best = found;
-                }
-            }
-            best.0
-        });
-        Ok((triangles[best.1 as usize], best.2))
+        let found = tree.nearest(p, f64::INFINITY);
+        Ok(found.map_or((triangles[0], [1.0, 0.0, 0.0]), |place| (triangles[place.triangle as usize], place.weights)))
     }))
 }

@@ -5,9 +5,10 @@
 
 use super::{Classes, Net, Real, each};
 use crate::error::{Error, Result};
+use crate::geom::rotation::best_rotation;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 
 /// The way of the nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -123,41 +124,4 @@ impl Way {
             (*x, *y, *z) = (T::of(at.x), T::of(at.y), T::of(at.z));
         }
     }
-}
-
-/// The rotation R for which the trace of R^T M is greatest: B. K. P. Horn, *Closed-form solution of
-/// absolute orientation using unit quaternions* (1987). It is the eigenvector of the greatest
-/// eigenvalue of a symmetric matrix of four rows, here by Jacobi's rotations.
-pub(crate) fn best_rotation(m: DMat3) -> DQuat {
-    let at = |row: usize, column: usize| m.col(column)[row];
-    let (x, y, z) = (at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1));
-    let (xy, xz, yz) = (at(1, 0) + at(0, 1), at(2, 0) + at(0, 2), at(2, 1) + at(1, 2));
-    let [a, b, c] = [at(0, 0), at(1, 1), at(2, 2)];
-    let mut k = [[a + b + c, x, y, z], [x, a - b - c, xy, xz], [y, xy, b - a - c, yz], [z, xz, yz, c - a - b]];
-    let mut vectors = [[0.0; 4]; 4];
-    (0..4).for_each(|i| vectors[i][i] = 1.0);
-    // Each sweep squares the ratio of what is left beside the diagonal: ten are plenty.
-    for (p, q) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)].repeat(10) {
-        if k[p][q] == 0.0 {
-            continue;
-        }
-        let theta = (k[q][q] - k[p][p]) / (2.0 * k[p][q]);
-        let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
-        let cosine = 1.0 / tangent.hypot(1.0);
-        let sine = tangent * cosine;
-        for row in &mut k {
-            (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);
-        }
-        let (first, second) = (k[p], k[q]);
-        k[p] = std::array::from_fn(|i| cosine * first[i] - sine * second[i]);
-        k[q] = std::array::from_fn(|i| sine * first[i] + cosine * second[i]);
-        for row in &mut vectors {
-            (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);
-        }
-    }
-    let greatest = (1..4).fold(0, |best, i| if k[i][i] > k[best][best] { i } else { best });
-    let [w, x, y, z] = vectors.map(|row| row[greatest]);
-    let turn = DQuat::from_xyzw(x, y, z, w).normalize();
-    // Of the two quaternions of a rotation, that of the shorter way.
-    if turn.w < 0.0 { -turn } else { turn }
 }

@@ -41,3 +41,50 @@ pub fn off(name: &str) -> Option<Soup> {
 fn numbers<'a>(words: &mut impl Iterator<Item = &'a str>, count: usize) -> Vec<f64> {
     words.take(count).map(|word| word.parse().unwrap()).collect()
 }
+
+/// A view of a scanner: a triangle for each three neighbours of its grid that are near each other.
+pub fn range_scan(name: &str) -> Option<Soup> {
+    let text = text(name)?;
+    let mut lines = text.lines();
+    let (mut vertices, mut rows, mut columns) = (0, 0, 0);
+    for line in lines.by_ref().take_while(|line| line.trim() != "end_header") {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match words[..] {
+            ["element", "vertex", count] => vertices = count.parse().unwrap(),
+            ["obj_info", "num_rows", count] => rows = count.parse().unwrap(),
+            ["obj_info", "num_cols", count] => columns = count.parse().unwrap(),
+            _ => {}
+        }
+    }
+    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+    for line in lines.by_ref().take(vertices) {
+        let mut words = line.split_whitespace();
+        soup.points.push(numbers(&mut words, 3).try_into().unwrap());
+    }
+    let grid: Vec<Option<u32>> = lines.map(|line| line.split_whitespace().nth(1).map(|v| v.parse().unwrap())).collect();
+    assert_eq!(grid.len(), rows * columns);
+    let distance = |u: u32, v: u32| {
+        let [p, q] = [u, v].map(|v| glam::DVec3::from_array(soup.points[v as usize]));
+        p.distance(q)
+    };
+    let mut faces = Vec::new();
+    for (i, j) in (1..rows).flat_map(|i| (1..columns).map(move |j| (i, j))) {
+        let at = |i: usize, j: usize| grid[i * columns + j];
+        let corners = [at(i - 1, j - 1), at(i - 1, j), at(i, j), at(i, j - 1)];
+        let there: Vec<u32> = corners.into_iter().flatten().collect();
+        match there[..] {
+            [a, b, c, d] if distance(a, c) <= distance(b, d) => faces.extend([[a, b, c], [a, c, d]]),
+            [a, b, c, d] => faces.extend([[a, b, d], [b, c, d]]),
+            [a, b, c] => faces.push([a, b, c]),
+            _ => {}
+        }
+    }
+    let mut lengths: Vec<f64> = faces.iter().flat_map(|&[a, b, c]| [distance(a, b), distance(b, c)]).collect();
+    lengths.sort_by(f64::total_cmp);
+    // Longer ones are steps from one surface to another behind it.
+    let longest = 4.0 * lengths[lengths.len() / 2];
+    let near = |&[a, b, c]: &[u32; 3]| distance(a, b).max(distance(b, c)).max(distance(c, a)) < longest;
+    let faces: Vec<_> = faces.into_iter().filter(near).collect();
+    faces.iter().for_each(|face| soup.face(face));
+    Some(soup)
+}

@@ -6,6 +6,7 @@ mod common;
 mod adversarial;
 mod answers;
 mod assemble;
+mod align;
 mod attributes;
 mod blend;
 mod boundary;

@@ -3,9 +3,11 @@
 //! * [`banded`]: symmetric ones whose entries are near the diagonal, in linear time.
 //! * [`cholesky`]: small symmetric ones that are positive definite.
 //! * [`dense`]: small square systems, by elimination with row exchanges.
+//! * [`eigen`](mod@eigen): eigenvalues and eigenvectors of small symmetric matrices.
 //! * [`tridiagonal`]: open and cyclic ones with dominant rows, in linear time.
 
 pub(crate) mod banded;
 pub(crate) mod cholesky;
 pub(crate) mod dense;
+pub(crate) mod eigen;
 pub(crate) mod tridiagonal;

@@ -4,7 +4,7 @@ use super::model::Model;
 use super::motion::{Motion, outer};
 use super::parts::{BODY, NOWHERE};
 use super::term::Term;
-use crate::net::morph::best_rotation;
+use crate::geom::rotation::best_rotation;
 use glam::{DMat3, DVec3};
 
 /// The share of a body's inertia that keeps it as it turns: rotations that change nothing are 0.

@@ -1,6 +1,6 @@
 //! Rigid motions.
 
-use crate::net::morph::best_rotation;
+use crate::geom::rotation::best_rotation;
 use glam::{DMat3, DQuat, DVec3};
 
 /// A rigid motion, p -> rotation p + translation.

@@ -1,0 +1,65 @@
+//! A piece made ready: triangles that answer where the nearest place is, and confidences.
+
+use super::request::Options;
+use crate::align::Scan;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::kd_tree::KdTree;
+use crate::job::Job;
+use crate::mesh::MeshView;
+use crate::par;
+use glam::DVec3;
+
+const STAGE: &str = "looking at the pieces";
+const CHUNK: usize = 1 << 10;
+/// What is seen under the flattest angle counts for this part.
+const MIN_SIGHT: f64 = 0.1;
+
+/// A piece.
+pub(super) struct Layer {
+    pub(super) scan: Scan,
+    /// Its faces as triangles, those of a polygon round its first corner.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Of vertices, in mean edges.
+    pub(super) confidence: Vec<f64>,
+}
+
+impl Layer {
+    /// O(V log V).
+    pub(super) fn new(
+        mesh: &MeshView<'_>,
+        k: usize,
+        unit: f64,
+        origin: DVec3,
+        options: &Options<'_>,
+        job: &Job<'_>,
+    ) -> Result<Layer> {
+        let scan = Scan::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
+        let faces = mesh.faces();
+        let mut triangles = alloc::with_capacity(faces.half_edge_count().saturating_sub(2 * faces.len()))?;
+        for f in 0..faces.len() {
+            job.part(0.5, 0.5).step_within(f, STAGE)?;
+            let mut corners = mesh.face(f);
+            let first = corners.next().unwrap_or(0);
+            let pairs = corners.clone().zip(corners.skip(1));
+            alloc::extend(&mut triangles, pairs.map(|(u, v)| [first, u, v]))?;
+        }
+        let rim = alloc::gather((0..scan.points.len() as u32).filter(|&v| scan.rim.contains(v)))?;
+        let rim = alloc::collect(rim.iter().map(|&v| scan.points[v as usize]))?;
+        let tree = KdTree::boxed(&rim, &job.part(0.5, 0.6), STAGE)?;
+        let eye = options.eyes.get(k).map(|eye| *eye / unit - origin);
+        let of = |v: usize| {
+            let (p, n) = (scan.points[v], scan.normals[v]);
+            // Of a closed piece no place is nearer to a border than another.
+            let distance = tree.nearest(p, f64::INFINITY, |_| true).map_or(scan.bounds.diagonal(), |(s, _)| s.sqrt());
+            let sight = eye.map_or(1.0, |eye| (eye - p).normalize_or_zero().dot(n).max(MIN_SIGHT));
+            if scan.spacing > 0.0 { sight * distance / scan.spacing } else { 0.0 }
+        };
+        let parts = par::map_cancellable(&job.part(0.6, 1.0), STAGE, par::ranges(scan.points.len(), CHUNK), |range| {
+            alloc::collect(range.map(of))
+        })?;
+        let mut confidence = alloc::with_capacity(scan.points.len())?;
+        alloc::append_all(&mut confidence, parts)?;
+        Ok(Layer { scan, triangles, confidence })
+    }
+}

@@ -1,0 +1,173 @@
+//! The faces of a piece that are kept, made a surface that strips can hang on: nothing thinner than
+//! two faces, no small islands, no faces that meet in one vertex only.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
+use crate::job::Job;
+use crate::mesh::{Across, MeshView, Topology};
+
+const STAGE: &str = "trimming the pieces";
+/// Rounds in which faces go that hang by one side, or meet others in a vertex only.
+const MAX_ROUNDS: usize = 20;
+
+/// A set of a piece's faces.
+pub(super) struct Region<'m, 'a> {
+    mesh: &'m MeshView<'a>,
+    topology: Topology,
+    pub(super) keeps: Vec<bool>,
+    /// For each face the number of faces of its component in the piece.
+    component: Vec<u32>,
+}
+
+impl<'m, 'a> Region<'m, 'a> {
+    /// All faces. O(H log d).
+    pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
+        let topology = Topology::new(mesh, job)?;
+        let count = mesh.faces().len();
+        let mut region = Region { mesh, topology, keeps: alloc::filled(true, count)?, component: Vec::new() };
+        region.component = region.part_sizes(job)?;
+        Ok(region)
+    }
+
+    /// The faces beside the sides of a face.
+    fn beside(&self, f: usize) -> impl Iterator<Item = Option<usize>> + '_ {
+        self.mesh.faces().range(f).map(|h| match self.topology.across(h as u32) {
+            Across::Mate(mate) => Some(self.mesh.faces().face_of(mate) as usize),
+            _ => None,
+        })
+    }
+
+    /// For each face that is kept the number of those that hang together with it across sides.
+    fn part_sizes(&self, job: &Job<'_>) -> Result<Vec<u32>> {
+        let count = self.keeps.len();
+        let mut sets = DisjointSets::new(count)?;
+        for f in (0..count).filter(|&f| self.keeps[f]) {
+            job.step_within(f, STAGE)?;
+            for g in self.beside(f).flatten().filter(|&g| self.keeps[g]) {
+                sets.union(f as u32, g as u32);
+            }
+        }
+        let mut sizes = alloc::filled(0u32, count)?;
+        let roots = sets.into_roots(job, STAGE)?;
+        for f in (0..count).filter(|&f| self.keeps[f]) {
+            sizes[roots[f] as usize] += 1;
+        }
+        alloc::collect((0..count).map(|f| if self.keeps[f] { sizes[roots[f] as usize] } else { 0 }))
+    }
+
+    /// Takes out faces with a vertex that is not to be kept.
+    pub(super) fn keep_where(&mut self, keeps: impl Fn(u32) -> bool) {
+        for f in 0..self.keeps.len() {
+            self.keeps[f] = self.keeps[f] && self.mesh.face(f).all(&keeps);
+        }
+    }
+
+    /// Takes out a face, and all that have a vertex in common with it.
+    pub(super) fn take_out(&mut self, faces: &[u32]) -> Result<()> {
+        let mut gone = crate::geom::bit_set::BitSet::new(self.mesh.positions().len())?;
+        faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
+        for f in 0..self.keeps.len() {
+            self.keeps[f] = self.keeps[f] && !self.mesh.face(f).any(|v| gone.contains(v));
+        }
+        Ok(())
+    }
+
+    /// Makes it a surface. `whole`: a component of a piece with fewer faces than `min_faces` stays
+    /// if nothing of it is gone. O(rounds * H).
+    pub(super) fn clean(&mut self, min_faces: u32, job: &Job<'_>) -> Result<()> {
+        self.open()?;
+        for _ in 0..MAX_ROUNDS {
+            job.step(0.5, STAGE)?;
+            if !self.take_out_ears()? & !self.take_out_pinches()? {
+                break;
+            }
+        }
+        let sizes = self.part_sizes(job)?;
+        for f in 0..self.keeps.len() {
+            let is_whole = sizes[f] == self.component[f];
+            self.keeps[f] = self.keeps[f] && (is_whole || sizes[f] >= min_faces);
+        }
+        Ok(())
+    }
+
+    /// Takes out what is thinner than two faces: keeps the faces round vertices inside.
+    fn open(&mut self) -> Result<()> {
+        let count = self.mesh.positions().len();
+        // A vertex is inside if no face round it is gone.
+        let mut inside = alloc::filled(true, count)?;
+        for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
+            self.mesh.face(f).for_each(|v| inside[v as usize] = false);
+        }
+        for f in 0..self.keeps.len() {
+            self.keeps[f] = self.keeps[f] && self.mesh.face(f).any(|v| inside[v as usize]);
+        }
+        Ok(())
+    }
+
+    /// Takes out faces of which all sides but one are free where something was taken out beside
+    /// them; true if there were any.
+    fn take_out_ears(&mut self) -> Result<bool> {
+        let mut ears = Vec::new();
+        for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            let (mut held, mut cut) = (0, 0);
+            for g in self.beside(f) {
+                held += usize::from(g.is_some_and(|g| self.keeps[g]));
+                cut += usize::from(g.is_some_and(|g| !self.keeps[g]));
+            }
+            if held <= 1 && cut > 0 {
+                alloc::push(&mut ears, f)?;
+            }
+        }
+        ears.iter().for_each(|&f| self.keeps[f] = false);
+        Ok(!ears.is_empty())
+    }
+
+    /// Takes out all but the largest of several fans of faces round a vertex where something was
+    /// taken out; true if there were any.
+    fn take_out_pinches(&mut self) -> Result<bool> {
+        // Fans are sets of corners; each vertex's are counted by their roots.
+        let corners = self.mesh.faces().half_edge_count();
+        let mut fans = DisjointSets::new(corners)?;
+        let mut touched = alloc::filled(false, self.mesh.positions().len())?;
+        for f in 0..self.keeps.len() {
+            if !self.keeps[f] {
+                self.mesh.face(f).for_each(|v| touched[v as usize] = true);
+                continue;
+            }
+            for h in self.mesh.faces().range(f).map(|h| h as u32) {
+                if let Across::Mate(mate) = self.topology.across(h)
+                    && self.keeps[self.mesh.faces().face_of(mate) as usize]
+                {
+                    // h runs from u to v, and its mate back.
+                    let next = |h: u32| self.mesh.faces().next(h);
+                    let same = self.mesh.faces().corner(h) == self.mesh.faces().corner(mate);
+                    let pairs = if same { [[h, mate], [next(h), next(mate)]] } else { [[h, next(mate)], [next(h), mate]] };
+                    pairs.iter().for_each(|&[a, b]| {
+                        fans.union(a, b);
+                    });
+                }
+            }
+        }
+        let mut of_vertex: Vec<(u32, u32, u32)> = Vec::new();
+        for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            for h in self.mesh.faces().range(f).map(|h| h as u32) {
+                let v = self.mesh.faces().corner(h);
+                if touched[v as usize] {
+                    alloc::push(&mut of_vertex, (v, fans.find(h), f as u32))?;
+                }
+            }
+        }
+        of_vertex.sort_unstable();
+        let mut any = false;
+        for round in of_vertex.chunk_by(|x, y| x.0 == y.0) {
+            let largest = round.chunk_by(|x, y| x.1 == y.1).reduce(|x, y| if y.len() > x.len() { y } else { x });
+            let largest = largest.map_or(0, |fan| fan[0].1);
+            for &(_, _, f) in round.iter().filter(|entry| entry.1 != largest) {
+                any |= self.keeps[f as usize];
+                self.keeps[f as usize] = false;
+            }
+        }
+        Ok(any)
+    }
+}
