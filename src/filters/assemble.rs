@@ -115,6 +115,7 @@ fn report(done: &Assembly) -> Report {
             Outcome::OrientationConflict => "left: joining them would make a one-sided surface".to_owned(),
             Outcome::ShareVertex => "left: they pass the same vertex".to_owned(),
             Outcome::NoStrip => "left: no strip avoids the edges that the mesh has".to_owned(),
+            Outcome::WouldCut => "left to the holes: a strip would cut others".to_owned(),
         };
         text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", short(joint.gap));
     }

@@ -28,15 +28,24 @@ struct Fan {
 }
 
 impl Fans {
-    /// Of groups of `group` triangles of `new` in this order. O(n log n) for n triangles.
-    pub(super) fn new(order: &[u32], group: usize, new: &[[u32; 3]], at: &impl Fn(u32) -> DVec3) -> Result<Fans> {
+    /// Of groups of `group` triangles of `new` in this order; `report` is called with the number of
+    /// each. O(n log n) for n triangles.
+    pub(super) fn new(
+        order: &[u32],
+        group: usize,
+        new: &[[u32; 3]],
+        at: &impl Fn(u32) -> DVec3,
+        report: &impl Fn(usize) -> Result<()>,
+    ) -> Result<Fans> {
         let leaves = order.len().div_ceil(group).next_power_of_two();
         // The vertices that all triangles of a node share; nothing said of empty nodes.
         let mut shared = alloc::filled(None, 2 * leaves)?;
-        for (shared, triangles) in shared[leaves..].iter_mut().zip(order.chunks(group)) {
+        for (k, (shared, triangles)) in shared[leaves..].iter_mut().zip(order.chunks(group)).enumerate() {
+            report(k)?;
             *shared = triangles.iter().map(|&t| new[t as usize]).reduce(common);
         }
         for node in (1..leaves).rev() {
+            report(node)?;
             shared[node] = match (shared[2 * node], shared[2 * node + 1]) {
                 (Some(a), Some(b)) => Some(common(a, b)),
                 (a, b) => a.or(b),
@@ -44,6 +53,7 @@ impl Fans {
         }
         let mut fans = alloc::filled(Fan { apex: NONE, others: Aabb::EMPTY }, 2 * leaves)?;
         for (node, fan) in fans.iter_mut().enumerate().skip(1) {
+            report(node)?;
             let [apex, second, third] = shared[node].unwrap_or([NONE; 3]);
             if apex == NONE || second != NONE || third != NONE {
                 continue;

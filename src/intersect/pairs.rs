@@ -21,6 +21,9 @@ const REPORT_INTERVAL: usize = 1 << 15;
 /// Leaves met between two progress reports: where all triangles lie together, each meets all.
 const LEAVES_PER_REPORT: usize = 1 << 11;
 
+/// Groups of triangles between two progress reports while their tree is made.
+const GROUPS_PER_REPORT: usize = 1 << 16;
+
 const STAGE: &str = "looking for intersections";
 
 /// New and old triangles over common points, which are in a unit that keeps products in range.
@@ -41,11 +44,11 @@ fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<
     let leaves = groups.len().next_power_of_two();
     let mut boxes = alloc::filled(OrientedBox::EMPTY, 2 * leaves)?;
     for (k, (turned, group)) in boxes[leaves..].iter_mut().zip(groups).enumerate() {
-        job.step_within(k, STAGE)?;
+        job.step_every(GROUPS_PER_REPORT, k, leaves, STAGE)?;
         *turned = OrientedBox::of(group.iter().map(|&i| corners(i)));
     }
     for node in (1..leaves).rev() {
-        job.step_within(node, STAGE)?;
+        job.step_every(GROUPS_PER_REPORT, node, leaves, STAGE)?;
         boxes[node] = boxes[2 * node].union(&boxes[2 * node + 1]);
     }
     Ok(boxes)
@@ -73,8 +76,8 @@ pub(crate) fn intersecting_pairs(
     let tree = BoxTree::new(order.chunks(LEAF_TRIANGLES).map(leaf_box))?;
     job.step(0.0, STAGE)?;
     let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at), &job.part(0.0, 0.0))?;
-    job.step(0.0, STAGE)?;
-    let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at)?;
+    let report = |k| job.part(0.0, 0.0).step_every(GROUPS_PER_REPORT, k, order.len(), STAGE);
+    let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at, &report)?;
     let n = soup.new.len();
     let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {
         let (mut found, mut leaves) = (Vec::new(), 0usize);

@@ -71,6 +71,7 @@ pub(crate) fn append(
     mut turn: impl FnMut(usize) -> bool,
 ) -> Result<Piece> {
     let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
+    job.step(0.0, STAGE)?;
     whole.positions.append(piece.positions())?;
     job.step(0.0, STAGE)?;
     for f in 0..piece.faces().len() {

@@ -46,7 +46,7 @@ impl CornerOrigins {
     }
 
     /// With old corners that are themselves what is left of others; `None`: of all.
-    pub(super) fn after(mut self, left: Option<&[u32]>) -> CornerOrigins {
+    pub(crate) fn after(mut self, left: Option<&[u32]>) -> CornerOrigins {
         if let Some(left) = left {
             self.corners.iter_mut().for_each(|corner| *corner = left[*corner as usize]);
             self.on_edges.iter_mut().for_each(|on| on.end = left[on.end as usize]);

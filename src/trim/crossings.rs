@@ -9,13 +9,12 @@ use crate::job::Job;
 use crate::mesh::MeshView;
 use glam::DVec3;
 
-/// The faces that cut one of another piece and have less margin than it, for each piece; of equal
+/// The faces that cut one of another piece and are less confident than it, for each piece; of equal
 /// ones that of the later piece. O(F log F).
 pub(super) fn crossings(
     layers: &[Layer],
     meshes: &[MeshView<'_>],
     regions: &[Region<'_, '_>],
-    margins: &[Vec<f64>],
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u32>>> {
     let mut starts = alloc::with_capacity(layers.len() + 1)?;
@@ -43,15 +42,11 @@ pub(super) fn crossings(
         if a[0] == b[0] {
             continue;
         }
-        let least = |[k, f]: [u32; 2]| {
-            let own = meshes[k as usize].face(f as usize).map(|v| margins[k as usize][v as usize]);
-            own.fold(f64::INFINITY, f64::min)
-        };
         let confidence = |[k, f]: [u32; 2]| {
             let own = meshes[k as usize].face(f as usize).map(|v| layers[k as usize].confidence[v as usize]);
             own.fold(f64::INFINITY, f64::min)
         };
-        let first_is_worse = least(a).total_cmp(&least(b)).then(confidence(a).total_cmp(&confidence(b))).is_lt();
+        let first_is_worse = confidence(a).total_cmp(&confidence(b)).is_lt();
         let worse = if first_is_worse { a } else { b };
         alloc::push(&mut found[worse[0] as usize], worse[1])?;
     }

@@ -3,6 +3,7 @@
 use super::request::Options;
 use crate::align::Scan;
 use crate::alloc;
+use crate::boundary::{self, boundary_loops};
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
@@ -12,6 +13,8 @@ use glam::DVec3;
 
 const STAGE: &str = "looking at the pieces";
 const CHUNK: usize = 1 << 10;
+/// Loops of fewer vertices are small holes, beside which a surface is as good as elsewhere.
+const MIN_BORDER: usize = 32;
 /// What is seen under the flattest angle counts for this part.
 const MIN_SIGHT: f64 = 0.1;
 
@@ -20,6 +23,8 @@ pub(super) struct Layer {
     pub(super) scan: Scan,
     /// Its faces as triangles, those of a polygon round its first corner.
     pub(super) triangles: Vec<[u32; 3]>,
+    /// The face that each triangle is of.
+    pub(super) faces: Vec<u32>,
     /// Of vertices, in mean edges.
     pub(super) confidence: Vec<f64>,
 }
@@ -35,18 +40,24 @@ impl Layer {
         job: &Job<'_>,
     ) -> Result<Layer> {
         let scan = Scan::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
-        let faces = mesh.faces();
-        let mut triangles = alloc::with_capacity(faces.half_edge_count().saturating_sub(2 * faces.len()))?;
-        for f in 0..faces.len() {
+        let count = mesh.faces().half_edge_count().saturating_sub(2 * mesh.faces().len());
+        let (mut triangles, mut faces) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+        for f in 0..mesh.faces().len() {
             job.part(0.5, 0.5).step_within(f, STAGE)?;
             let mut corners = mesh.face(f);
             let first = corners.next().unwrap_or(0);
             let pairs = corners.clone().zip(corners.skip(1));
-            alloc::extend(&mut triangles, pairs.map(|(u, v)| [first, u, v]))?;
+            for (u, v) in pairs {
+                triangles.push([first, u, v]);
+                faces.push(f as u32);
+            }
         }
-        let rim = alloc::gather((0..scan.points.len() as u32).filter(|&v| scan.rim.contains(v)))?;
-        let rim = alloc::collect(rim.iter().map(|&v| scan.points[v as usize]))?;
-        let tree = KdTree::boxed(&rim, &job.part(0.5, 0.6), STAGE)?;
+        let borders = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.5, 0.6))?;
+        let mut rim = Vec::new();
+        for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER) {
+            alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
+        }
+        let tree = KdTree::boxed(&rim, &job.part(0.6, 0.6), STAGE)?;
         let eye = options.eyes.get(k).map(|eye| *eye / unit - origin);
         let of = |v: usize| {
             let (p, n) = (scan.points[v], scan.normals[v]);
@@ -60,6 +71,6 @@ impl Layer {
         })?;
         let mut confidence = alloc::with_capacity(scan.points.len())?;
         alloc::append_all(&mut confidence, parts)?;
-        Ok(Layer { scan, triangles, confidence })
+        Ok(Layer { scan, triangles, faces, confidence })
     }
 }

@@ -19,14 +19,14 @@
 //! |---|---|
 //! | [`request`](self) | options and results |
 //! | [`layer`](self) | a piece made ready to be asked for places |
-//! | [`margins`](self) | how much more confident vertices are than what they lie on |
+//! | [`covers`](self) | which places of other pieces vertices lie on |
 //! | [`region`](self) | the faces that are kept: thin parts, islands, pinches |
 //! | [`crossings`](self) | kept faces that cut each other |
 //! | [`run`](self) | all of it in order |
 
+mod covers;
 mod crossings;
 mod layer;
-mod margins;
 mod region;
 mod request;
 mod run;

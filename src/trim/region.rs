@@ -8,6 +8,11 @@ use crate::job::Job;
 use crate::mesh::{Across, MeshView, Topology};
 
 const STAGE: &str = "trimming the pieces";
+/// Islands that other pieces show as well, and holes, are small up to so many times as many faces.
+const SPARE: u32 = 20;
+/// Components of a piece that have so many times fewer faces than its largest are islands, too, if
+/// they are small.
+const DEBRIS: u32 = 10;
 /// Rounds in which faces go that hang by one side, or meet others in a vertex only.
 const MAX_ROUNDS: usize = 20;
 
@@ -16,8 +21,11 @@ pub(super) struct Region<'m, 'a> {
     mesh: &'m MeshView<'a>,
     topology: Topology,
     pub(super) keeps: Vec<bool>,
-    /// For each face the number of faces of its component in the piece.
+    /// Those that cannot be kept, whatever lies on them.
+    pub(super) lost: Vec<bool>,
+    /// For each face the number of faces of its component in the piece, and the largest of all.
     component: Vec<u32>,
+    largest: u32,
 }
 
 impl<'m, 'a> Region<'m, 'a> {
@@ -25,8 +33,9 @@ impl<'m, 'a> Region<'m, 'a> {
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
         let topology = Topology::new(mesh, job)?;
         let count = mesh.faces().len();
-        let mut region = Region { mesh, topology, keeps: alloc::filled(true, count)?, component: Vec::new() };
+        let mut region = Region { mesh, topology, keeps: alloc::filled(true, count)?, lost: alloc::filled(false, count)?, component: Vec::new(), largest: 0 };
         region.component = region.part_sizes(job)?;
+        region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
     }
 
@@ -38,8 +47,8 @@ impl<'m, 'a> Region<'m, 'a> {
         })
     }
 
-    /// For each face that is kept the number of those that hang together with it across sides.
-    fn part_sizes(&self, job: &Job<'_>) -> Result<Vec<u32>> {
+    /// The set that each face hangs together with across sides, if it is kept.
+    fn parts(&self, job: &Job<'_>) -> Result<Vec<u32>> {
         let count = self.keeps.len();
         let mut sets = DisjointSets::new(count)?;
         for f in (0..count).filter(|&f| self.keeps[f]) {
@@ -48,34 +57,41 @@ impl<'m, 'a> Region<'m, 'a> {
                 sets.union(f as u32, g as u32);
             }
         }
+        sets.into_roots(job, STAGE)
+    }
+
+    /// For each face that is kept the number of those that hang together with it.
+    fn part_sizes(&self, job: &Job<'_>) -> Result<Vec<u32>> {
+        let roots = self.parts(job)?;
+        let count = self.keeps.len();
         let mut sizes = alloc::filled(0u32, count)?;
-        let roots = sets.into_roots(job, STAGE)?;
-        for f in (0..count).filter(|&f| self.keeps[f]) {
-            sizes[roots[f] as usize] += 1;
-        }
+        (0..count).filter(|&f| self.keeps[f]).for_each(|f| sizes[roots[f] as usize] += 1);
         alloc::collect((0..count).map(|f| if self.keeps[f] { sizes[roots[f] as usize] } else { 0 }))
     }
 
-    /// Takes out faces with a vertex that is not to be kept.
-    pub(super) fn keep_where(&mut self, keeps: impl Fn(u32) -> bool) {
+    /// Keeps the faces all of whose vertices are wanted, without those that are lost or have a vertex
+    /// that is barred, and makes them a surface: small holes are kept after all, and small islands
+    /// are lost; true if there are any. `shown`: vertices that later pieces show as well. `min_faces`:
+    /// what has fewer is small. O(rounds * H).
+    pub(super) fn keep_where(
+        &mut self,
+        wanted: &[bool],
+        barred: &[bool],
+        shown: &[bool],
+        min_faces: u32,
+        job: &Job<'_>,
+    ) -> Result<bool> {
+        let may = alloc::collect((0..self.keeps.len()).map(|f| {
+            !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])
+        }))?;
         for f in 0..self.keeps.len() {
-            self.keeps[f] = self.keeps[f] && self.mesh.face(f).all(&keeps);
+            self.keeps[f] = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
-    }
-
-    /// Takes out a face, and all that have a vertex in common with it.
-    pub(super) fn take_out(&mut self, faces: &[u32]) -> Result<()> {
-        let mut gone = crate::geom::bit_set::BitSet::new(self.mesh.positions().len())?;
-        faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
+        let holes = self.part_sizes(job)?;
         for f in 0..self.keeps.len() {
-            self.keeps[f] = self.keeps[f] && !self.mesh.face(f).any(|v| gone.contains(v));
+            let is_small_hole = self.keeps[f] && holes[f] < SPARE * min_faces;
+            self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
-        Ok(())
-    }
-
-    /// Makes it a surface. `whole`: a component of a piece with fewer faces than `min_faces` stays
-    /// if nothing of it is gone. O(rounds * H).
-    pub(super) fn clean(&mut self, min_faces: u32, job: &Job<'_>) -> Result<()> {
         self.open()?;
         for _ in 0..MAX_ROUNDS {
             job.step(0.5, STAGE)?;
@@ -83,10 +99,84 @@ impl<'m, 'a> Region<'m, 'a> {
                 break;
             }
         }
-        let sizes = self.part_sizes(job)?;
+        let (sizes, needed) = self.islands(shown, job)?;
+        let mut any = false;
         for f in 0..self.keeps.len() {
-            let is_whole = sizes[f] == self.component[f];
-            self.keeps[f] = self.keeps[f] && (is_whole || sizes[f] >= min_faces);
+            // What others show as well can be spared.
+            let least = if 2 * needed[f] < sizes[f] { SPARE * min_faces } else { min_faces };
+            // Small pieces may have nothing larger; beside large components they are debris.
+            let is_own = sizes[f] == self.component[f] && sizes[f].saturating_mul(DEBRIS) >= self.largest;
+            let is_island = self.keeps[f] && sizes[f] < least && !is_own;
+            self.keeps[f] &= !is_island;
+            self.lost[f] |= is_island;
+            any |= is_island;
+        }
+        Ok(any)
+    }
+
+    /// For each face that is kept the number of those that hang together with it, and how many of
+    /// them no other piece shows.
+    fn islands(&self, shown: &[bool], job: &Job<'_>) -> Result<(Vec<u32>, Vec<u32>)> {
+        let roots = self.parts(job)?;
+        let count = self.keeps.len();
+        let mut sums = alloc::filled([0u32; 2], count)?;
+        for f in (0..count).filter(|&f| self.keeps[f]) {
+            let needed = !self.mesh.face(f).all(|v| shown[v as usize]);
+            let sum = &mut sums[roots[f] as usize];
+            *sum = [sum[0] + 1, sum[1] + u32::from(needed)];
+        }
+        let of = |k: usize| alloc::collect((0..count).map(|f| if self.keeps[f] { sums[roots[f] as usize][k] } else { 0 }));
+        Ok((of(0)?, of(1)?))
+    }
+
+    /// The vertices on the border of what is kept where something was taken out beyond, and the
+    /// middles of the edges between them.
+    pub(super) fn rim(&self, at: impl Fn(u32) -> glam::DVec3, out: &mut Vec<glam::DVec3>) -> Result<()> {
+        for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            for h in self.mesh.faces().range(f).map(|h| h as u32) {
+                let is_free = match self.topology.across(h) {
+                    Across::Mate(mate) => !self.keeps[self.mesh.faces().face_of(mate) as usize],
+                    _ => true,
+                };
+                if is_free {
+                    let [u, v] = [h, self.mesh.faces().next(h)].map(|h| at(self.mesh.faces().corner(h)));
+                    alloc::append(out, &[u, u.midpoint(v)])?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Smooths values of vertices over faces, so many times.
+    pub(super) fn smooth(&self, values: &mut Vec<f64>, passes: usize, job: &Job<'_>) -> Result<()> {
+        let mut sums = alloc::filled((0.0, 0.0), values.len())?;
+        for pass in 0..passes {
+            job.step(pass as f64 / passes as f64, STAGE)?;
+            sums.fill((0.0, 0.0));
+            for f in 0..self.keeps.len() {
+                let face = self.mesh.face(f);
+                let count = face.len() as f64;
+                let sum: f64 = face.clone().map(|v| values[v as usize]).sum();
+                face.for_each(|v| {
+                    let (total, weight) = sums[v as usize];
+                    sums[v as usize] = (total + sum, weight + count);
+                });
+            }
+            for (value, &(total, weight)) in values.iter_mut().zip(&sums) {
+                if weight > 0.0 {
+                    *value = total / weight;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Loses faces, and all that have a vertex in common with them.
+    pub(super) fn lose(&mut self, faces: &[u32]) -> Result<()> {
+        let mut gone = crate::geom::bit_set::BitSet::new(self.mesh.positions().len())?;
+        faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
+        for f in 0..self.keeps.len() {
+            self.lost[f] |= self.mesh.face(f).any(|v| gone.contains(v));
         }
         Ok(())
     }

@@ -1,14 +1,15 @@
 //! Trimming from the meshes to the faces that are kept.
 
+use super::covers::{Covers, Same};
 use super::crossings::crossings;
 use super::layer::Layer;
-use super::margins::{Same, margins};
 use super::region::Region;
 use super::request::{Options, Trimmed};
 use crate::align::common_unit_of;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::Aabb;
+use crate::geom::kd_tree::KdTree;
 use crate::geom::triangle_places::TriangleTree;
 use crate::job::Job;
 use crate::mesh::MeshView;
@@ -19,11 +20,17 @@ const EDGES: f64 = 4.0;
 const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 /// Parts of fewer faces are no surface, if the caller says nothing.
 const MIN_FACES: u32 = 30;
-/// What a vertex is more confident by than what it lies on, in mean edges: as one side of a line
-/// gains what the other loses, the gap is as wide.
+/// The least width of gaps, in mean edges.
 const GAP: f64 = 0.5;
-/// Rounds in which faces go that cut others.
-const MAX_ROUNDS: usize = 8;
+/// Earlier pieces are kept though later ones are more confident, by no more than this, in mean
+/// edges: where two have a border in common, noise is not to say which is.
+const BIAS: f64 = 3.0;
+/// Margins are smoothed so many times, for a smooth line between the pieces, and count for no more
+/// than this.
+const SMOOTHINGS: usize = 6;
+const MAX_MARGIN: f64 = 8.0;
+/// Rounds in which faces that cannot be kept go, and others come in their place.
+const MAX_ROUNDS: usize = 12;
 
 /// Says which faces of overlapping pieces are kept, so that no two surfaces lie on each other, and
 /// narrow gaps are left where they did.
@@ -64,35 +71,82 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         edges: EDGES,
         cosine: libm::cos(if angle == 0.0 { ANGLE } else { angle }),
     };
-    let margins: Vec<Vec<f64>> =
-        alloc::try_collect((0..count).map(|k| margins(&layers, &trees, k, &same, &look.share(k, count))))?;
+    let covers =
+        alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
     let min_faces = if options.min_faces == 0 { MIN_FACES } else { options.min_faces };
-    let clear = job.part(0.8, 0.9);
-    let mut regions = alloc::with_capacity(count)?;
-    for (k, piece) in pieces.iter().enumerate() {
-        let mut region = Region::new(piece, &clear.share(k, count))?;
-        region.keep_where(|v| margins[k][v as usize] > GAP);
-        region.clean(min_faces, &clear.share(k, count))?;
-        regions.push(region);
-    }
+    let job = job.part(0.8, 1.0);
+    let mut regions =
+        alloc::try_collect(pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))))?;
     let mut cut = 0;
-    for _ in 0..MAX_ROUNDS {
-        let found = crossings(&layers, pieces, &regions, &margins, &job.part(0.9, 1.0))?;
+    for round in 0..MAX_ROUNDS {
+        let job = job.part(0.1, 1.0).share(round, MAX_ROUNDS);
+        // What cannot be kept competes with nothing: others are kept in its place.
+        let mut lost = false;
+        for k in 0..count {
+            lost |= keep(&layers, &covers, &mut regions, k, min_faces, &job)?;
+        }
+        if lost && round + 2 < MAX_ROUNDS {
+            continue;
+        }
+        let found = crossings(&layers, pieces, &regions, &job)?;
         if found.iter().all(Vec::is_empty) {
             break;
         }
-        for (region, faces) in regions.iter_mut().zip(&found).filter(|(_, faces)| !faces.is_empty()) {
+        for (region, faces) in regions.iter_mut().zip(&found) {
             cut += faces.len() as u32;
-            region.take_out(faces)?;
-            region.clean(min_faces, &job.part(0.9, 1.0))?;
+            region.lose(faces)?;
         }
     }
     let kept = |region: &Region<'_, '_>| alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f));
     Ok(Trimmed {
         kept: alloc::try_collect(regions.iter().map(kept))?,
-        covered: alloc::collect(margins.iter().map(|m| m.iter().filter(|m| m.is_finite()).count() as u32))?,
+        covered: alloc::collect(covers.iter().map(Covers::count))?,
         crossings: cut,
     })
+}
+
+/// Chooses what is kept of piece `k`, of which nothing lies on what is kept of the pieces before it:
+/// where it is as confident as those after it, give or take [`BIAS`]. True if islands were lost.
+fn keep(
+    layers: &[Layer],
+    covers: &[Covers],
+    regions: &mut [Region<'_, '_>],
+    k: usize,
+    min_faces: u32,
+    job: &Job<'_>,
+) -> Result<bool> {
+    let layer = &layers[k];
+    let (before, rest) = regions.split_at_mut(k);
+    let (own, after) = rest.split_at_mut(1);
+    let points = &layer.scan.points;
+    let mut margins = alloc::collect((0..points.len()).map(|v| {
+        let competes = |piece: u32, face: u32| match (piece as usize).checked_sub(k + 1) {
+            Some(j) => !after[j].lost[face as usize],
+            None => false,
+        };
+        covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN)
+    }))?;
+    own[0].smooth(&mut margins, SMOOTHINGS, job)?;
+    let mut rims = Vec::new();
+    for (region, other) in before.iter().zip(layers) {
+        if layer.scan.bounds.is_within(&other.scan.bounds, GAP * other.scan.spacing) {
+            region.rim(|v| other.scan.points[v as usize], &mut rims)?;
+        }
+    }
+    let tree = KdTree::boxed(&rims, job, "trimming the pieces")?;
+    let gap = GAP * layer.scan.spacing;
+    let barred = alloc::collect((0..points.len()).map(|v| {
+        let is_kept = |piece: u32, face: u32| before.get(piece as usize).is_some_and(|r| r.keeps[face as usize]);
+        covers[k].is_on(v, is_kept) || tree.nearest(points[v], gap * gap, |_| true).is_some()
+    }))?;
+    let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -BIAS))?;
+    let shown = alloc::collect((0..points.len()).map(|v| {
+        covers[k].is_on(v, |piece, face| match (piece as usize).checked_sub(k + 1) {
+            Some(j) => !after[j].lost[face as usize],
+            None => false,
+        })
+    }))?;
+    own[0].keep_where(&wanted, &barred, &shown, min_faces, job)
 }
 
 /// The box of what faces use.

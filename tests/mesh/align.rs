@@ -79,3 +79,82 @@ fn experiment() {
         }
     }
 }
+
+/// The faces that are kept, with the vertices that they use.
+fn part(soup: &Soup, pose: &Pose, kept: &[u32]) -> Soup {
+    let faces: Vec<&[u32]> = soup.faces().collect();
+    let mut names = std::collections::HashMap::new();
+    let mut out = Soup { offsets: vec![0], ..Soup::default() };
+    for &f in kept {
+        let face: Vec<u32> = faces[f as usize]
+            .iter()
+            .map(|&v| {
+                *names.entry(v).or_insert_with(|| {
+                    out.points.push(pose.point(DVec3::from(soup.points[v as usize])).to_array());
+                    out.points.len() as u32 - 1
+                })
+            })
+            .collect();
+        out.face(&face);
+    }
+    out
+}
+
+fn write_off(name: &str, points: impl Iterator<Item = DVec3>, faces: impl Iterator<Item = Vec<u32>>) {
+    use std::fmt::Write;
+    let points: Vec<_> = points.collect();
+    let faces: Vec<_> = faces.collect();
+    let mut text = format!("OFF\n{} {} 0\n", points.len(), faces.len());
+    points.iter().for_each(|p| writeln!(text, "{} {} {}", p.x, p.y, p.z).unwrap());
+    faces.iter().for_each(|f| {
+        write!(text, "{}", f.len()).unwrap();
+        f.iter().for_each(|v| write!(text, " {v}").unwrap());
+        text.push('\n');
+    });
+    std::fs::write(name, text).unwrap();
+}
+
+#[test]
+fn trimmed() {
+    use gusset::stitch::assemble::{self, MaxGap};
+    let Some((scans, poses)) = bunny() else { return };
+    let views: Vec<MeshView<'_>> = scans.iter().map(Soup::view).collect();
+    let options = Options { start: Start::Poses(&poses), ..Options::default() };
+    let found = align(&views, &options, &Job::default()).unwrap();
+    let placed: Vec<Soup> = scans
+        .iter()
+        .zip(&found.pieces)
+        .map(|(scan, piece)| part(scan, &piece.pose, &(0..scan.faces().count() as u32).collect::<Vec<_>>()))
+        .collect();
+    let views: Vec<MeshView<'_>> = placed.iter().map(Soup::view).collect();
+    let start = std::time::Instant::now();
+    let trimmed = gusset::trim::trim(&views, &gusset::trim::Options::default(), &Job::default()).unwrap();
+    println!("trim {:?} crossings {}", start.elapsed(), trimmed.crossings);
+    for (k, kept) in trimmed.kept.iter().enumerate() {
+        println!("{k}: {} of {} faces, {} covered of {}", kept.len(), placed[k].faces().count(), trimmed.covered[k], placed[k].points.len());
+    }
+    let pieces: Vec<Soup> = placed.iter().zip(&trimmed.kept).map(|(soup, kept)| part(soup, &Pose::IDENTITY, kept)).collect();
+    let pieces: Vec<Soup> = pieces.into_iter().filter(|piece| !piece.points.is_empty()).collect();
+    let all = pieces.iter().skip(1).fold(pieces[0].clone(), |all, piece| all.and(piece));
+    write_off("/tmp/trimmed.off", all.points.iter().map(|&p| p.into()), all.faces().map(<[u32]>::to_vec));
+    let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
+    let start = std::time::Instant::now();
+    let views: Vec<MeshView<'_>> = placed.iter().map(Soup::view).collect();
+    let options = assemble::Options {
+        overlaps: assemble::Overlaps::Trim(gusset::trim::Options::default()),
+        within_components: std::env::var_os("WITHIN").is_some(),
+        max_gap: std::env::var("GAP").map_or(MaxGap::Auto, |gap| MaxGap::Given(gap.parse().unwrap())),
+        keep_orientation: true,
+        fill: std::env::var_os("FILL").map(|_| gusset::fill::Options::default()),
+        ..Default::default()
+    };
+    let whole = assemble::assemble(&views, &options, &Job::default()).unwrap();
+    println!("assemble {:?}: loops {} near {} non-manifold {}", start.elapsed(), whole.loops_left, whole.near_loops_left, whole.non_manifold_edges);
+    println!("joints {} {:?}", whole.joints.len(), whole.joints.iter().map(|j| (j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.intersections.as_ref().map(Vec::len))).collect::<Vec<_>>());
+    for left in whole.left.iter().filter(|l| l.vertices.len() > 20) {
+        println!("left {} {:?} gap {} {}", left.vertices.len(), left.reason, left.gap, left.allowed_gap);
+    }
+    let mesh = &whole.mesh;
+    println!("holes {:?}", whole.holes.iter().filter(|h| h.rim.len() > 12).map(|h| (h.rim.len(), h.status, h.finish)).collect::<Vec<_>>());
+    write_off("/tmp/joined.off", (0..mesh.positions.len() as u32).map(|v| mesh.positions.get(v)), mesh.faces().map(<[u32]>::to_vec));
+}

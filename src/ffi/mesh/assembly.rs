@@ -3,12 +3,14 @@
 use crate::attributes::KeepSplits;
 use crate::ffi::mesh::fill::{gusset_fill_options, gusset_hole};
 use crate::ffi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
+use crate::ffi::mesh::trim::gusset_trim_options;
 use crate::ffi::mesh::weld::gusset_weld_options;
 use crate::ffi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::IndexMap;
-use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector, assemble};
+use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector, assemble};
+use glam::DVec3;
 
 /// Coincident borders are sewn, by default up to what rounding can have done; see
 /// gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
@@ -39,6 +41,15 @@ pub const GUSSET_JOINT_ORIENTATION_CONFLICT: u32 = 1;
 pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
 /// Left: every strip would repeat an edge that the mesh already has.
 pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
+/// Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
+/// part of a hole then.
+pub const GUSSET_JOINT_WOULD_CUT: u32 = 4;
+
+/// Pieces that overlap stay as they are.
+pub const GUSSET_OVERLAPS_KEEP: u32 = 0;
+/// Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
+/// are closed as others are. Strips that would cut other faces are left to the holes.
+pub const GUSSET_OVERLAPS_TRIM: u32 = 1;
 
 /// There is no other loop.
 pub const GUSSET_LEFT_ALONE: u32 = 0;
@@ -122,8 +133,10 @@ pub struct gusset_assembly_options {
     /// or 1. Its sense is opposite to that of outward in the options of stitching and filling, so
     /// that 0 can be the default in each.
     pub keep_inside_out: u32,
-    /// 0.
-    pub reserved: u32,
+    /// GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
+    pub overlaps: u32,
+    /// Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+    pub trim_options: *const gusset_trim_options,
 }
 
 /// Where a piece went.
@@ -243,6 +256,10 @@ pub struct gusset_assembly_view {
     /// Entries of left that have another loop within the gap that is allowed: those that look away,
     /// whose partner is taken, or that no strip could join.
     pub near_loops_left: u32,
+    /// Faces that were trimmed from overlaps.
+    pub trimmed_faces: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
@@ -257,7 +274,7 @@ pub struct gusset_assembly {
 
 handle! { gusset_assembly }
 
-versioned! { gusset_assembly_options: 96 reserved, gusset_assembly_view: 160 }
+versioned! { gusset_assembly_options: 104, gusset_assembly_view: 168 reserved }
 fixed! { gusset_joint: 104, gusset_left_loop: 40, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
@@ -273,6 +290,7 @@ c_enum! {
         GUSSET_JOINT_ORIENTATION_CONFLICT => OrientationConflict,
         GUSSET_JOINT_SHARE_VERTEX => ShareVertex,
         GUSSET_JOINT_NO_STRIP => NoStrip,
+        GUSSET_JOINT_WOULD_CUT => WouldCut,
     }
     reason: Reason {
         GUSSET_LEFT_ALONE => Alone,
@@ -288,7 +306,12 @@ c_enum! {
 }
 
 impl gusset_assembly_options {
-    fn checked<'a>(&self, pairs: &'a [[Selector; 2]], excluded: &'a [[Selector; 2]]) -> Result<Options<'a>, Failure> {
+    fn checked<'a>(
+        &self,
+        [pairs, excluded]: [&'a [[Selector; 2]]; 2],
+        trim: gusset_trim_options,
+        eyes: &'a [DVec3],
+    ) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
             GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE => {
                 Some(input::nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
@@ -306,8 +329,14 @@ impl gusset_assembly_options {
             GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
             other => return Err(Failure::unknown("gap", other.into())),
         };
+        let overlaps = match self.overlaps {
+            GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
+            GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(eyes)),
+            other => return Err(Failure::unknown("overlaps", other.into())),
+        };
         let fill = input::nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {
+            overlaps,
             weld,
             edge_to_edge: self.weld == GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE,
             keep_orientation,
@@ -373,7 +402,8 @@ impl gusset_assembly {
 /// times the first, or the spacing of the vertices) or so that the nearest vertices go round the
 /// other loop once; else runs of neighbouring vertices that are nearest to each other face each
 /// other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
-/// not cut: where two lie on each other, their borders face each other and enclose what is between.
+/// not cut unless overlaps says so: where two lie on each other, their borders face each other and
+/// enclose what is between.
 /// Vertices of the result: those of the pieces in order, then those of the strips, then those of
 /// the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
 /// ones keep their bits.
@@ -409,6 +439,8 @@ pub unsafe extern "C" fn gusset_assembly_create(
 ) -> gusset_status {
     create(context, assembly, "assembly", |job| {
         let options = input::read(options, true, "options")?;
+        let trim = input::nested(options.trim_options, "trim_options", Ok)?;
+        let eyes = trim.eyes().map_err(|failure| failure.of_field("trim_options"))?;
         let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
         let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
@@ -418,7 +450,7 @@ pub unsafe extern "C" fn gusset_assembly_create(
                 selector.vertex = view.faces().merge_of(selector.vertex);
             }
         }
-        let options = options.checked(&given, &excluded)?;
+        let options = options.checked([&given, &excluded], trim, &eyes)?;
         let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
         done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
         Ok(gusset_assembly::new(done)?)
@@ -482,5 +514,7 @@ pub unsafe extern "C" fn gusset_assembly_get_view(
         non_manifold_edges: all.done.non_manifold_edges,
         splits: all.done.splits,
         near_loops_left: all.done.near_loops_left,
+        trimmed_faces: all.done.trimmed_faces,
+        reserved: 0,
     })
 }

@@ -1,5 +1,6 @@
 //! C interface: meshes, as arrays of the host or of a result.
 
+pub mod align;
 pub mod assembly;
 pub mod attributes;
 pub mod boundary;
@@ -12,6 +13,7 @@ pub mod sew;
 pub mod stitch;
 pub mod stitch_options;
 pub mod strip;
+pub mod trim;
 pub mod weld;
 pub mod winged;
 

@@ -82,6 +82,8 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
 }
 
 const STAGE: &str = "identifying outlines";
+/// Outlines of so many points report between the passes over them.
+const POINTS_PER_REPORT: usize = 1 << 17;
 
 /// Outlines of together about [`POINTS_PER_BATCH`] points.
 fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
@@ -160,7 +162,10 @@ impl<'a> Worker<'a> {
         let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);
         let (own, rest) = self.constraints.split_at(own);
         self.constraints = rest;
+        // Long ones report between the passes over their points.
+        let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, STAGE) };
         self.nodes.read(self.outlines, &span, own, self.options)?;
+        long(0.0)?;
         let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
         let placement = self.nodes.placement;
         let size = placement.size * placement.unit;
@@ -171,12 +176,15 @@ impl<'a> Worker<'a> {
             self.identify_smooth(&span, base, &mut report, job)?;
         } else {
             self.solve(&mut report, job)?;
+            long(1.0)?;
             residuals::measure(&self.nodes, &self.builder, &mut report);
             if self.options.mode == Mode::Composite && !quadratic && !self.builder.is_empty() {
                 residuals::measure_curvatures(&mut self.nodes, &self.builder, &mut report);
             }
+            long(1.0)?;
             self.deliver(&span, base)?;
         }
+        long(1.0)?;
         self.check_range(&span, base, first_status, &mut report)?;
         self.account(first_status, report)
     }
@@ -237,6 +245,9 @@ impl<'a> Worker<'a> {
         let (sub, results) = self.nodes.whole(self.options);
         let mut out = Output { results, report, builder: &mut self.builder, job };
         composite::solve(&sub, &mut self.composite, &mut out)?;
+        if span.len() >= POINTS_PER_REPORT {
+            job.step(1.0, STAGE)?;
+        }
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;

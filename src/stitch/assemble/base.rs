@@ -1,7 +1,8 @@
 //! The pieces put together: welded, oriented, and in the end filled and turned outwards.
 
 use super::history::History;
-use super::request::{Assembly, Options};
+use super::request::{Assembly, Options, Overlaps};
+use super::trimmed::Remains;
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
 use crate::error::Result;
@@ -12,6 +13,7 @@ use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
 use crate::stitch::{IndexMap, Intersections};
+use crate::trim::trim;
 
 /// The pieces put together, welded and oriented.
 pub(super) struct Base {
@@ -28,6 +30,20 @@ impl Base {
         let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
         let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
         let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
+        let mut remains = None;
+        let mut trimmed_faces = 0;
+        let job = &match options.overlaps {
+            Overlaps::Keep => *job,
+            Overlaps::Trim(how) => {
+                let trimmed = trim(pieces, &how, &job.part(0.0, 0.7))?;
+                let (left, was) = Remains::of(&mesh, &trimmed, &places, &job.part(0.7, 0.75))?;
+                trimmed_faces = (face_count - left.face_count()) as u32;
+                mesh = left;
+                (vertex_map, face_map) = (alloc::copied(&was.vertex_map)?, alloc::copied(&was.face_map)?);
+                remains = Some(was);
+                job.part(0.75, 1.0)
+            }
+        };
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
         let mut seam = Vec::new();
         let mut history = History::of(pieces)?;
@@ -38,9 +54,17 @@ impl Base {
                 false => sew(&view, how, &part)?,
             };
             (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
-            (mesh, vertex_map, face_map, seam) = (sewn.mesh, sewn.vertex_map, sewn.face_map, sewn.seam_vertices);
+            let through = |before: &mut [u32], after: &[u32]| {
+                before.iter_mut().filter(|v| **v != NONE).for_each(|v| *v = after[*v as usize]);
+            };
+            through(&mut vertex_map, &sewn.vertex_map);
+            through(&mut face_map, &sewn.face_map);
+            (mesh, seam) = (sewn.mesh, sewn.seam_vertices);
             (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
             history.enter(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
+        }
+        if let Some(remains) = remains {
+            remains.enter(&mut history)?;
         }
         let mut turned = alloc::filled(false, mesh.face_count())?;
         let mut one_sided = Vec::new();
@@ -64,6 +88,7 @@ impl Base {
             mesh,
             maps,
             turned,
+            trimmed_faces,
             welded_vertices,
             sewn_edges,
             splits,

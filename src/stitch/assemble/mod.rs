@@ -2,7 +2,7 @@
 //!
 //! The stages in order:
 //!
-//! 1. The pieces are concatenated, and coincident borders sewn ([`sew`](crate::repair::sew)).
+//! 1. The pieces are concatenated, overlaps trimmed on request (`trimmed`), and coincident borders sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Loops that sewing left of two borders are joined with themselves (`slit`), and loops of
 //!    different components that face each other across a gap are paired (`facing_loops`): whole
@@ -30,8 +30,9 @@ mod loops;
 mod request;
 mod run;
 mod slit;
+mod trimmed;
 mod whole_loops;
 
 pub use history::History;
-pub use request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
+pub use request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector};
 pub use run::assemble;

@@ -3,7 +3,7 @@
 use super::history::History;
 use crate::mesh::{Mesh, NONE};
 use crate::stitch::{self, IndexMap};
-use crate::{fill, repair};
+use crate::{fill, repair, trim};
 use std::ops::Range;
 
 /// How wide a gap may be that is still closed by a strip: the mean distance from the vertices of
@@ -39,9 +39,22 @@ impl Selector {
     }
 }
 
+/// What becomes of pieces that overlap.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Overlaps<'a> {
+    /// They stay as they are.
+    #[default]
+    Keep,
+    /// Of each overlap one piece is kept, and the gap between them is closed as others are; see
+    /// [`trim`](crate::trim::trim()).
+    Trim(trim::Options<'a>),
+}
+
 /// How to assemble.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options<'a> {
+    /// What becomes of pieces that overlap.
+    pub overlaps: Overlaps<'a>,
     /// How coincident borders are sewn; `None`: not at all.
     pub weld: Option<repair::weld::Options>,
     /// Borders are sewn only where they match vertex by vertex. Otherwise free edges are split at
@@ -80,6 +93,9 @@ pub enum Outcome {
     ShareVertex,
     /// Every strip would repeat an edge that the mesh already has.
     NoStrip,
+    /// Between pieces that were trimmed, the strip would cut others, and the gap is left to the
+    /// holes.
+    WouldCut,
 }
 
 /// Two loops, or runs of loops, that face each other. Indices are those of the result. What sewing
@@ -163,6 +179,8 @@ pub struct Assembly {
     /// The faces of strips and patches come after them and were nothing before: they run as the
     /// faces of pieces beside them do.
     pub turned: Vec<bool>,
+    /// Faces that were trimmed from overlaps.
+    pub trimmed_faces: u32,
     /// Vertices that became one with another, and edges sewn.
     pub welded_vertices: u32,
     /// See above.

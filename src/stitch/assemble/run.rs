@@ -4,7 +4,7 @@ use super::base::Base;
 use super::candidates::Facing;
 use super::given_pair::GivenPair;
 use super::loops::Loops;
-use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason};
+use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -87,6 +87,12 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                         &strips,
                         &part.part(0.6, 1.0),
                     )?;
+                    let cuts = checked.intersections.as_ref().is_some_and(|pairs| !pairs.is_empty());
+                    if cuts && matches!(options.overlaps, Overlaps::Trim(_)) {
+                        joint.outcome = Outcome::WouldCut;
+                        base.done.joints.push(joint);
+                        continue;
+                    }
                     let attached = append_strip(&mut base.done.mesh, &strip, loops.unit)?;
                     edges.enter_strip(&strip)?;
                     let name = |v: u32| attached.names[v as usize];
