@@ -1,6 +1,7 @@
 //! The faces of a piece that are kept, made a surface that strips can hang on: nothing thinner than
 //! two faces, no small islands, no faces that meet in one vertex only.
 
+use super::request::SPARE;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
@@ -8,8 +9,6 @@ use crate::job::Job;
 use crate::mesh::{Across, MeshView, Topology};
 
 const STAGE: &str = "trimming the pieces";
-/// Islands that other pieces show as well, and holes, are small up to so many times as many faces.
-const SPARE: u32 = 20;
 /// Components of a piece that have so many times fewer faces than its largest are islands, too, if
 /// they are small.
 const DEBRIS: u32 = 10;
@@ -89,7 +88,7 @@ impl<'m, 'a> Region<'m, 'a> {
         }
         let holes = self.part_sizes(job)?;
         for f in 0..self.keeps.len() {
-            let is_small_hole = self.keeps[f] && holes[f] < SPARE * min_faces;
+            let is_small_hole = self.keeps[f] && holes[f] < SPARE.saturating_mul(min_faces);
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
         self.open()?;
@@ -103,7 +102,7 @@ impl<'m, 'a> Region<'m, 'a> {
         let mut any = false;
         for f in 0..self.keeps.len() {
             // What others show as well can be spared.
-            let least = if 2 * needed[f] < sizes[f] { SPARE * min_faces } else { min_faces };
+            let least = if 2 * needed[f] < sizes[f] { SPARE.saturating_mul(min_faces) } else { min_faces };
             // Small pieces may have nothing larger; beside large components they are debris.
             let is_own = sizes[f] == self.component[f] && sizes[f].saturating_mul(DEBRIS) >= self.largest;
             let is_island = self.keeps[f] && sizes[f] < least && !is_own;

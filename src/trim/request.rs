@@ -18,6 +18,23 @@ pub struct Options<'a> {
     pub min_faces: u32,
 }
 
+/// What has fewer faces is no surface, if the caller says nothing.
+const MIN_FACES: u32 = 30;
+/// What others show as well is spared up to so many times as many faces.
+pub(super) const SPARE: u32 = 20;
+
+impl Options<'_> {
+    /// What has fewer faces is no surface.
+    pub(super) fn least(&self) -> u32 {
+        if self.min_faces == 0 { MIN_FACES } else { self.min_faces }
+    }
+
+    /// What has fewer faces can be spared.
+    pub(crate) fn least_island(&self) -> u32 {
+        SPARE.saturating_mul(self.least())
+    }
+}
+
 /// What is left of pieces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trimmed {

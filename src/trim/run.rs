@@ -18,8 +18,6 @@ use crate::mesh::MeshView;
 const EDGES: f64 = 4.0;
 /// Surfaces whose normals differ by more are two, in radians, if the caller says nothing.
 const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
-/// Parts of fewer faces are no surface, if the caller says nothing.
-const MIN_FACES: u32 = 30;
 /// The least width of gaps, in mean edges.
 const GAP: f64 = 0.5;
 /// Earlier pieces are kept though later ones are more confident, by no more than this, in mean
@@ -73,7 +71,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     };
     let covers =
         alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
-    let min_faces = if options.min_faces == 0 { MIN_FACES } else { options.min_faces };
+    let min_faces = options.least();
     let job = job.part(0.8, 1.0);
     let mut regions =
         alloc::try_collect(pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))))?;

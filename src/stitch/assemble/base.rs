@@ -1,7 +1,7 @@
 //! The pieces put together: welded, oriented, and in the end filled and turned outwards.
 
 use super::history::History;
-use super::request::{Assembly, Options, Overlaps};
+use super::request::{Assembly, Options};
 use super::trimmed::Remains;
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
@@ -13,7 +13,7 @@ use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
 use crate::stitch::{IndexMap, Intersections};
-use crate::trim::trim;
+use crate::trim::Trimmed;
 
 /// The pieces put together, welded and oriented.
 pub(super) struct Base {
@@ -25,25 +25,26 @@ pub(super) struct Base {
 }
 
 impl Base {
-    pub(super) fn new(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Self> {
+    /// `trimmed`: what is left of the pieces, if they were trimmed.
+    pub(super) fn new(
+        pieces: &[MeshView<'_>],
+        trimmed: Option<&Trimmed>,
+        options: &Options<'_>,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let (mut mesh, places) = concat::concatenate(pieces, &job.part(0.0, 0.0))?;
         let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
         let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
         let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
         let mut remains = None;
         let mut trimmed_faces = 0;
-        let job = &match options.overlaps {
-            Overlaps::Keep => *job,
-            Overlaps::Trim(how) => {
-                let trimmed = trim(pieces, &how, &job.part(0.0, 0.7))?;
-                let (left, was) = Remains::of(&mesh, &trimmed, &places, &job.part(0.7, 0.75))?;
-                trimmed_faces = (face_count - left.face_count()) as u32;
-                mesh = left;
-                (vertex_map, face_map) = (alloc::copied(&was.vertex_map)?, alloc::copied(&was.face_map)?);
-                remains = Some(was);
-                job.part(0.75, 1.0)
-            }
-        };
+        if let Some(trimmed) = trimmed {
+            let (left, was) = Remains::of(&mesh, trimmed, &places, &job.part(0.0, 0.0))?;
+            trimmed_faces = (face_count - left.face_count()) as u32;
+            mesh = left;
+            (vertex_map, face_map) = (alloc::copied(&was.vertex_map)?, alloc::copied(&was.face_map)?);
+            remains = Some(was);
+        }
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
         let mut seam = Vec::new();
         let mut history = History::of(pieces)?;
@@ -106,10 +107,12 @@ impl Base {
         Ok(Base { done, piece, seam })
     }
 
-    pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
+    /// Fills and turns, as the options say. Also the pairs of faces that patches cut.
+    pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
         let mut done = self.done;
+        let mut cuts = Vec::new();
         if done.mesh.face_count() == 0 {
-            return Ok(done);
+            return Ok((done, cuts));
         }
         if let Some(how) = &options.fill {
             // What cuts is not in the account of an assembly.
@@ -120,6 +123,7 @@ impl Base {
             let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
             let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
             (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+            cuts = filled.intersections.unwrap_or_default();
             done.history.enter(filled.parents.into_iter().zip(filled.weights))?;
         }
         if !(options.keep_orientation || options.keep_inside_out) {
@@ -140,6 +144,6 @@ impl Base {
         done.loops_left = boundary.len() as u32;
         let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
         done.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
-        Ok(done)
+        Ok((done, cuts))
     }
 }

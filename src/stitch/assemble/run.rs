@@ -5,6 +5,7 @@ use super::candidates::Facing;
 use super::given_pair::GivenPair;
 use super::loops::Loops;
 use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
+use super::trimmed::take_out_spoilt;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -16,6 +17,10 @@ use crate::stitch::pairing::mean_gap;
 use crate::stitch::rim::shared_vertex;
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
+use crate::trim::{Trimmed, trim};
+
+/// Rounds in which what is left of trimmed pieces gets less where it cannot be joined.
+const MAX_ROUNDS: u32 = 6;
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
 /// loops that face each other across a gap stitched, holes filled, and closed components turned
@@ -35,7 +40,31 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     if let MaxGap::Given(gap) = options.max_gap {
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
-    let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
+    let Overlaps::Trim(how) = options.overlaps else {
+        return once(pieces, None, options, job).map(|(done, _)| done);
+    };
+    let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
+    // What is left small and alone, and what makes patches cut, goes, and all is done once more.
+    let mut round = 0;
+    loop {
+        let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
+        let (done, cuts) = once(pieces, Some(&trimmed), options, &job.part(part(round), part(round + 1)))?;
+        let last = round == MAX_ROUNDS;
+        if last || !take_out_spoilt(pieces, &mut trimmed, &done, &cuts, how.least_island(), &job.part(1.0, 1.0))? {
+            return Ok(done);
+        }
+        round += 1;
+    }
+}
+
+/// Assembles what is left of the pieces, or all of them; also the pairs of faces that patches cut.
+fn once(
+    pieces: &[MeshView<'_>],
+    trimmed: Option<&Trimmed>,
+    options: &Options<'_>,
+    job: &Job<'_>,
+) -> Result<(Assembly, Vec<[u32; 2]>)> {
+    let mut base = Base::new(pieces, trimmed, options, &job.part(0.0, 0.3))?;
     let mut loops = Loops::of(&base, &job.part(0.3, 0.4))?;
     let excluded = excluded_pairs(&base, &loops, options)?;
     let mut found = chosen_pairs(&base, &loops, options, &excluded, &job.part(0.4, 0.5))?;

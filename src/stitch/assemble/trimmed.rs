@@ -1,11 +1,14 @@
-//! What trimming leaves of the pieces, put together, and where it comes from.
+//! What trimming leaves of the pieces, put together, and where it comes from; and what has to go
+//! once that has been joined.
 
 use super::history::History;
+use super::request::Assembly;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::bit_set::BitSet;
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
-use crate::mesh::{Mesh, NONE, Piece};
+use crate::mesh::{Mesh, MeshView, NONE, Piece};
 use crate::repair::corner_origins::CornerOrigins;
 use crate::trim::Trimmed;
 
@@ -62,4 +65,74 @@ impl Remains {
         });
         Ok(())
     }
+}
+
+/// Takes out of what is left of the pieces: small parts that nothing joined with the rest, where
+/// they were cut; and round patches that cut other faces one ring of what they hang on, with the
+/// faces that are cut. False if there is nothing. `least`: what has fewer faces is small. O(size).
+pub(super) fn take_out_spoilt(
+    pieces: &[MeshView<'_>],
+    trimmed: &mut Trimmed,
+    done: &Assembly,
+    cuts: &[[u32; 2]],
+    least: u32,
+    job: &Job<'_>,
+) -> Result<bool> {
+    let mesh = &done.mesh;
+    let old = done.turned.len();
+    let mut spoilt = BitSet::new(mesh.positions.len())?;
+    let (mut any, mut alone) = (false, BitSet::new(mesh.face_count())?);
+    // The rims of patches that cut, and the corners of what they cut.
+    for &f in cuts.as_flattened() {
+        any = true;
+        let corners = mesh.face_offsets[f as usize]..mesh.face_offsets[f as usize + 1];
+        corners.for_each(|corner| spoilt.insert(mesh.corner(corner as usize)));
+        for hole in done.holes.iter().filter(|hole| hole.faces.contains(&f)) {
+            done.hole_rims[hole.rim.clone()].iter().for_each(|&v| spoilt.insert(v));
+        }
+    }
+    // Parts that strips and seams hold together, patches apart.
+    let unfilled = done.holes.iter().map(|hole| hole.faces.start).min().unwrap_or(mesh.face_count() as u32);
+    let mut parts = DisjointSets::new(mesh.positions.len())?;
+    for (k, face) in mesh.faces().take(unfilled as usize).enumerate() {
+        job.step_within(k, "putting the pieces together")?;
+        face.windows(2).for_each(|side| {
+            parts.union(side[0], side[1]);
+        });
+    }
+    let roots = parts.into_roots(job, "putting the pieces together")?;
+    let mut sizes = alloc::filled(0u32, roots.len())?;
+    mesh.faces().take(unfilled as usize).for_each(|face| sizes[roots[face[0] as usize] as usize] += 1);
+    let largest = sizes.iter().copied().max().unwrap_or(0);
+    // Those that were cut have a vertex of a face that is gone.
+    let mut is_cut = alloc::filled(false, roots.len())?;
+    for (map, piece) in done.maps.iter().zip(pieces) {
+        for f in (0..map.faces.len()).filter(|&f| map.faces[f] == NONE) {
+            for v in piece.face(f).map(|v| map.vertices[v as usize]).filter(|&v| v != NONE) {
+                is_cut[roots[v as usize] as usize] = true;
+            }
+        }
+    }
+    for (f, face) in mesh.faces().take(old).enumerate() {
+        let root = roots[face[0] as usize] as usize;
+        if sizes[root] < least.min(largest) && is_cut[root] {
+            any = true;
+            alone.insert(f as u32);
+        }
+    }
+    if !any {
+        return Ok(false);
+    }
+    let mut less = false;
+    for ((kept, map), piece) in trimmed.kept.iter_mut().zip(&done.maps).zip(pieces) {
+        let before = kept.len();
+        kept.retain(|&f| {
+            let name = map.faces[f as usize];
+            let is_alone = name != NONE && alone.contains(name);
+            let mut corners = piece.face(f as usize).map(|v| map.vertices[v as usize]);
+            !is_alone && !corners.any(|v| v != NONE && spoilt.contains(v))
+        });
+        less |= kept.len() < before;
+    }
+    Ok(less)
 }
