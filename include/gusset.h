@@ -402,6 +402,59 @@
 #define GUSSET_U64 1
 
 /**
+ * The pieces begin where their positions say, or where poses move them if these are given.
+ */
+#define GUSSET_ALIGN_AS_GIVEN 0
+
+/**
+ * Each piece begins with its principal axes on those of the first one, in the one of the four ways
+ * to do so after which most of it lies on the first. For pieces that show the same object whole.
+ */
+#define GUSSET_ALIGN_PRINCIPAL_AXES 1
+
+/**
+ * The pieces are put together by rims that run alike, and it is their rims that hold them then: for
+ * pieces of one surface that was cut or broken and do not overlap.
+ */
+#define GUSSET_ALIGN_RIMS 2
+
+/**
+ * It can be trusted to lie right: it fits pieces that can be trusted, up to the first one.
+ */
+#define GUSSET_ALIGNED_TRUSTED 0
+
+/**
+ * It has no faces with an area, or too little of it lies on other pieces.
+ */
+#define GUSSET_ALIGNED_NO_OVERLAP 1
+
+/**
+ * Where it is near others, too much of it lies off them.
+ */
+#define GUSSET_ALIGNED_POOR_FIT 2
+
+/**
+ * The overlaps leave it free to slide or to turn, as planes, spheres or cylinders do.
+ */
+#define GUSSET_ALIGNED_UNDETERMINED 3
+
+/**
+ * Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
+ */
+#define GUSSET_ALIGNED_FACES_OTHER_WAY 4
+
+/**
+ * It lies on no other piece, and is more than fifty times as large or small as the first one: its
+ * unit of length is another, most likely.
+ */
+#define GUSSET_ALIGNED_OTHER_SIZE 5
+
+/**
+ * It fits pieces that cannot be trusted only.
+ */
+#define GUSSET_ALIGNED_TRUSTED_BY_NONE 6
+
+/**
  * Coincident borders are sewn, by default up to what rounding can have done; see
  * gusset_weld_options. Where their vertices do not match, edges are split; see gusset_sew_create.
  */
@@ -454,6 +507,23 @@
  * Left: every strip would repeat an edge that the mesh already has.
  */
 #define GUSSET_JOINT_NO_STRIP 3
+
+/**
+ * Left: between pieces whose overlaps were trimmed, as every strip would cut other faces. It is a
+ * part of a hole then.
+ */
+#define GUSSET_JOINT_WOULD_CUT 4
+
+/**
+ * Pieces that overlap stay as they are.
+ */
+#define GUSSET_OVERLAPS_KEEP 0
+
+/**
+ * Of each overlap one piece is kept, as gusset_trim_create chooses, and the gaps that this leaves
+ * are closed as others are. Strips that would cut other faces are left to the holes.
+ */
+#define GUSSET_OVERLAPS_TRIM 1
 
 /**
  * There is no other loop.
@@ -1412,6 +1482,11 @@ typedef int32_t gusset_status;
 #endif // __cplusplus
 
 /**
+ * Where pieces that overlap belong. Opaque and immutable; it keeps nothing of them.
+ */
+typedef struct gusset_alignment gusset_alignment;
+
+/**
  * An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
  */
 typedef struct gusset_assembly gusset_assembly;
@@ -1607,6 +1682,11 @@ typedef struct gusset_surface_points gusset_surface_points;
  * Cells of a surface. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_region gusset_surface_region;
+
+/**
+ * What is left of pieces that overlap. Opaque and immutable; it keeps nothing of them.
+ */
+typedef struct gusset_trim gusset_trim;
 
 /**
  * A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -2490,6 +2570,148 @@ typedef struct gusset_mesh_view {
 } gusset_mesh_view;
 
 /**
+ * An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
+ */
+typedef struct gusset_transform {
+    /**
+     * x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
+     */
+    double rows[12];
+} gusset_transform;
+
+/**
+ * How pieces are aligned; all zero is the default.
+ */
+typedef struct gusset_alignment_options {
+    /**
+     * sizeof(gusset_alignment_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where the pieces begin: GUSSET_ALIGN_...
+     */
+    uint32_t start;
+    /**
+     * So many points of each piece are looked for on the others; 0: 2,000.
+     */
+    uint32_t samples;
+    /**
+     * Read for GUSSET_ALIGN_AS_GIVEN: motions of the pieces, rotations and translations, or NULL.
+     */
+    const struct gusset_transform *poses;
+    /**
+     * Their number: that of the pieces, or 0.
+     */
+    size_t pose_count;
+    /**
+     * Points that are farther than this from another piece are no pair with it, in the unit of the
+     * positions, finite and at least 0; 0: a tenth of the diagonal of the largest piece's box.
+     * Pieces may begin that far from where they belong, or a little less.
+     */
+    double max_distance;
+    /**
+     * Rounds at the most, in each of two stages; 0: 100.
+     */
+    uint32_t max_rounds;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_alignment_options;
+
+/**
+ * One piece, aligned.
+ */
+typedef struct gusset_aligned_piece {
+    /**
+     * Takes the piece's positions to their new places: a rotation and a translation.
+     */
+    struct gusset_transform pose;
+    /**
+     * How well the overlaps hold it, from 0 to 1: by how much the motion of length 1 that changes
+     * the distances of pairs least changes them, as a root of a mean square; turns count in radii
+     * of the piece. Of the first piece 1.
+     */
+    double hold;
+    /**
+     * GUSSET_ALIGNED_...
+     */
+    uint32_t reason;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_aligned_piece;
+
+/**
+ * What two pieces have in common where they lie in the end.
+ */
+typedef struct gusset_overlap {
+    /**
+     * The pieces, the smaller number first.
+     */
+    uint32_t pieces[2];
+    /**
+     * The shares of their points that lie on the other, within a mean edge of it; 0 to 1.
+     */
+    double shares[2];
+    /**
+     * The mean distance of these from the other's surface, in the unit of the positions.
+     */
+    double mean;
+    /**
+     * The root of the mean square.
+     */
+    double rms;
+    /**
+     * The share of the points within eight mean edges of the other piece that lie on it, 0 to 1.
+     */
+    double fit;
+    /**
+     * Of how many points this is known.
+     */
+    uint32_t count;
+    /**
+     * 1: they fit, as at least 30 points lie on each other and fit is at least two thirds. 0 or 1.
+     */
+    uint32_t trusted;
+} gusset_overlap;
+
+/**
+ * Where pieces lie. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_alignment_view {
+    /**
+     * sizeof(gusset_alignment_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The pieces, in their order.
+     */
+    const struct gusset_aligned_piece *pieces;
+    /**
+     * How many.
+     */
+    size_t piece_count;
+    /**
+     * The pairs with anything in common.
+     */
+    const struct gusset_overlap *overlaps;
+    /**
+     * How many.
+     */
+    size_t overlap_count;
+    /**
+     * Rounds that were done.
+     */
+    uint32_t rounds;
+    /**
+     * 1: nothing moved any more in the end; 0: the rounds were not enough.
+     */
+    uint32_t converged;
+} gusset_alignment_view;
+
+/**
  * Two loops of the input.
  */
 typedef struct gusset_loop_pair {
@@ -2727,6 +2949,44 @@ typedef struct gusset_fill_options {
 } gusset_fill_options;
 
 /**
+ * How pieces that overlap are trimmed; all zero is the default.
+ */
+typedef struct gusset_trim_options {
+    /**
+     * sizeof(gusset_trim_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Surfaces that are no farther apart than this are one, in the unit of the positions, finite
+     * and at least 0; 0: four mean edges of the coarser of two pieces.
+     */
+    double max_distance;
+    /**
+     * Surfaces whose normals differ by more are two, in radians, from 0 and below pi / 2; 0: 60
+     * degrees.
+     */
+    double max_angle;
+    /**
+     * x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL:
+     * what was seen under a flat angle counts for less.
+     */
+    const double *eyes;
+    /**
+     * Their number: that of the pieces, or 0.
+     */
+    size_t eye_count;
+    /**
+     * What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others
+     * show the same, and as small holes do not come about.
+     */
+    uint32_t min_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_trim_options;
+
+/**
  * How pieces are assembled; all zero is the default.
  */
 typedef struct gusset_assembly_options {
@@ -2810,9 +3070,13 @@ typedef struct gusset_assembly_options {
      */
     uint32_t keep_inside_out;
     /**
-     * 0.
+     * GUSSET_OVERLAPS_KEEP or GUSSET_OVERLAPS_TRIM.
      */
-    uint32_t reserved;
+    uint32_t overlaps;
+    /**
+     * Read for GUSSET_OVERLAPS_TRIM: how to trim; NULL for the defaults.
+     */
+    const struct gusset_trim_options *trim_options;
 } gusset_assembly_options;
 
 /**
@@ -3070,6 +3334,14 @@ typedef struct gusset_assembly_view {
      * whose partner is taken, or that no strip could join.
      */
     uint32_t near_loops_left;
+    /**
+     * Faces that were trimmed from overlaps.
+     */
+    uint32_t trimmed_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_assembly_view;
 
 /**
@@ -3798,6 +4070,46 @@ typedef struct gusset_strip_view {
      */
     uint32_t reserved;
 } gusset_strip_view;
+
+/**
+ * The faces of a piece that are kept.
+ */
+typedef struct gusset_trimmed_piece {
+    /**
+     * Ascending.
+     */
+    struct gusset_indices kept;
+    /**
+     * How many of the piece's vertices lie on another piece.
+     */
+    size_t covered_vertices;
+} gusset_trimmed_piece;
+
+/**
+ * What is left of pieces. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_trim_view {
+    /**
+     * sizeof(gusset_trim_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One for each piece.
+     */
+    const struct gusset_trimmed_piece *pieces;
+    /**
+     * How many.
+     */
+    size_t piece_count;
+    /**
+     * Faces that cut others of another piece after all else, and went with those round them.
+     */
+    uint32_t crossings;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_trim_view;
 
 /**
  * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid
@@ -5014,16 +5326,6 @@ typedef struct gusset_net_primitive {
  * How positions between nodes are found.
  */
 typedef uint32_t gusset_interpolation;
-
-/**
- * An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
- */
-typedef struct gusset_transform {
-    /**
-     * x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
-     */
-    double rows[12];
-} gusset_transform;
 
 /**
  * What an entry of a scene is.
@@ -8525,6 +8827,67 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
                                        struct gusset_sections_view *parts);
 
 /**
+ * Finds where pieces that overlap belong: rigid motions after which they fit, all at once, so that
+ * no error adds up round a ring of them. The first piece stays.
+ *
+ * Points of each piece look for the nearest ones on the others, those beyond a border of the other
+ * apart and those whose normals differ by more than 45 degrees; the motions that bring pairs onto
+ * the planes of their normals, with less weight for those far off, are found in one system of
+ * equations; and so on until nothing moves. Pieces have to begin within max_distance of where they
+ * belong, see start. A piece that nothing holds stays where it begins.
+ *
+ * What is not known is no failure, but said for each piece: a piece is trusted if it fits others,
+ * overlaps hold it in all six directions by more than the noise of normals, and pieces lead from it
+ * to the first one by pairs that fit.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param pieces piece_count mesh views one after another, each as large as the first one's
+ *     struct_size says, at least one.
+ * @param piece_count see pieces.
+ * @param options NULL for the defaults.
+ * @param[out] alignment receives the result, for gusset_alignment_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
+ *     EMPTY_MESH without pieces, UNKNOWN_VALUE, OUT_OF_RANGE (max_distance; or a pose that is no
+ *     rotation and translation, whose number is the report's index), COUNT_DIFFERS (fewer poses
+ *     than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(V log V) for V vertices of a piece, and O(samples log V) for each piece and each
+ *     one near it in each round, of which 10 to 30 are common; with GUSSET_ALIGN_RIMS 512^2 for
+ *     each two pieces. Linear extra memory.
+ * @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
+ *     P. Neugebauer (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_alignment_create(const struct gusset_context *context,
+                                      const struct gusset_mesh_view *pieces,
+                                      size_t piece_count,
+                                      const struct gusset_alignment_options *options,
+                                      struct gusset_alignment **alignment);
+
+/**
+ * Destroys an alignment; NULL is allowed.
+ *
+ * @param[in,out] alignment the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_alignment_destroy(struct gusset_alignment *alignment);
+
+/**
+ * Lends the poses and what is known of them.
+ *
+ * @param alignment the alignment.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_alignment_get_view(const struct gusset_alignment *alignment,
+                                        struct gusset_alignment_view *view);
+
+/**
  * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
  * loops that face each other across a gap stitched, holes filled, and closed components turned
  * outwards, as the options say.
@@ -8536,7 +8899,8 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
  * times the first, or the spacing of the vertices) or so that the nearest vertices go round the
  * other loop once; else runs of neighbouring vertices that are nearest to each other face each
  * other, and are joined by open strips. What faces nothing is left alone. Pieces that overlap are
- * not cut: where two lie on each other, their borders face each other and enclose what is between.
+ * not cut unless overlaps says so: where two lie on each other, their borders face each other and
+ * enclose what is between.
  * Vertices of the result: those of the pieces in order, then those of the strips, then those of
  * the patches; faces in the same way. Positions are of the scalar type of the first piece, and old
  * ones keep their bits.
@@ -9434,6 +9798,64 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
                                     struct gusset_strip_view *parts);
+
+/**
+ * Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the
+ * others, which gusset_assembly_create closes; see GUSSET_OVERLAPS_TRIM there for both at once.
+ *
+ * The pieces are cut along lines on which both are equally good. A vertex is the better the farther
+ * it is from the borders of its piece, in mean edges of it, so that the finer of two pieces counts
+ * for more, and the less flat the angle it was seen under, if eyes are given; loops of fewer than 32
+ * vertices are small holes and no borders in that sense. A vertex lies on another piece if the
+ * nearest place there is near, faces the same way, and is on no border. Where two are equally good
+ * but for noise, the earlier one is kept. No vertex moves, and no face is cut. What would be thinner
+ * than two faces goes, so do small islands, faces that hang on others by one vertex, and faces that
+ * cut those of another piece.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param pieces piece_count mesh views one after another, each as large as the first one's
+ *     struct_size says, at least one, all in one coordinate system; see gusset_alignment_create.
+ * @param piece_count see pieces.
+ * @param options NULL for the defaults.
+ * @param[out] trim receives the result, for gusset_trim_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
+ *     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (an eye),
+ *     COUNT_DIFFERS (fewer eyes than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(V log F) for V vertices of a piece and F faces of each piece near it; linear extra
+ *     memory.
+ * @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
+ *     (1994), who clip one mesh at the other's border.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_trim_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *pieces,
+                                 size_t piece_count,
+                                 const struct gusset_trim_options *options,
+                                 struct gusset_trim **trim);
+
+/**
+ * Destroys what is left of pieces; NULL is allowed.
+ *
+ * @param[in,out] trim the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_trim_destroy(struct gusset_trim *trim);
+
+/**
+ * Lends which faces are kept.
+ *
+ * @param trim the trimmed pieces.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
+                                   struct gusset_trim_view *view);
 
 /**
  * Makes one vertex of vertices that lie together.

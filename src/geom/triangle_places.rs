@@ -46,19 +46,24 @@ impl<'a> TriangleTree<'a> {
     /// The place nearest to a point, among those nearer than `limit` (squared); of equally near ones
     /// that which is met first.
     pub(crate) fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
+        self.nearest_beside(p, limit, None)
+    }
+
+    /// The same, faster where `guess` is a triangle near to it, as that of a point beside it.
+    pub(crate) fn nearest_beside(&self, p: DVec3, limit: f64, guess: Option<u32>) -> Option<TrianglePlace> {
         let mut best = TrianglePlace { triangle: u32::MAX, weights: [1.0, 0.0, 0.0], squared: limit };
-        self.tree.nearest(p, limit, &mut |leaf| {
-            if let Some(&triangle) = self.order.get(leaf) {
-                let corners = self.triangles[triangle as usize].map(|v| self.points[v as usize]);
-                let weights = nearest_weights(corners, p);
-                let place: DVec3 = corners.into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
-                let squared = place.distance_squared(p);
-                if squared < best.squared {
-                    best = TrianglePlace { triangle, weights, squared };
-                }
+        let mut look = |triangle: u32| {
+            let corners = self.triangles[triangle as usize].map(|v| self.points[v as usize]);
+            let weights = nearest_weights(corners, p);
+            let place: DVec3 = corners.into_iter().zip(weights).map(|(corner, weight)| corner * weight).sum();
+            let squared = place.distance_squared(p);
+            if squared < best.squared {
+                best = TrianglePlace { triangle, weights, squared };
             }
             best.squared
-        });
+        };
+        let limit = guess.map_or(limit, &mut look);
+        self.tree.nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
         (best.triangle != u32::MAX).then_some(best)
     }
 }

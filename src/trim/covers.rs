@@ -59,15 +59,17 @@ impl Covers {
         let chunks = par::ranges(own.scan.points.len(), CHUNK);
         let parts = par::map_cancellable(job, STAGE, chunks, |range| -> Result<Covers> {
             let mut part = Covers { ends: alloc::with_capacity(range.len())?, places: Vec::new() };
+            // Where the vertex before lay, on each.
+            let mut guesses = alloc::filled(None, near.len())?;
             for v in range {
                 let (p, n) = (own.scan.points[v], own.scan.normals[v]);
-                let on = |&j: &usize| {
+                let on = |(&j, guess): (&usize, &mut Option<u32>)| {
                     let reach = same.distance(own, &layers[j]);
-                    let (face, confidence) = place(&layers[j], &trees[j], p, n, reach, same.cosine)?;
+                    let (face, confidence) = place(&layers[j], &trees[j], p, n, reach, same.cosine, guess)?;
                     Some(Cover { piece: j as u32, face, confidence })
                 };
                 if n != DVec3::ZERO {
-                    alloc::extend(&mut part.places, near.iter().filter_map(on))?;
+                    alloc::extend(&mut part.places, near.iter().zip(&mut guesses).filter_map(on))?;
                 }
                 part.ends.push(part.places.len() as u32);
             }
@@ -107,12 +109,22 @@ impl Covers {
 }
 
 /// The face and the confidence of the place on a piece that a point with a normal lies on, if it does.
-fn place(other: &Layer, tree: &TriangleTree<'_>, p: DVec3, n: DVec3, reach: f64, cosine: f64) -> Option<(u32, f64)> {
+/// `guess`: the triangle where a point beside it lay.
+fn place(
+    other: &Layer,
+    tree: &TriangleTree<'_>,
+    p: DVec3,
+    n: DVec3,
+    reach: f64,
+    cosine: f64,
+    guess: &mut Option<u32>,
+) -> Option<(u32, f64)> {
     let scan = &other.scan;
     if scan.bounds.distance_squared(p) > reach * reach {
         return None;
     }
-    let place = tree.nearest(p, reach * reach)?;
+    let place = tree.nearest_beside(p, reach * reach, *guess)?;
+    *guess = Some(place.triangle);
     let corners = other.triangles[place.triangle as usize];
     let with = || corners.into_iter().zip(place.weights).filter(|&(_, weight)| weight > 0.0);
     // Beyond a border the nearest place is on it.
