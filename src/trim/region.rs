@@ -4,9 +4,10 @@
 use super::request::SPARE;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::bit_set::BitSet;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
-use crate::mesh::{Across, MeshView, Topology};
+use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
 
 const STAGE: &str = "trimming the pieces";
 /// Components of a piece that have so many times fewer faces than its largest are islands, too, if
@@ -18,7 +19,8 @@ const MAX_ROUNDS: usize = 20;
 /// A set of a piece's faces.
 pub(super) struct Region<'m, 'a> {
     mesh: &'m MeshView<'a>,
-    topology: Topology,
+    /// Of each half-edge the face on its other side, or [`NONE`].
+    across: Vec<u32>,
     pub(super) keeps: Vec<bool>,
     /// Those that cannot be kept, whatever lies on them.
     pub(super) lost: Vec<bool>,
@@ -32,18 +34,34 @@ impl<'m, 'a> Region<'m, 'a> {
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
         let topology = Topology::new(mesh, job)?;
         let count = mesh.faces().len();
-        let mut region = Region { mesh, topology, keeps: alloc::filled(true, count)?, lost: alloc::filled(false, count)?, component: Vec::new(), largest: 0 };
+        let mut face_of = alloc::filled(NONE, mesh.faces().half_edge_count())?;
+        for f in 0..count {
+            face_of[mesh.faces().range(f)].fill(f as u32);
+        }
+        let across = alloc::collect((0..face_of.len() as u32).map(|h| match topology.across(h) {
+            Across::Mate(mate) => face_of[mate as usize],
+            _ => NONE,
+        }))?;
+        let mut region = Region {
+            mesh,
+            across,
+            keeps: alloc::filled(true, count)?,
+            lost: alloc::filled(false, count)?,
+            component: Vec::new(),
+            largest: 0,
+        };
         region.component = region.part_sizes(job)?;
         region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
     }
 
-    /// The faces beside the sides of a face.
-    fn beside(&self, f: usize) -> impl Iterator<Item = Option<usize>> + '_ {
-        self.mesh.faces().range(f).map(|h| match self.topology.across(h as u32) {
-            Across::Mate(mate) => Some(self.mesh.faces().face_of(mate) as usize),
-            _ => None,
-        })
+    /// The faces beside the sides of a face; [`NONE`] where there is none.
+    fn beside(&self, f: usize) -> &[u32] {
+        &self.across[self.mesh.faces().range(f)]
+    }
+
+    fn is_kept(&self, f: u32) -> bool {
+        f != NONE && self.keeps[f as usize]
     }
 
     /// The set that each face hangs together with across sides, if it is kept.
@@ -52,8 +70,8 @@ impl<'m, 'a> Region<'m, 'a> {
         let mut sets = DisjointSets::new(count)?;
         for f in (0..count).filter(|&f| self.keeps[f]) {
             job.step_within(f, STAGE)?;
-            for g in self.beside(f).flatten().filter(|&g| self.keeps[g]) {
-                sets.union(f as u32, g as u32);
+            for &g in self.beside(f).iter().filter(|&&g| self.is_kept(g)) {
+                sets.union(f as u32, g);
             }
         }
         sets.into_roots(job, STAGE)
@@ -132,13 +150,9 @@ impl<'m, 'a> Region<'m, 'a> {
     /// middles of the edges between them.
     pub(super) fn rim(&self, at: impl Fn(u32) -> glam::DVec3, out: &mut Vec<glam::DVec3>) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            for h in self.mesh.faces().range(f).map(|h| h as u32) {
-                let is_free = match self.topology.across(h) {
-                    Across::Mate(mate) => !self.keeps[self.mesh.faces().face_of(mate) as usize],
-                    _ => true,
-                };
-                if is_free {
-                    let [u, v] = [h, self.mesh.faces().next(h)].map(|h| at(self.mesh.faces().corner(h)));
+            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
+                if !self.is_kept(g) {
+                    let [u, v] = [at(u), at(v)];
                     alloc::append(out, &[u, u.midpoint(v)])?;
                 }
             }
@@ -172,7 +186,7 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Loses faces, and all that have a vertex in common with them.
     pub(super) fn lose(&mut self, faces: &[u32]) -> Result<()> {
-        let mut gone = crate::geom::bit_set::BitSet::new(self.mesh.positions().len())?;
+        let mut gone = BitSet::new(self.mesh.positions().len())?;
         faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
         for f in 0..self.keeps.len() {
             self.lost[f] |= self.mesh.face(f).any(|v| gone.contains(v));
@@ -200,9 +214,9 @@ impl<'m, 'a> Region<'m, 'a> {
         let mut ears = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             let (mut held, mut cut) = (0, 0);
-            for g in self.beside(f) {
-                held += usize::from(g.is_some_and(|g| self.keeps[g]));
-                cut += usize::from(g.is_some_and(|g| !self.keeps[g]));
+            for &g in self.beside(f) {
+                held += usize::from(self.is_kept(g));
+                cut += usize::from(g != NONE && !self.is_kept(g));
             }
             if held <= 1 && cut > 0 {
                 alloc::push(&mut ears, f)?;
@@ -215,46 +229,38 @@ impl<'m, 'a> Region<'m, 'a> {
     /// Takes out all but the largest of several fans of faces round a vertex where something was
     /// taken out; true if there were any.
     fn take_out_pinches(&mut self) -> Result<bool> {
-        // Fans are sets of corners; each vertex's are counted by their roots.
-        let corners = self.mesh.faces().half_edge_count();
-        let mut fans = DisjointSets::new(corners)?;
-        let mut touched = alloc::filled(false, self.mesh.positions().len())?;
-        for f in 0..self.keeps.len() {
-            if !self.keeps[f] {
-                self.mesh.face(f).for_each(|v| touched[v as usize] = true);
-                continue;
-            }
-            for h in self.mesh.faces().range(f).map(|h| h as u32) {
-                if let Across::Mate(mate) = self.topology.across(h)
-                    && self.keeps[self.mesh.faces().face_of(mate) as usize]
-                {
-                    // h runs from u to v, and its mate back.
-                    let next = |h: u32| self.mesh.faces().next(h);
-                    let same = self.mesh.faces().corner(h) == self.mesh.faces().corner(mate);
-                    let pairs = if same { [[h, mate], [next(h), next(mate)]] } else { [[h, next(mate)], [next(h), mate]] };
-                    pairs.iter().for_each(|&[a, b]| {
-                        fans.union(a, b);
-                    });
-                }
-            }
+        let mut touched = BitSet::new(self.mesh.positions().len())?;
+        for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
+            self.mesh.face(f).for_each(|v| touched.insert(v));
         }
-        let mut of_vertex: Vec<(u32, u32, u32)> = Vec::new();
+        // The faces at each such vertex, and those beside them across the edges that end there.
+        let mut corners: Vec<(u32, u32, [u32; 2])> = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            for h in self.mesh.faces().range(f).map(|h| h as u32) {
-                let v = self.mesh.faces().corner(h);
-                if touched[v as usize] {
-                    alloc::push(&mut of_vertex, (v, fans.find(h), f as u32))?;
-                }
+            let beside = self.beside(f);
+            for (k, v) in self.mesh.face(f).enumerate().filter(|&(_, v)| touched.contains(v)) {
+                let before = beside[(k + beside.len() - 1) % beside.len()];
+                alloc::push(&mut corners, (v, f as u32, [before, beside[k]]))?;
             }
         }
-        of_vertex.sort_unstable();
-        let mut any = false;
-        for round in of_vertex.chunk_by(|x, y| x.0 == y.0) {
-            let largest = round.chunk_by(|x, y| x.1 == y.1).reduce(|x, y| if y.len() > x.len() { y } else { x });
-            let largest = largest.map_or(0, |fan| fan[0].1);
-            for &(_, _, f) in round.iter().filter(|entry| entry.1 != largest) {
-                any |= self.keeps[f as usize];
-                self.keeps[f as usize] = false;
+        corners.sort_unstable();
+        let (mut any, mut fans, mut sizes) = (false, DisjointSets::new(0)?, Vec::new());
+        for round in corners.chunk_by(|x, y| x.0 == y.0) {
+            fans.reset(round.len())?;
+            for (k, (_, _, beside)) in round.iter().enumerate() {
+                for g in beside {
+                    if let Ok(j) = round.binary_search_by_key(g, |corner| corner.1) {
+                        fans.union(k as u32, j as u32);
+                    }
+                }
+            }
+            alloc::reset(&mut sizes, round.len(), 0u32)?;
+            (0..round.len() as u32).for_each(|k| sizes[fans.find(k) as usize] += 1);
+            let largest = (0..round.len()).fold(0, |best, k| if sizes[k] > sizes[best] { k } else { best });
+            for (k, &(_, f, _)) in round.iter().enumerate() {
+                if fans.find(k as u32) as usize != largest {
+                    any |= self.keeps[f as usize];
+                    self.keeps[f as usize] = false;
+                }
             }
         }
         Ok(any)

@@ -42,6 +42,8 @@ pub struct Trimmed {
     pub kept: Vec<Vec<u32>>,
     /// For each piece the vertices that lie on another one.
     pub covered: Vec<u32>,
+    /// The mean edge of the coarsest piece, in the unit of the positions.
+    pub spacing: f64,
     /// Faces of different pieces that cut each other after all else, and were taken out with those
     /// round them.
     pub crossings: u32,

@@ -99,6 +99,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     Ok(Trimmed {
         kept: alloc::try_collect(regions.iter().map(kept))?,
         covered: alloc::collect(covers.iter().map(Covers::count))?,
+        spacing: unit * layers.iter().map(|layer| layer.scan.spacing).fold(0.0, f64::max),
         crossings: cut,
     })
 }

@@ -27,5 +27,6 @@ mod rows;
 mod seams;
 mod stitch;
 mod together;
+mod trim;
 mod weld;
 mod winged;

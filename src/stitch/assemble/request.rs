@@ -16,6 +16,8 @@ pub enum MaxGap {
     /// loops that are the only ones, of two pieces, are joined however far they are.
     ///
     /// For what sewing left of two borders half the loop's radius, and at most one of its mean edges.
+    ///
+    /// Between pieces whose overlaps are trimmed, four mean edges of the coarsest.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.

@@ -19,6 +19,9 @@ use crate::stitch::strip::Strip;
 use crate::stitch::{self, Finish, Rows};
 use crate::trim::{Trimmed, trim};
 
+/// How wide gaps between trimmed pieces are, in mean edges of the coarsest, if the caller says
+/// nothing.
+const GAP_EDGES: f64 = 4.0;
 /// Rounds in which what is left of trimmed pieces gets less where it cannot be joined.
 const MAX_ROUNDS: u32 = 6;
 
@@ -44,6 +47,12 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         return once(pieces, None, options, job).map(|(done, _)| done);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
+    // Pieces that were cut where they overlap are near each other there: no loop is to look farther.
+    let max_gap = match options.max_gap {
+        MaxGap::Auto => MaxGap::Given(GAP_EDGES * trimmed.spacing),
+        given => given,
+    };
+    let options = &Options { max_gap, ..*options };
     // What is left small and alone, and what makes patches cut, goes, and all is done once more.
     let mut round = 0;
     loop {
