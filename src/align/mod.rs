@@ -32,10 +32,12 @@
 //! | [`rims`](self) | a start by features of rims |
 //! | [`judge`](self) | what can be trusted |
 //! | [`run`](self) | all of it in order |
+//! | [`moved`](self) | the pieces where they lie in the end, in one mesh |
 
 mod axes;
 mod freedom;
 mod judge;
+mod moved;
 mod pairs;
 mod pose;
 mod relax;
