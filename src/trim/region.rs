@@ -30,10 +30,10 @@ pub(super) struct Region<'m, 'a> {
 impl<'m, 'a> Region<'m, 'a> {
     /// All faces. O(H log d).
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
-        let topology = Topology::new(mesh, job)?;
+        let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
         let count = mesh.faces().len();
         let mut region = Region { mesh, topology, keeps: alloc::filled(true, count)?, lost: alloc::filled(false, count)?, component: Vec::new(), largest: 0 };
-        region.component = region.part_sizes(job)?;
+        region.component = region.part_sizes(&job.part(0.5, 1.0))?;
         region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
     }

@@ -81,12 +81,13 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         // What cannot be kept competes with nothing: others are kept in its place.
         let mut lost = false;
         for k in 0..count {
-            lost |= keep(&layers, &covers, &mut regions, k, min_faces, &job)?;
+            let done = 0.7 * k as f64 / count as f64;
+            lost |= keep(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
         }
         if lost && round + 2 < MAX_ROUNDS {
             continue;
         }
-        let found = crossings(&layers, pieces, &regions, &job)?;
+        let found = crossings(&layers, pieces, &regions, &job.part(0.7, 1.0))?;
         if found.iter().all(Vec::is_empty) {
             break;
         }
