@@ -13,12 +13,8 @@ use glam::{DMat3, DVec3};
 const ROUNDS: u32 = 10;
 
 /// The four turns by half a circle, or not, about axes.
-const TURNS: [DVec3; 4] = [
-    DVec3::ONE,
-    DVec3::new(1.0, -1.0, -1.0),
-    DVec3::new(-1.0, 1.0, -1.0),
-    DVec3::new(-1.0, -1.0, 1.0),
-];
+const TURNS: [DVec3; 4] =
+    [DVec3::ONE, DVec3::new(1.0, -1.0, -1.0), DVec3::new(-1.0, 1.0, -1.0), DVec3::new(-1.0, -1.0, 1.0)];
 
 /// The poses that bring each piece's principal axes to those of the first, in the one of four ways
 /// after which most of it lies on the first. O(pieces) alignments of two.

@@ -48,8 +48,7 @@ impl Rim {
     /// O(F) and the samples.
     pub(super) fn new(mesh: &MeshView<'_>, scan: &Scan, step: f64, job: &Job<'_>) -> Result<Rim> {
         let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
-        let mut rim =
-            Rim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
+        let mut rim = Rim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
         for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
             rim.enter(walk.vertices, scan)?;
         }

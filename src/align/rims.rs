@@ -35,12 +35,11 @@ pub(super) fn by_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let pairs = alloc::gather((0..count).flat_map(|i| (0..count).map(move |k| [i, k])).filter(|[i, k]| i < k))?;
-    let found = par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| {
-        match (scene.members[i].rim, scene.members[k].rim) {
+    let found =
+        par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| match (scene.members[i].rim, scene.members[k].rim) {
             (Some((onto, tree)), Some((from, _))) => best_match(onto, tree, from),
             _ => Ok(None),
-        }
-    })?;
+        })?;
     let found = alloc::try_collect(found)?;
     let mut is_placed = alloc::filled(false, count)?;
     if let Some(first) = is_placed.first_mut() {

@@ -67,7 +67,8 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         }
     }
     let rim_trees = alloc::try_collect(
-        rims.iter().map(|rim| crate::geom::kd_tree::KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")),
+        rims.iter()
+            .map(|rim| crate::geom::kd_tree::KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")),
     )?;
     let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
     let reach = options.max_distance.map_or(REACH * largest.fold(0.0, f64::max), |distance| distance / unit);

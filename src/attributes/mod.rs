@@ -11,7 +11,7 @@
 //! | [`origins`](self) | the tables of a result; those of new vertices and faces |
 //! | [`rims`](self) | where new faces hang on old ones |
 //! | [`continuation`](self) | texture coordinates across new faces |
-//! | [`joined`](self) | results that keep all faces: of stitching, filling, orienting, side by side; strips |
+//! | [`joined`](self) | results that keep all faces: stitched, filled, oriented, side by side |
 //! | [`repaired`](self) | results of welding, sewing, assembling, trimming |
 //! | [`grids`](self) | meshes of nets and sheets |
 //! | [`splits`](self) | vertices that are kept apart for their values |

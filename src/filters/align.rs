@@ -34,7 +34,7 @@ pub(super) const FILTER: Filter = Filter {
 choices! {
     STARTS: Start<'static> =
         Start::AsGiven => "As they lie", "Each piece begins where its positions say.";
-        Start::PrincipalAxes => "Principal axes", "Each with its principal axes on those of the first: pieces that show the same object whole.";
+        Start::PrincipalAxes => "Principal axes", "Those of each on those of the first: pieces that show the same object whole.";
         Start::Rims => "Rims", "By rims that run alike: pieces of one surface that was cut or broken, which need not overlap.";
 }
 
@@ -105,7 +105,8 @@ fn push_overlap(text: &mut String, overlap: &Overlap) {
     let fit = if overlap.trusted { "" } else { "; they do not fit" };
     push_line!(
         text,
-        "pieces {i} and {k}: {share:.1} % and {other:.1} % of their points on each other, mean distance {}, root mean square {}{fit}",
+        "pieces {i} and {k}: {share:.1} % and {other:.1} % of their points on each other, mean distance {}, root mean \
+         square {}{fit}",
         short(overlap.mean),
         short(overlap.rms)
     );

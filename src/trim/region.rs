@@ -32,7 +32,14 @@ impl<'m, 'a> Region<'m, 'a> {
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
         let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
         let count = mesh.faces().len();
-        let mut region = Region { mesh, topology, keeps: alloc::filled(true, count)?, lost: alloc::filled(false, count)?, component: Vec::new(), largest: 0 };
+        let mut region = Region {
+            mesh,
+            topology,
+            keeps: alloc::filled(true, count)?,
+            lost: alloc::filled(false, count)?,
+            component: Vec::new(),
+            largest: 0,
+        };
         region.component = region.part_sizes(&job.part(0.5, 1.0))?;
         region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
@@ -80,9 +87,9 @@ impl<'m, 'a> Region<'m, 'a> {
         min_faces: u32,
         job: &Job<'_>,
     ) -> Result<bool> {
-        let may = alloc::collect((0..self.keeps.len()).map(|f| {
-            !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])
-        }))?;
+        let may = alloc::collect(
+            (0..self.keeps.len()).map(|f| !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])),
+        )?;
         for f in 0..self.keeps.len() {
             self.keeps[f] = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
@@ -124,7 +131,8 @@ impl<'m, 'a> Region<'m, 'a> {
             let sum = &mut sums[roots[f] as usize];
             *sum = [sum[0] + 1, sum[1] + u32::from(needed)];
         }
-        let of = |k: usize| alloc::collect((0..count).map(|f| if self.keeps[f] { sums[roots[f] as usize][k] } else { 0 }));
+        let of =
+            |k: usize| alloc::collect((0..count).map(|f| if self.keeps[f] { sums[roots[f] as usize][k] } else { 0 }));
         Ok((of(0)?, of(1)?))
     }
 
@@ -231,7 +239,8 @@ impl<'m, 'a> Region<'m, 'a> {
                     // h runs from u to v, and its mate back.
                     let next = |h: u32| self.mesh.faces().next(h);
                     let same = self.mesh.faces().corner(h) == self.mesh.faces().corner(mate);
-                    let pairs = if same { [[h, mate], [next(h), next(mate)]] } else { [[h, next(mate)], [next(h), mate]] };
+                    let pairs =
+                        if same { [[h, mate], [next(h), next(mate)]] } else { [[h, next(mate)], [next(h), mate]] };
                     pairs.iter().for_each(|&[a, b]| {
                         fans.union(a, b);
                     });

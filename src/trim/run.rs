@@ -69,12 +69,12 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         edges: EDGES,
         cosine: libm::cos(if angle == 0.0 { ANGLE } else { angle }),
     };
-    let covers =
-        alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
+    let covers = alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
     let min_faces = options.least();
     let job = job.part(0.8, 1.0);
-    let mut regions =
-        alloc::try_collect(pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))))?;
+    let mut regions = alloc::try_collect(
+        pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))),
+    )?;
     let mut cut = 0;
     for round in 0..MAX_ROUNDS {
         let job = job.part(0.1, 1.0).share(round, MAX_ROUNDS);
@@ -96,7 +96,8 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
             region.lose(faces)?;
         }
     }
-    let kept = |region: &Region<'_, '_>| alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f));
+    let kept =
+        |region: &Region<'_, '_>| alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f));
     Ok(Trimmed {
         kept: alloc::try_collect(regions.iter().map(kept))?,
         covered: alloc::collect(covers.iter().map(Covers::count))?,

@@ -168,7 +168,11 @@ fn overlapping_pieces_are_assembled_to_a_closed_mesh() {
     assert!(volume(|v| at[v as usize], faces.iter().copied()) > 3.0);
     let trimmed = value(&outputs[1], "trimmed_faces");
     assert!(trimmed > 100.0);
-    assert!(text(&outputs[1]).starts_with(&format!("{trimmed} faces trimmed from overlaps\n")), "{}", text(&outputs[1]));
+    assert!(
+        text(&outputs[1]).starts_with(&format!("{trimmed} faces trimmed from overlaps\n")),
+        "{}",
+        text(&outputs[1])
+    );
     // What is left is where it was.
     let both = given[0].and(&given[1]);
     let table = origins(&outputs[0]).table(Domain::Vertices);
