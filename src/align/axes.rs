@@ -13,12 +13,8 @@ use glam::{DMat3, DVec3};
 const ROUNDS: u32 = 10;
 
 /// The four turns by half a circle, or not, about axes.
-const TURNS: [DVec3; 4] = [
-    DVec3::ONE,
-    DVec3::new(1.0, -1.0, -1.0),
-    DVec3::new(-1.0, 1.0, -1.0),
-    DVec3::new(-1.0, -1.0, 1.0),
-];
+const TURNS: [DVec3; 4] =
+    [DVec3::ONE, DVec3::new(1.0, -1.0, -1.0), DVec3::new(-1.0, 1.0, -1.0), DVec3::new(-1.0, -1.0, 1.0)];
 
 /// The poses that bring each piece's principal axes to those of the first, in the one of four ways
 /// after which most of it lies on the first. O(pieces) alignments of two.
@@ -40,7 +36,7 @@ pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
             let start = Pose { rotation, translation: first.scan.mean - rotation * scan.mean };
             let mut both = [Pose::IDENTITY, start];
             two.relax(&mut both, ROUNDS, &part)?;
-            let found = two.find_within(&both, super::judge::NEAR, super::judge::ON, &part)?;
+            let found = two.find_within(&both, super::judge::NEAR, super::judge::ON, &part.part(1.0, 1.0))?;
             let score = found.iter().map(|(_, found)| found.on).sum::<usize>() as f64;
             if score > best.0 {
                 best = (score, both[1]);

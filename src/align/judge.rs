@@ -1,9 +1,9 @@
 //! What can be trusted: pairs that fit, and the pieces that hang together by them.
 
 use super::freedom::holds;
+use super::member::Member;
 use super::pairs::Found;
 use super::request::{Overlap, Reason};
-use super::scene::Member;
 use crate::alloc;
 use crate::error::Result;
 

@@ -23,8 +23,11 @@
 //! | [`request`](self) | options, results, reasons |
 //! | [`pose`](self) | a rotation and a translation |
 //! | [`scan`](self) | a piece made ready: points, smoothed normals, borders, samples |
-//! | [`scene`](self) | the pieces, and who is near whom |
+//! | [`rim`](self) | its rims at equal steps, with frames and signatures |
+//! | [`member`](self) | a piece among others, and what it looks for |
 //! | [`pairs`](self) | which samples lie on which other piece, and their equations |
+//! | [`along`](self) | the same of rims |
+//! | [`scene`](self) | the pieces, and who is near whom |
 //! | [`system`](self) | the equations of all motions, solved by conjugate gradients |
 //! | [`freedom`](self) | the directions in which overlaps do not hold a piece |
 //! | [`relax`](self) | the rounds |
@@ -32,14 +35,19 @@
 //! | [`rims`](self) | a start by features of rims |
 //! | [`judge`](self) | what can be trusted |
 //! | [`run`](self) | all of it in order |
+//! | [`moved`](self) | the pieces where they lie in the end, in one mesh |
 
+mod along;
 mod axes;
 mod freedom;
 mod judge;
+mod member;
+mod moved;
 mod pairs;
 mod pose;
 mod relax;
 mod request;
+mod rim;
 mod rims;
 mod run;
 mod scan;

@@ -1,7 +1,7 @@
 //! Which samples of a piece lie on another one, and what they ask of the motions of the two.
 
+use super::member::Member;
 use super::pose::Pose;
-use super::scene::Member;
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;

@@ -2,11 +2,13 @@
 
 use super::axes::by_axes;
 use super::judge::{NEAR, ON, judge};
+use super::member::Member;
 use super::pose::Pose;
 use super::request::{Aligned, Alignment, Options, Reason, Start};
-use super::rims::{Rim, by_rims, common_step};
+use super::rim::{Rim, common_step};
+use super::rims::by_rims;
 use super::scan::Scan;
-use super::scene::{Member, Scene};
+use super::scene::Scene;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::scale::common_unit;
@@ -65,7 +67,8 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
         }
     }
     let rim_trees = alloc::try_collect(
-        rims.iter().map(|rim| crate::geom::kd_tree::KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")),
+        rims.iter()
+            .map(|rim| crate::geom::kd_tree::KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")),
     )?;
     let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
     let reach = options.max_distance.map_or(REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
@@ -94,6 +97,10 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let found = scene.find_within(&poses, NEAR, ON, &job.part(0.9, 1.0))?;
     let (overlaps, known) = judge(&scene.members, &found, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
+        // Rounding is not to move what stays.
+        if *pose == shifted(scan.centre - origin) {
+            return Aligned { pose: Pose::IDENTITY, reason, hold };
+        }
         let back = pose.rotation * scan.centre;
         Aligned { pose: Pose { translation: unit * (pose.translation + origin - back), ..*pose }, reason, hold }
     });

@@ -102,7 +102,8 @@ fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<
     normals.iter_mut().for_each(|n| *n = n.normalize_or_zero());
     for pass in 0..SMOOTHINGS {
         let before = alloc::copied(&normals)?;
-        job.step(pass as f64 / SMOOTHINGS as f64, STAGE)?;
+        let job = job.share(pass, SMOOTHINGS);
+        job.step(0.0, STAGE)?;
         for f in 0..mesh.faces().len() {
             job.step_within(f, STAGE)?;
             let sum = mesh.face(f).map(|v| before[v as usize]).sum::<DVec3>();

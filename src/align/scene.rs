@@ -1,29 +1,17 @@
 //! The pieces that are aligned with each other, and who is near whom.
 
+use super::along::look_along;
+use super::member::Member;
 use super::pairs::{Found, Placed, look};
 use super::pose::Pose;
-use super::rims::{Rim, look_along};
-use super::scan::Scan;
 use crate::alloc;
 use crate::error::Result;
-use crate::geom::kd_tree::KdTree;
 use crate::job::Job;
 use crate::par;
 
 const STAGE: &str = "aligning the pieces";
 /// Fewer pairs say nothing of two pieces.
 pub(super) const MIN_PAIRS: usize = 10;
-
-/// A piece, and what it looks for.
-#[derive(Clone, Copy)]
-pub(super) struct Member<'a> {
-    pub(super) scan: &'a Scan,
-    pub(super) tree: &'a KdTree<'a>,
-    /// Vertices, neighbours near each other.
-    pub(super) samples: &'a [u32],
-    /// Its rims, if they are what holds it.
-    pub(super) rim: Option<(&'a Rim, &'a KdTree<'a>)>,
-}
 
 /// Pieces that are aligned with each other.
 pub(super) struct Scene<'a> {

@@ -1,5 +1,5 @@
-//! Origins of results that keep all faces of their inputs: stitched, filled and oriented meshes;
-//! and of strips.
+//! Origins of results that keep all faces of their inputs: stitched, filled and oriented meshes,
+//! meshes side by side; and of strips.
 
 use super::domain::Counts;
 use super::origins::{Kept, Origins};
@@ -82,14 +82,21 @@ impl Origins {
     /// # Errors
     /// As [`Origins::of_stitch`].
     pub fn of_moved(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
-        let counts = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
-        let Counts { vertices, corners, faces } = counts.first().copied().unwrap_or_default();
-        Origins::of_kept(Kept {
-            inputs: counts,
-            vertices: Table::of_single(0..vertices as u32, &job.part(0.0, 0.2))?,
-            corners: Table::of_single(0..corners as u32, &job.part(0.2, 0.8))?,
-            faces: Table::of_single(0..faces as u32, &job.part(0.8, 1.0))?,
-        })
+        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let first = inputs.first().copied().unwrap_or_default();
+        first_of(inputs, first, job)
+    }
+
+    /// Those of a mesh with the vertices and faces of all inputs side by side, the vertices elsewhere
+    /// or where they were.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_side_by_side(inputs: &[MeshView<'_>], job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let sum = |of: fn(&Counts) -> usize| inputs.iter().map(of).sum();
+        let all = Counts { vertices: sum(|c| c.vertices), corners: sum(|c| c.corners), faces: sum(|c| c.faces) };
+        first_of(inputs, all, job)
     }
 
     /// Those of a strip between two polylines: its inputs are these, of points alone.
@@ -107,6 +114,16 @@ impl Origins {
         let parents = parents.map(|(&[a, b], &weight)| ([a, b, b], [1.0 - weight, weight, 0.0]));
         Origins::new(&ruled.mesh, kept, parents, &job.part(0.1, 1.0))
     }
+}
+
+/// Of a result whose elements are so many of the inputs', in their order.
+fn first_of(inputs: Vec<Counts>, count: Counts, job: &Job<'_>) -> Result<Origins> {
+    Origins::of_kept(Kept {
+        inputs,
+        vertices: Table::of_single(0..count.vertices as u32, &job.part(0.0, 0.2))?,
+        corners: Table::of_single(0..count.corners as u32, &job.part(0.2, 0.8))?,
+        faces: Table::of_single(0..count.faces as u32, &job.part(0.8, 1.0))?,
+    })
 }
 
 /// Faces of a mesh as a set.

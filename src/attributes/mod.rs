@@ -11,8 +11,8 @@
 //! | [`origins`](self) | the tables of a result; those of new vertices and faces |
 //! | [`rims`](self) | where new faces hang on old ones |
 //! | [`continuation`](self) | texture coordinates across new faces |
-//! | [`joined`](self) | results that keep all faces: of stitching, filling, orienting; strips |
-//! | [`repaired`](self) | results of welding, sewing, assembling |
+//! | [`joined`](self) | results that keep all faces: stitched, filled, oriented, side by side |
+//! | [`repaired`](self) | results of welding, sewing, assembling, trimming |
 //! | [`grids`](self) | meshes of nets and sheets |
 //! | [`splits`](self) | vertices that are kept apart for their values |
 //! | [`values`](self) | types of values, and where those of a result go |

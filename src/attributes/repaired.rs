@@ -1,5 +1,5 @@
-//! Origins of meshes some of whose vertices and faces are one now, or gone: welded, sewn and
-//! assembled ones.
+//! Origins of meshes some of whose vertices and faces are one now, or gone: welded, sewn, assembled
+//! and trimmed ones.
 
 use super::domain::Counts;
 use super::joined::places;
@@ -8,11 +8,12 @@ use super::table::{STAGE, Table};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::{Mesh, NONE};
+use crate::mesh::{Mesh, MeshView, NONE};
 use crate::repair::corner_origins::{CornerOnEdge, CornerOrigins};
 use crate::repair::sew::Sew;
 use crate::repair::weld::Weld;
 use crate::stitch::assemble::Assembly;
+use crate::trim::Remains;
 
 impl Origins {
     /// Those of a welded mesh.
@@ -78,6 +79,21 @@ impl Origins {
         let kept = repaired.kept(counts, map.into_iter(), origin, is_turned, &job.part(0.0, 0.3))?;
         let new = history.parents.iter().copied().zip(history.weights.iter().copied());
         Origins::new(mesh, kept, new, &job.part(0.3, 0.9))?.with_turned(mesh, is_turned, &job.part(0.9, 1.0))
+    }
+
+    /// Those of what is left of trimmed pieces, which are the inputs.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_remains(inputs: &[MeshView<'_>], remains: &Remains, job: &Job<'_>) -> Result<Origins> {
+        let inputs = alloc::collect(inputs.iter().map(Counts::of_mesh))?;
+        let (count, map) = (remains.mesh.positions.len(), remains.vertex_map.iter().copied());
+        Origins::of_kept(Kept {
+            inputs,
+            vertices: Table::of_map(count, map, &job.part(0.0, 0.3))?,
+            corners: Table::of_single(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: Table::of_single(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+        })
     }
 }
 

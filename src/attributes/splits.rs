@@ -12,12 +12,13 @@ use crate::alloc;
 use crate::error::Result;
 use crate::fill::Filled;
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, NONE};
+use crate::mesh::{Mesh, MeshView, NONE, Piece};
 use crate::repair::orient::Oriented;
 use crate::repair::sew::Sew;
 use crate::repair::weld::Weld;
 use crate::stitch::Stitch;
 use crate::stitch::assemble::Assembly;
+use crate::trim::Remains;
 
 const STAGE: &str = "keeping split vertices";
 
@@ -82,6 +83,28 @@ impl KeepSplits for Oriented {
         let Some(splits) = Splits::of(inputs) else { return Ok(()) };
         let origins = Origins::of_oriented(self, &job.part(0.0, 0.6))?;
         splits.restore(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
+    }
+}
+
+/// The inputs side by side, and where each lies.
+impl KeepSplits for (Mesh, Vec<Piece>) {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let views = alloc::collect(inputs.iter().map(|&view| *view))?;
+        let origins = Origins::of_side_by_side(&views, &job.part(0.0, 0.6))?;
+        let (mesh, places) = self;
+        splits.restore(mesh, &origins, |input, v| places[input].first_vertex + v, &job.part(0.6, 1.0))
+    }
+}
+
+impl KeepSplits for Remains {
+    fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
+        let Some(splits) = Splits::of(inputs) else { return Ok(()) };
+        let views = alloc::collect(inputs.iter().map(|&view| *view))?;
+        let origins = Origins::of_remains(&views, self, &job.part(0.0, 0.6))?;
+        let (map, places) = (&self.vertex_map, &self.places);
+        let map = |input: usize, v: u32| map[(places[input].first_vertex + v) as usize];
+        splits.restore(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
     }
 }
 

@@ -5,16 +5,17 @@ use super::weld::{TOLERANCES, tolerance};
 use crate::attributes::{KeepSplits, Origins};
 use crate::fill;
 use crate::repair::weld;
-use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, assemble};
+use crate::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Overlaps, Reason, assemble};
 use crate::stitch::{self, Fairing, Finish, Meridians, Rows};
+use crate::trim;
 
 pub(super) const FILTER: Filter = Filter {
     id: "assemble",
     name: "Assemble pieces",
     category: "Stitching",
-    help: "Joins many open pieces to one mesh: coincident borders are sewn, orientations made consistent, loops that face \
-           each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face \
-           none are left as they are.",
+    help: "Joins many open pieces to one mesh: overlaps are trimmed on request, coincident borders sewn, orientations made \
+           consistent, loops that face each other across a gap stitched, holes filled on request, and closed results turned \
+           outwards. Loops that face none are left as they are.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     max_inputs: 1 << 16,
     has_origins: true,
@@ -38,6 +39,7 @@ pub(super) const FILTER: Filter = Filter {
             "Leaves closed components of the result as they are; otherwise the faces of those that are inside out are \
              reversed, each by its own volume, also inside others.",
         ),
+        Param::choice("overlaps", "Overlaps", OVERLAPS.texts).with_help("The treatment of pieces that overlap."),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
@@ -63,6 +65,14 @@ choices! {
         Rows::MeanEdge => "By mean edge", "New edges are about as long as the mean edge of the pieces.";
 }
 
+choices! {
+    OVERLAPS: Overlaps<'static> =
+        Overlaps::Keep => "Keep", "They stay as they are.";
+        Overlaps::Trim(TRIM) => "Trim", "Of each overlap one piece is kept, and the narrow gap is closed as others are.";
+}
+
+const TRIM: trim::Options<'static> = trim::Options { max_distance: None, max_angle: 0.0, eyes: &[], min_faces: 0 };
+
 const HOLES: &[Choice] = &[
     Choice::new("Leave", "They stay open."),
     Choice::new("Fill", "Triangles between the vertices of the rim."),
@@ -75,6 +85,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let edge_to_edge = values.choice("weld", WELDS);
     let weld = weld::Options { tolerance: tolerance(values), ..weld::Options::default() };
     let options = Options {
+        overlaps: values.choice("overlaps", OVERLAPS),
         weld: edge_to_edge.map(|_| weld),
         edge_to_edge: edge_to_edge == Some(true),
         max_gap: if max_gap < 0.0 { MaxGap::Auto } else { MaxGap::Given(max_gap) },
@@ -106,7 +117,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 fn report(done: &Assembly) -> Report {
-    let mut text = format!("{} sewn\n", counted(done.sewn_edges, EDGE));
+    let mut text = String::new();
+    if done.trimmed_faces > 0 {
+        push_line!(text, "{} trimmed from overlaps", counted(done.trimmed_faces, FACE));
+    }
+    push_line!(text, "{} sewn", counted(done.sewn_edges, EDGE));
     for joint in &done.joints {
         let [n, m] = joint.sides.each_ref().map(Vec::len);
         let parts = if joint.whole { "loops" } else { "runs" };
@@ -154,6 +169,7 @@ fn report(done: &Assembly) -> Report {
         ("near_loops_left", f64::from(done.near_loops_left)),
         ("turned_faces", turned as f64),
         ("zero_volume_components", done.zero_volume.len() as f64),
+        ("trimmed_faces", f64::from(done.trimmed_faces)),
         ("blends", done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count() as f64),
     ];
     Report::new(text, &values)

@@ -11,6 +11,7 @@
 pub mod data;
 pub mod param;
 
+mod align;
 mod assemble;
 mod boundary_loops;
 mod check;
@@ -55,6 +56,7 @@ mod smooth_silhouette;
 mod smooth_surface;
 mod stitch;
 mod strip;
+mod trim;
 mod weld;
 
 pub use filter::Filter;
@@ -99,6 +101,8 @@ pub static FILTERS: &[Filter] = &[
     smooth_curve::FILTER,
     smooth_nearest::FILTER,
     sew::FILTER,
+    align::FILTER,
+    trim::FILTER,
 ];
 
 impl Filter {

@@ -23,13 +23,16 @@
 //! | [`region`](self) | the faces that are kept: thin parts, islands, pinches |
 //! | [`crossings`](self) | kept faces that cut each other |
 //! | [`run`](self) | all of it in order |
+//! | [`remains`](self) | what is left as one mesh, and what it was |
 
 mod covers;
 mod crossings;
 mod layer;
 mod region;
+mod remains;
 mod request;
 mod run;
 
+pub use remains::Remains;
 pub use request::{Options, Trimmed};
 pub use run::trim;

@@ -32,7 +32,7 @@ pub(super) struct Region<'m, 'a> {
 impl<'m, 'a> Region<'m, 'a> {
     /// All faces. O(H log d).
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
-        let topology = Topology::new(mesh, job)?;
+        let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
         let count = mesh.faces().len();
         let mut face_of = alloc::filled(NONE, mesh.faces().half_edge_count())?;
         for f in 0..count {
@@ -50,7 +50,7 @@ impl<'m, 'a> Region<'m, 'a> {
             component: Vec::new(),
             largest: 0,
         };
-        region.component = region.part_sizes(job)?;
+        region.component = region.part_sizes(&job.part(0.5, 1.0))?;
         region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
     }
@@ -98,9 +98,9 @@ impl<'m, 'a> Region<'m, 'a> {
         min_faces: u32,
         job: &Job<'_>,
     ) -> Result<bool> {
-        let may = alloc::collect((0..self.keeps.len()).map(|f| {
-            !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])
-        }))?;
+        let may = alloc::collect(
+            (0..self.keeps.len()).map(|f| !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])),
+        )?;
         for f in 0..self.keeps.len() {
             self.keeps[f] = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
@@ -142,7 +142,8 @@ impl<'m, 'a> Region<'m, 'a> {
             let sum = &mut sums[roots[f] as usize];
             *sum = [sum[0] + 1, sum[1] + u32::from(needed)];
         }
-        let of = |k: usize| alloc::collect((0..count).map(|f| if self.keeps[f] { sums[roots[f] as usize][k] } else { 0 }));
+        let of =
+            |k: usize| alloc::collect((0..count).map(|f| if self.keeps[f] { sums[roots[f] as usize][k] } else { 0 }));
         Ok((of(0)?, of(1)?))
     }
 

@@ -69,24 +69,25 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         edges: EDGES,
         cosine: libm::cos(if angle == 0.0 { ANGLE } else { angle }),
     };
-    let covers =
-        alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
+    let covers = alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
     let min_faces = options.least();
     let job = job.part(0.8, 1.0);
-    let mut regions =
-        alloc::try_collect(pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))))?;
+    let mut regions = alloc::try_collect(
+        pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))),
+    )?;
     let mut cut = 0;
     for round in 0..MAX_ROUNDS {
         let job = job.part(0.1, 1.0).share(round, MAX_ROUNDS);
         // What cannot be kept competes with nothing: others are kept in its place.
         let mut lost = false;
         for k in 0..count {
-            lost |= keep(&layers, &covers, &mut regions, k, min_faces, &job)?;
+            let done = 0.7 * k as f64 / count as f64;
+            lost |= keep(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
         }
         if lost && round + 2 < MAX_ROUNDS {
             continue;
         }
-        let found = crossings(&layers, pieces, &regions, &job)?;
+        let found = crossings(&layers, pieces, &regions, &job.part(0.7, 1.0))?;
         if found.iter().all(Vec::is_empty) {
             break;
         }
@@ -95,7 +96,8 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
             region.lose(faces)?;
         }
     }
-    let kept = |region: &Region<'_, '_>| alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f));
+    let kept =
+        |region: &Region<'_, '_>| alloc::gather((0..).zip(&region.keeps).filter(|(_, keeps)| **keeps).map(|(f, _)| f));
     Ok(Trimmed {
         kept: alloc::try_collect(regions.iter().map(kept))?,
         covered: alloc::collect(covers.iter().map(Covers::count))?,

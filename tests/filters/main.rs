@@ -9,6 +9,7 @@ mod editor;
 mod mesh;
 mod net;
 mod origins;
+mod overlaps;
 mod page;
 
 mod surface;

@@ -50,6 +50,8 @@ const IDS: &[&str] = &[
     "smooth_curve",
     "smooth_nearest",
     "sew",
+    "align",
+    "trim",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.

@@ -2,7 +2,6 @@
 
 use super::history::History;
 use super::request::{Assembly, Options};
-use super::trimmed::Remains;
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
 use crate::error::Result;
@@ -13,7 +12,7 @@ use crate::repair::orient::{self, Outward, turn_outwards};
 use crate::repair::sew::{Sew, sew};
 use crate::repair::weld::weld;
 use crate::stitch::{IndexMap, Intersections};
-use crate::trim::Trimmed;
+use crate::trim::{Remains, Trimmed};
 
 /// The pieces put together, welded and oriented.
 pub(super) struct Base {
@@ -32,19 +31,12 @@ impl Base {
         options: &Options<'_>,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let (mut mesh, places) = concat::concatenate(pieces, &job.part(0.0, 0.0))?;
-        let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
-        let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
-        let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
-        let mut remains = None;
-        let mut trimmed_faces = 0;
-        if let Some(trimmed) = trimmed {
-            let (left, was) = Remains::of(&mesh, trimmed, &places, &job.part(0.0, 0.0))?;
-            trimmed_faces = (face_count - left.face_count()) as u32;
-            mesh = left;
-            (vertex_map, face_map) = (alloc::copied(&was.vertex_map)?, alloc::copied(&was.face_map)?);
-            remains = Some(was);
-        }
+        let start = &job.part(0.0, 0.0);
+        let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
+            Some(trimmed) => Remains::of(pieces, trimmed, start)?,
+            None => untrimmed(pieces, start)?,
+        };
+        let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
         let mut seam = Vec::new();
         let mut history = History::of(pieces)?;
@@ -64,8 +56,8 @@ impl Base {
             (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
             history.enter(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
         }
-        if let Some(remains) = remains {
-            remains.enter(&mut history)?;
+        if trimmed.is_some() {
+            history.before_trimming(faces, corners);
         }
         let mut turned = alloc::filled(false, mesh.face_count())?;
         let mut one_sided = Vec::new();
@@ -146,4 +138,12 @@ impl Base {
         done.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
         Ok((done, cuts))
     }
+}
+
+/// The pieces side by side, without what the faces and corners that are left were: all are left.
+fn untrimmed(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
+    let (mesh, places) = concat::concatenate(pieces, job)?;
+    let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
+    let face_map = alloc::collect(0..mesh.face_count() as u32)?;
+    Ok(Remains { mesh, places, vertex_map, face_map, faces: Vec::new(), corners: Vec::new() })
 }

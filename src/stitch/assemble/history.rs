@@ -31,6 +31,19 @@ impl History {
         Ok(History { corner_counts, ..History::default() })
     }
 
+    /// Makes this, the history of what trimming left, one of the pieces. `faces`, `corners`: what
+    /// those that are left were.
+    pub(super) fn before_trimming(&mut self, faces: Vec<u32>, corners: Vec<u32>) {
+        match &mut self.face_origin {
+            Some(origin) => origin.iter_mut().for_each(|f| *f = faces[*f as usize]),
+            None => self.face_origin = Some(faces),
+        }
+        self.corner_origins = Some(match self.corner_origins.take() {
+            Some(origins) => origins.after(Some(&corners)),
+            None => CornerOrigins { corners, on_edges: Vec::new() },
+        });
+    }
+
     /// Adds vertices.
     pub(super) fn enter(&mut self, new: impl ExactSizeIterator<Item = ([u32; 3], [f64; 3])>) -> Result<()> {
         for (parents, weights) in new {

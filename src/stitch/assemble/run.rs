@@ -59,7 +59,8 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (done, cuts) = once(pieces, Some(&trimmed), options, &job.part(part(round), part(round + 1)))?;
         let last = round == MAX_ROUNDS;
-        if last || !take_out_spoilt(pieces, &mut trimmed, &done, &cuts, how.least_island(), &job.part(1.0, 1.0))? {
+        let then = &job.part(part(round + 1), part(round + 1));
+        if last || !take_out_spoilt(pieces, &mut trimmed, &done, &cuts, how.least_island(), then)? {
             return Ok(done);
         }
         round += 1;

@@ -9,11 +9,12 @@ use std::fs;
 use std::path::Path;
 
 /// From the bottom up.
-const LAYERS: [&[&str]; 11] = [
+const LAYERS: [&[&str]; 12] = [
     &["error", "alloc", "choice", "job", "par", "reserve", "simd", "testing", "threads"],
     &["sort", "geom"],
     &["mesh"],
     &["intersect", "fair", "remesh", "blend", "boundary", "winged", "check"],
+    &["align", "trim"],
     &["repair", "fill", "stitch"],
     &["outline"],
     &["net"],
