@@ -11,6 +11,7 @@
 #ifndef GUSSET_HPP
 #define GUSSET_HPP
 
+#include <gusset/alignment.hpp>
 #include <gusset/assembly.hpp>
 #include <gusset/attributes.hpp>
 #include <gusset/boundary.hpp>
@@ -31,6 +32,7 @@
 #include <gusset/sheet_mesh.hpp>
 #include <gusset/stitch.hpp>
 #include <gusset/surface.hpp>
+#include <gusset/trim.hpp>
 #include <gusset/winged.hpp>
 
 #endif // GUSSET_HPP

@@ -20,10 +20,14 @@ static void layouts(void) {
         CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
         CHECK(sizeof(gusset_winged_options) == 16 && sizeof(gusset_winged_faces_view) == 56);
         CHECK(sizeof(gusset_strip_options) == 40 && sizeof(gusset_strip_view) == 80);
-        CHECK(sizeof(gusset_assembly_options) == 104 && offsetof(gusset_assembly_options, max_gap) == 32);
-        CHECK(sizeof(gusset_assembly_view) == 160 && offsetof(gusset_assembly_view, loops_left) == 144);
+        CHECK(sizeof(gusset_assembly_options) == 112 && offsetof(gusset_assembly_options, max_gap) == 32);
+        CHECK(sizeof(gusset_assembly_view) == 168 && offsetof(gusset_assembly_view, loops_left) == 144);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);
         CHECK(sizeof(gusset_left_loop) == 40 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);
+        CHECK(sizeof(gusset_alignment_options) == 48 && offsetof(gusset_alignment_options, max_distance) == 32);
+        CHECK(sizeof(gusset_alignment_view) == 48 && sizeof(gusset_aligned_piece) == 112 && sizeof(gusset_overlap) == 56);
+        CHECK(sizeof(gusset_trim_options) == 48 && offsetof(gusset_trim_options, eyes) == 24);
+        CHECK(sizeof(gusset_trim_view) == 32 && sizeof(gusset_trimmed_piece) == 24);
         CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);
         CHECK(sizeof(gusset_winged_view) == 120 && offsetof(gusset_winged_view, loop_offsets) == 104);
         CHECK(sizeof(gusset_check_view) == 192 && offsetof(gusset_check_view, unused_vertices) == 176);

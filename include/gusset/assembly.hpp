@@ -6,6 +6,7 @@
 #include <gusset/fill.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/stitch.hpp>
+#include <gusset/trim.hpp>
 
 namespace gusset {
 
@@ -30,6 +31,8 @@ struct AssemblyOptions {
     StitchOptions strips;
     /// Empty: holes are left.
     std::optional<FillOptions> fill;
+    /// Empty: pieces that overlap stay as they are.
+    std::optional<TrimOptions> trim;
 };
 
 /// Many pieces joined to one mesh, and the report on it; see gusset_assembly_create.
@@ -44,6 +47,9 @@ public:
         const gusset_weld_options weld = detail::as_c(options.weld.value_or(WeldOptions()));
         const gusset_stitch_options strips = detail::as_c(options.strips);
         const gusset_fill_options fill = detail::as_c(options.fill.value_or(FillOptions()));
+        const TrimOptions untouched;
+        // No copy, as it points to the eyes.
+        const gusset_trim_options trim = detail::as_c(options.trim ? *options.trim : untouched);
         auto given = detail::sized<gusset_assembly_options>();
         given.weld = !options.weld          ? GUSSET_ASSEMBLY_NO_WELD
                      : options.edge_to_edge ? GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE
@@ -62,6 +68,8 @@ public:
         given.weld_options = &weld;
         given.strip_options = &strips;
         given.fill_options = &fill;
+        given.overlaps = options.trim ? GUSSET_OVERLAPS_TRIM : GUSSET_OVERLAPS_KEEP;
+        given.trim_options = &trim;
         assembly_.reset(context.result(gusset_assembly_create, views.data(), views.size(), &given));
     }
 

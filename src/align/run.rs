@@ -120,8 +120,9 @@ fn check_poses(poses: &[Pose], count: usize) -> Result<()> {
         return Err(Error::InputsDiffer { given: poses.len() as u64, needed: count as u64 });
     }
     for (k, pose) in poses.iter().enumerate() {
-        let skew = pose.skew();
-        if !pose.translation.is_finite() || skew.is_nan() || skew > MAX_SKEW {
+        // The skew of what is not finite says nothing: NaN is no maximum.
+        let is_finite = pose.rotation.is_finite() && pose.translation.is_finite();
+        if !is_finite || pose.skew() > MAX_SKEW {
             return Err(Error::NotRigid { pose: k as u32 });
         }
     }

@@ -7,7 +7,7 @@ use super::region::Region;
 use super::request::{Options, Trimmed};
 use crate::align::common_unit_of;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::geom::Aabb;
 use crate::geom::kd_tree::KdTree;
 use crate::geom::triangle_places::TriangleTree;
@@ -37,8 +37,8 @@ const MAX_ROUNDS: usize = 12;
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::OptionOutOfRange`] for a distance or an angle out
-/// of range, [`Error::InputsDiffer`] for eyes of fewer pieces, [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// of range, [`Error::InputsDiffer`] for eyes of fewer pieces, [`Error::NotFinite`] for an eye that
+/// is nowhere, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Trimmed> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -50,6 +50,9 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     Error::require((0.0..std::f64::consts::FRAC_PI_2).contains(&angle), "max_angle", angle)?;
     if !options.eyes.is_empty() && options.eyes.len() < pieces.len() {
         return Err(Error::InputsDiffer { given: options.eyes.len() as u64, needed: pieces.len() as u64 });
+    }
+    for (&eye, k) in options.eyes.iter().zip(0..) {
+        Error::check_finite(Element::Point, k, eye)?;
     }
     let unit = common_unit_of(pieces, job)?;
     let all = pieces.iter().map(|piece| bounds(piece, unit)).fold(Aabb::EMPTY, Aabb::union);
