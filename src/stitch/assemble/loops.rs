@@ -15,6 +15,8 @@ use crate::mesh::{Mesh, NONE, vertex_components};
 use crate::sort::sort_distinct;
 use crate::stitch::rim::{Rim, is_usable};
 
+/// What is left of a seam is at least so many times as long as wide.
+const LEAST_LENGTH: f64 = 10.0;
 /// Loops between two progress reports.
 const LOOPS_PER_REPORT: usize = 1 << 12;
 
@@ -82,6 +84,16 @@ impl Loops {
             b.cut(arc_b)?;
         }
         Ok([a, b])
+    }
+
+    /// True if both sides are many times as long as the gap is wide: what is left of a seam, and no two
+    /// holes beside each other, which a strip would make a handle of.
+    pub(super) fn is_long(&self, facing: &Facing) -> bool {
+        (0..2).all(|side| {
+            let own = &self.candidates[facing.rims[side]];
+            let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
+            vertices as f64 * own.spacing >= LEAST_LENGTH * facing.gap
+        })
     }
 
     /// The edges that the mesh has between vertices of rims. A vertex may be on several.

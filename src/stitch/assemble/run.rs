@@ -9,7 +9,7 @@ use super::trimmed::take_out_spoilt;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::mesh::MeshView;
+use crate::mesh::{MeshView, NONE};
 use crate::sort;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
@@ -22,8 +22,12 @@ use crate::trim::{Trimmed, trim};
 /// How wide gaps between trimmed pieces are, in mean edges of the coarsest, if the caller says
 /// nothing.
 const GAP_EDGES: f64 = 4.0;
-/// Rounds in which what is left of trimmed pieces gets less where it cannot be joined.
-const MAX_ROUNDS: u32 = 6;
+/// Rounds in which what is left of trimmed pieces gets less where it cannot be joined; in the first
+/// of them where strips cut, and after these such strips are refused.
+const MAX_ROUNDS: u32 = 8;
+const ROUNDS_OF_STRIPS: u32 = 4;
+/// How often loops are looked for that strips have left facing each other.
+const MORE_PASSES: usize = 2;
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
 /// loops that face each other across a gap stitched, holes filled, and closed components turned
@@ -44,7 +48,9 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
     let Overlaps::Trim(how) = options.overlaps else {
-        return once(pieces, None, options, job).map(|(done, _)| done);
+        let mut base = Base::new(pieces, None, options, &job.part(0.0, 0.3))?;
+        base.done.left = join(&mut base, options, &mut Cuts::Kept, &job.part(0.3, 0.8))?;
+        return finished(base, options, &job.part(0.8, 1.0)).map(|(done, _)| done);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
     // Pieces that were cut where they overlap are near each other there: no loop is to look farther.
@@ -53,36 +59,91 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         given => given,
     };
     let options = &Options { max_gap, ..*options };
-    // What is left small and alone, and what makes patches cut, goes, and all is done once more.
+    // What is left small and alone, and what makes strips or patches cut, goes, and all is done once
+    // more.
     let mut round = 0;
     loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
-        let (done, cuts) = once(pieces, Some(&trimmed), options, &job.part(part(round), part(round + 1)))?;
-        let last = round == MAX_ROUNDS;
-        let then = &job.part(part(round + 1), part(round + 1));
-        if last || !take_out_spoilt(pieces, &mut trimmed, &done, &cuts, how.least_island(), then)? {
+        let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
+        let refuses = round >= ROUNDS_OF_STRIPS;
+        let (done, cuts) = joined(pieces, &trimmed, options, refuses, &now)?;
+        let is_final = refuses || cuts.is_empty();
+        if is_final && round >= MAX_ROUNDS {
             return Ok(done);
         }
         round += 1;
+        if !take_out_spoilt(pieces, &mut trimmed, &done, &cuts, how.least_island(), &then)? {
+            if is_final {
+                return Ok(done);
+            }
+            round = ROUNDS_OF_STRIPS;
+        }
     }
 }
 
-/// Assembles what is left of the pieces, or all of them; also the pairs of faces that patches cut.
-fn once(
+/// What becomes of strips that cut other faces.
+enum Cuts {
+    /// They are kept, as all are.
+    Kept,
+    /// They are kept, and these are the pairs of faces.
+    Listed(Vec<[u32; 2]>),
+    /// They are refused.
+    Refused,
+}
+
+/// Joins what is left of the pieces; also the pairs of faces that cut each other: those of strips,
+/// before anything is filled, unless `refuses` says that such strips are not made; else those of
+/// patches.
+fn joined(
     pieces: &[MeshView<'_>],
-    trimmed: Option<&Trimmed>,
+    trimmed: &Trimmed,
     options: &Options<'_>,
+    refuses: bool,
     job: &Job<'_>,
 ) -> Result<(Assembly, Vec<[u32; 2]>)> {
-    let mut base = Base::new(pieces, trimmed, options, &job.part(0.0, 0.3))?;
-    let mut loops = Loops::of(&base, &job.part(0.3, 0.4))?;
-    let excluded = excluded_pairs(&base, &loops, options)?;
-    let mut found = chosen_pairs(&base, &loops, options, &excluded, &job.part(0.4, 0.5))?;
+    let mut base = Base::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
+    let mut cuts = if refuses { Cuts::Refused } else { Cuts::Listed(Vec::new()) };
+    base.done.left = join(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
+    // Where three pieces meet, the first strips leave loops that face each other, of what is one
+    // component now.
+    let again = Options { within_components: true, pairs: &[], ..*options };
+    for pass in 0..MORE_PASSES {
+        let before = base.done.joints.len();
+        alloc::grow(&mut base.piece, base.done.mesh.positions.len(), NONE)?;
+        base.done.left = join(&mut base, &again, &mut cuts, &job.part(0.7, 0.8).share(pass, MORE_PASSES))?;
+        if base.done.joints[before..].iter().all(|joint| joint.outcome != Outcome::Joined) {
+            break;
+        }
+    }
+    match cuts {
+        Cuts::Listed(cuts) if !cuts.is_empty() => Ok((base.done, cuts)),
+        _ => finished(base, options, &job.part(0.8, 1.0)),
+    }
+}
+
+/// Fills and turns what was joined; also the pairs of faces that patches cut.
+fn finished(mut base: Base, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
+    let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
+    base.done.near_loops_left = base.done.left.iter().filter(is_near).count() as u32;
+    if base.done.near_loops_left > 0 {
+        job.note("loops are left although others are near: the account of the assembly says why");
+    }
+    base.finish(options, job)
+}
+
+/// Joins the loops that face each other, as the options say, and returns those that are left.
+fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) -> Result<Vec<LeftLoop>> {
+    let mut loops = Loops::of(base, &job.part(0.0, 0.2))?;
+    let excluded = excluded_pairs(base, &loops, options)?;
+    let mut found = chosen_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
+    if options.within_components && matches!(cuts, Cuts::Listed(_) | Cuts::Refused) {
+        found.retain(|facing| loops.is_long(facing));
+    }
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
     // Components that face each other are made to agree, nearest first.
     let outcomes = base.make_agree(&mut loops, &mut found, options.keep_orientation)?;
-    base.done.joints = alloc::with_capacity(found.len())?;
+    alloc::reserve(&mut base.done.joints, found.len())?;
     let mut hangs = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
     let mut edges = loops.edges_between(&base.done.mesh)?;
@@ -90,7 +151,7 @@ fn once(
     options.strip.note_unread(job);
     let strips = stitch::Options { twist: 0, ..options.strip.of_strip() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
-        let part = job.part(0.5 + 0.3 * k as f64 / found.len() as f64, 0.5 + 0.3 * (k + 1) as f64 / found.len() as f64);
+        let part = job.part(0.4, 1.0).share(k, found.len());
         let sides = loops.sides(facing)?;
         facing.rims.iter().for_each(|&r| tried[r] = true);
         let shared = shared_vertex(&sides[0], &sides[1])?.is_some();
@@ -118,19 +179,17 @@ fn once(
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let checked = fair_and_check(
-                        &base.done.mesh,
-                        &mut strip,
-                        loops.unit,
-                        &bridges,
-                        &strips,
-                        &part.part(0.6, 1.0),
-                    )?;
-                    let cuts = checked.intersections.as_ref().is_some_and(|pairs| !pairs.is_empty());
-                    if cuts && matches!(options.overlaps, Overlaps::Trim(_)) {
-                        joint.outcome = Outcome::WouldCut;
-                        base.done.joints.push(joint);
-                        continue;
+                    let (mesh, part) = (&base.done.mesh, part.part(0.6, 1.0));
+                    let checked = fair_and_check(mesh, &mut strip, loops.unit, &bridges, &strips, &part)?;
+                    let pairs = checked.intersections.as_deref().unwrap_or_default();
+                    match cuts {
+                        Cuts::Refused if !pairs.is_empty() => {
+                            joint.outcome = Outcome::WouldCut;
+                            base.done.joints.push(joint);
+                            continue;
+                        }
+                        Cuts::Listed(all) => alloc::append(all, pairs)?,
+                        Cuts::Kept | Cuts::Refused => {}
                     }
                     let attached = append_strip(&mut base.done.mesh, &strip, loops.unit)?;
                     edges.enter_strip(&strip)?;
@@ -148,13 +207,7 @@ fn once(
         }
         base.done.joints.push(joint);
     }
-    base.done.left = left_loops(loops, options, &excluded, [&hangs, &tried], &job.part(0.8, 0.8))?;
-    let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
-    base.done.near_loops_left = base.done.left.iter().filter(is_near).count() as u32;
-    if base.done.near_loops_left > 0 {
-        job.note("loops are left although others are near: the account of the assembly says why");
-    }
-    base.finish(options, &job.part(0.8, 1.0))
+    left_loops(loops, options, &excluded, [&hangs, &tried], &job.part(1.0, 1.0))
 }
 
 /// The loops that no strip hangs on, with the reasons.
