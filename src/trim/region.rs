@@ -24,6 +24,8 @@ pub(super) struct Region<'m, 'a> {
     pub(super) keeps: Vec<bool>,
     /// Those that cannot be kept, whatever lies on them.
     pub(super) lost: Vec<bool>,
+    /// Those that are not given back, once lost, and not spared, as nothing else is kept there.
+    settled: Vec<bool>,
     /// For each face the number of faces of its component in the piece, and the largest of all.
     component: Vec<u32>,
     largest: u32,
@@ -47,6 +49,7 @@ impl<'m, 'a> Region<'m, 'a> {
             across,
             keeps: alloc::filled(true, count)?,
             lost: alloc::filled(false, count)?,
+            settled: alloc::filled(false, count)?,
             component: Vec::new(),
             largest: 0,
         };
@@ -138,7 +141,7 @@ impl<'m, 'a> Region<'m, 'a> {
         let count = self.keeps.len();
         let mut sums = alloc::filled([0u32; 2], count)?;
         for f in (0..count).filter(|&f| self.keeps[f]) {
-            let needed = !self.mesh.face(f).all(|v| shown[v as usize]);
+            let needed = self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
             let sum = &mut sums[roots[f] as usize];
             *sum = [sum[0] + 1, sum[1] + u32::from(needed)];
         }
@@ -185,12 +188,41 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Loses faces, and all that have a vertex in common with them.
+    /// Gives back islands that were spared where nothing else is kept now; true if there are any.
+    /// `on`: vertices that lie on what is kept of other pieces.
+    pub(super) fn give_back(&mut self, on: &[bool], job: &Job<'_>) -> Result<bool> {
+        let count = self.keeps.len();
+        let mut islands = DisjointSets::new(count)?;
+        for f in (0..count).filter(|&f| self.lost[f] && !self.settled[f]) {
+            for &g in self.beside(f).iter().filter(|&&g| g != NONE && self.lost[g as usize]) {
+                islands.union(f as u32, g);
+            }
+        }
+        let roots = islands.into_roots(job, STAGE)?;
+        let mut sums = alloc::filled([0u32; 2], count)?;
+        for f in (0..count).filter(|&f| self.lost[f] && !self.settled[f]) {
+            let bare = !self.mesh.face(f).any(|v| on[v as usize]);
+            let sum = &mut sums[roots[f] as usize];
+            *sum = [sum[0] + 1, sum[1] + u32::from(bare)];
+        }
+        let mut any = false;
+        for f in 0..count {
+            let [all, bare] = sums[roots[f] as usize];
+            if self.lost[f] && !self.settled[f] && 3 * bare > all {
+                (self.lost[f], self.settled[f], any) = (false, true, true);
+            }
+        }
+        Ok(any)
+    }
+
+    /// Loses faces for good, and all that have a vertex in common with them.
     pub(super) fn lose(&mut self, faces: &[u32]) -> Result<()> {
         let mut gone = BitSet::new(self.mesh.positions().len())?;
         faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
         for f in 0..self.keeps.len() {
-            self.lost[f] |= self.mesh.face(f).any(|v| gone.contains(v));
+            if self.mesh.face(f).any(|v| gone.contains(v)) {
+                (self.keeps[f], self.lost[f], self.settled[f]) = (false, true, true);
+            }
         }
         Ok(())
     }

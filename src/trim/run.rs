@@ -90,6 +90,17 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         if lost && round + 2 < MAX_ROUNDS {
             continue;
         }
+        if round + 2 < MAX_ROUNDS {
+            let mut back = false;
+            for k in 0..count {
+                let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
+                let on = alloc::collect((0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept)))?;
+                back |= regions[k].give_back(&on, &job.part(0.7, 0.7))?;
+            }
+            if back {
+                continue;
+            }
+        }
         let found = crossings(&layers, pieces, &regions, &job.part(0.7, 1.0))?;
         if found.iter().all(Vec::is_empty) {
             break;

@@ -202,6 +202,17 @@ fn generated_overlaps_are_closed_or_bordered_as_the_truth() {
             for j in done.joints.iter().filter(|j| j.outcome != assemble::Outcome::Joined) {
                 println!("  {:?} whole {} {} {} gap {}", j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.gap);
             }
+            if seed == 94 {
+                use std::fmt::Write;
+                for j in done.joints.iter() {
+                    println!("  joint {:?} whole {} {} {} gap {} faces {:?}", j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.gap, j.faces);
+                }
+                for h in &done.holes { println!("  hole {:?} {}", h.status, h.rim.len()); }
+                let mut text = format!("OFF\n{} {} 0\n", done.mesh.positions.len(), done.mesh.face_count());
+                for v in 0..done.mesh.positions.len() as u32 { let p = done.mesh.positions.get(v); writeln!(text, "{} {} {}", p.x, p.y, p.z).unwrap(); }
+                for f in faces_of(&done.mesh) { writeln!(text, "3 {} {} {}", f[0], f[1], f[2]).unwrap(); }
+                std::fs::write("/tmp/torus.off", text).unwrap();
+            }
             for l in &done.left {
                 println!("  left {} {:?} gap {} allowed {}", l.vertices.len(), l.reason, l.gap, l.allowed_gap);
             }
