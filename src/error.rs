@@ -454,7 +454,9 @@ pub enum Error {
     #[error("bridge {bridge}: its {property} is {}", Number(.value))]
     BadProperty { bridge: u32, property: &'static str, value: f64 },
     /// A pose is no rotation and translation.
-    #[error("pose {pose} is no rotation and translation: it has a number that is not finite, scales, shears or mirrors")]
+    #[error(
+        "pose {pose} is no rotation and translation: it has a number that is not finite, scales, shears or mirrors"
+    )]
     NotRigid { pose: u32 },
     /// Memory for an array could not be had.
     #[error("{bytes} bytes of memory could not be had")]

@@ -45,8 +45,8 @@
 //! feature `reserve`, the libraries for C), nothing is
 //! printed, no file is touched, and the same input gives the same bytes for any number of threads.
 
-mod alloc;
 pub mod align;
+mod alloc;
 pub mod attributes;
 mod blend;
 pub mod boundary;

@@ -68,7 +68,13 @@ fn experiment() {
         let trusted = found.pieces.iter().filter(|piece| piece.reason == Reason::Trusted).count();
         let counts: f64 = found.overlaps.iter().map(|o| f64::from(o.count)).sum();
         let mean = found.overlaps.iter().map(|o| f64::from(o.count) * o.mean).sum::<f64>() / counts;
-        println!("{seed}: {:?} rounds {} {} angle {angle:.3} shift {shift:.3} % trusted {trusted} mean {:.3} um", time, found.rounds, found.converged, mean * 1e6);
+        println!(
+            "{seed}: {:?} rounds {} {} angle {angle:.3} shift {shift:.3} % trusted {trusted} mean {:.3} um",
+            time,
+            found.rounds,
+            found.converged,
+            mean * 1e6
+        );
         if seed == 0 {
             for overlap in &found.overlaps {
                 println!("{overlap:?}");
@@ -131,9 +137,16 @@ fn trimmed() {
     let trimmed = gusset::trim::trim(&views, &gusset::trim::Options::default(), &Job::default()).unwrap();
     println!("trim {:?} crossings {}", start.elapsed(), trimmed.crossings);
     for (k, kept) in trimmed.kept.iter().enumerate() {
-        println!("{k}: {} of {} faces, {} covered of {}", kept.len(), placed[k].faces().count(), trimmed.covered[k], placed[k].points.len());
+        println!(
+            "{k}: {} of {} faces, {} covered of {}",
+            kept.len(),
+            placed[k].faces().count(),
+            trimmed.covered[k],
+            placed[k].points.len()
+        );
     }
-    let pieces: Vec<Soup> = placed.iter().zip(&trimmed.kept).map(|(soup, kept)| part(soup, &Pose::IDENTITY, kept)).collect();
+    let pieces: Vec<Soup> =
+        placed.iter().zip(&trimmed.kept).map(|(soup, kept)| part(soup, &Pose::IDENTITY, kept)).collect();
     let pieces: Vec<Soup> = pieces.into_iter().filter(|piece| !piece.points.is_empty()).collect();
     let all = pieces.iter().skip(1).fold(pieces[0].clone(), |all, piece| all.and(piece));
     write_off("/tmp/trimmed.off", all.points.iter().map(|&p| p.into()), all.faces().map(<[u32]>::to_vec));
@@ -149,12 +162,33 @@ fn trimmed() {
         ..Default::default()
     };
     let whole = assemble::assemble(&views, &options, &Job::default()).unwrap();
-    println!("assemble {:?}: loops {} near {} non-manifold {}", start.elapsed(), whole.loops_left, whole.near_loops_left, whole.non_manifold_edges);
-    println!("joints {} {:?}", whole.joints.len(), whole.joints.iter().map(|j| (j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.intersections.as_ref().map(Vec::len))).collect::<Vec<_>>());
+    println!(
+        "assemble {:?}: loops {} near {} non-manifold {}",
+        start.elapsed(),
+        whole.loops_left,
+        whole.near_loops_left,
+        whole.non_manifold_edges
+    );
+    println!(
+        "joints {} {:?}",
+        whole.joints.len(),
+        whole
+            .joints
+            .iter()
+            .map(|j| (j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.intersections.as_ref().map(Vec::len)))
+            .collect::<Vec<_>>()
+    );
     for left in whole.left.iter().filter(|l| l.vertices.len() > 20) {
         println!("left {} {:?} gap {} {}", left.vertices.len(), left.reason, left.gap, left.allowed_gap);
     }
     let mesh = &whole.mesh;
-    println!("holes {:?}", whole.holes.iter().filter(|h| h.rim.len() > 12).map(|h| (h.rim.len(), h.status, h.finish)).collect::<Vec<_>>());
-    write_off("/tmp/joined.off", (0..mesh.positions.len() as u32).map(|v| mesh.positions.get(v)), mesh.faces().map(<[u32]>::to_vec));
+    println!(
+        "holes {:?}",
+        whole.holes.iter().filter(|h| h.rim.len() > 12).map(|h| (h.rim.len(), h.status, h.finish)).collect::<Vec<_>>()
+    );
+    write_off(
+        "/tmp/joined.off",
+        (0..mesh.positions.len() as u32).map(|v| mesh.positions.get(v)),
+        mesh.faces().map(<[u32]>::to_vec),
+    );
 }

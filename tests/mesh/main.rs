@@ -4,9 +4,9 @@
 mod common;
 
 mod adversarial;
+mod align;
 mod answers;
 mod assemble;
-mod align;
 mod attributes;
 mod blend;
 mod boundary;

@@ -170,8 +170,14 @@ fn components(mesh: &Mesh) -> usize {
             parent[a.max(b)] = a.min(b);
         }
     }
-    let used: std::collections::BTreeSet<usize> =
-        mesh.face_corners.iter().map(|&v| v as usize).collect::<Vec<_>>().into_iter().map(|v| root(&mut parent, v)).collect();
+    let used: std::collections::BTreeSet<usize> = mesh
+        .face_corners
+        .iter()
+        .map(|&v| v as usize)
+        .collect::<Vec<_>>()
+        .into_iter()
+        .map(|v| root(&mut parent, v))
+        .collect();
     used.len()
 }
 
@@ -196,7 +202,12 @@ fn generated_overlaps_are_closed_or_bordered_as_the_truth() {
         let components = components(&done.mesh);
         let good = (done.loops_left, euler) == expected && components == 1 && wrong == 0;
         if !good || std::env::var_os("SHOW").is_some() {
-            println!("{seed} {shape:?} {count}: loops {} euler {euler} components {components} wrong {wrong} free {free} faces {} trimmed {}", done.loops_left, done.mesh.face_count(), done.trimmed_faces);
+            println!(
+                "{seed} {shape:?} {count}: loops {} euler {euler} components {components} wrong {wrong} free {free} faces {} trimmed {}",
+                done.loops_left,
+                done.mesh.face_count(),
+                done.trimmed_faces
+            );
         }
         if !good {
             for j in done.joints.iter().filter(|j| j.outcome != assemble::Outcome::Joined) {
@@ -205,12 +216,27 @@ fn generated_overlaps_are_closed_or_bordered_as_the_truth() {
             if seed == 94 {
                 use std::fmt::Write;
                 for j in done.joints.iter() {
-                    println!("  joint {:?} whole {} {} {} gap {} faces {:?}", j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.gap, j.faces);
+                    println!(
+                        "  joint {:?} whole {} {} {} gap {} faces {:?}",
+                        j.outcome,
+                        j.whole,
+                        j.sides[0].len(),
+                        j.sides[1].len(),
+                        j.gap,
+                        j.faces
+                    );
                 }
-                for h in &done.holes { println!("  hole {:?} {}", h.status, h.rim.len()); }
+                for h in &done.holes {
+                    println!("  hole {:?} {}", h.status, h.rim.len());
+                }
                 let mut text = format!("OFF\n{} {} 0\n", done.mesh.positions.len(), done.mesh.face_count());
-                for v in 0..done.mesh.positions.len() as u32 { let p = done.mesh.positions.get(v); writeln!(text, "{} {} {}", p.x, p.y, p.z).unwrap(); }
-                for f in faces_of(&done.mesh) { writeln!(text, "3 {} {} {}", f[0], f[1], f[2]).unwrap(); }
+                for v in 0..done.mesh.positions.len() as u32 {
+                    let p = done.mesh.positions.get(v);
+                    writeln!(text, "{} {} {}", p.x, p.y, p.z).unwrap();
+                }
+                for f in faces_of(&done.mesh) {
+                    writeln!(text, "3 {} {} {}", f[0], f[1], f[2]).unwrap();
+                }
                 std::fs::write("/tmp/torus.off", text).unwrap();
             }
             for l in &done.left {

@@ -9,7 +9,9 @@ use crate::ffi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::IndexMap;
-use crate::stitch::assemble::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector, assemble};
+use crate::stitch::assemble::{
+    Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason, Selector, assemble,
+};
 use glam::DVec3;
 
 /// Coincident borders are sewn, by default up to what rounding can have done; see

@@ -86,14 +86,16 @@ impl Loops {
         Ok([a, b])
     }
 
-    /// True if both sides are many times as long as the gap is wide: what is left of a seam, and no two
-    /// holes beside each other, which a strip would make a handle of.
-    pub(super) fn is_long(&self, facing: &Facing) -> bool {
-        (0..2).all(|side| {
-            let own = &self.candidates[facing.rims[side]];
-            let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
-            vertices as f64 * own.spacing >= LEAST_LENGTH * facing.gap
-        })
+    /// True if they are of two components, or both sides are many times as long as the gap is wide: what
+    /// is left of a seam, and no two holes beside each other, which a strip would make a handle of.
+    pub(super) fn is_seam(&self, facing: &Facing) -> bool {
+        let [a, b] = facing.rims.map(|r| self.candidates[r].component);
+        a != b
+            || (0..2).all(|side| {
+                let own = &self.candidates[facing.rims[side]];
+                let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
+                vertices as f64 * own.spacing >= LEAST_LENGTH * facing.gap
+            })
     }
 
     /// The edges that the mesh has between vertices of rims. A vertex may be on several.

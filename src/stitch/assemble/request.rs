@@ -17,7 +17,8 @@ pub enum MaxGap {
     ///
     /// For what sewing left of two borders half the loop's radius, and at most one of its mean edges.
     ///
-    /// Between pieces whose overlaps are trimmed, four mean edges of the coarsest.
+    /// Between pieces whose overlaps are trimmed, two and a half mean edges of the coarsest, or four
+    /// where a part would be left alone.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.

@@ -5,7 +5,7 @@ use super::candidates::Facing;
 use super::given_pair::GivenPair;
 use super::loops::Loops;
 use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Overlaps, Reason};
-use super::trimmed::take_out_spoilt;
+use super::trimmed::Spoilt;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -20,8 +20,8 @@ use crate::stitch::{self, Finish, Rows};
 use crate::trim::{Trimmed, trim};
 
 /// How wide gaps between trimmed pieces are, in mean edges of the coarsest, if the caller says
-/// nothing.
-const GAP_EDGES: f64 = 4.0;
+/// nothing; the second where parts would be left alone.
+const GAP_EDGES: [f64; 2] = [2.5, 4.0];
 /// Rounds in which what is left of trimmed pieces gets less where it cannot be joined; in the first
 /// of them where strips cut, and after these such strips are refused.
 const MAX_ROUNDS: u32 = 8;
@@ -53,12 +53,9 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         return finished(base, options, &job.part(0.8, 1.0)).map(|(done, _)| done);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
-    // Pieces that were cut where they overlap are near each other there: no loop is to look farther.
-    let max_gap = match options.max_gap {
-        MaxGap::Auto => MaxGap::Given(GAP_EDGES * trimmed.spacing),
-        given => given,
-    };
-    let options = &Options { max_gap, ..*options };
+    // Pieces that were cut where they overlap are near each other there: no loop is to look farther,
+    // unless parts are left alone.
+    let mut edges = GAP_EDGES[0];
     // What is left small and alone, and what makes strips or patches cut, goes, and all is done once
     // more.
     let mut round = 0;
@@ -66,13 +63,22 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
         let refuses = round >= ROUNDS_OF_STRIPS;
-        let (done, cuts) = joined(pieces, &trimmed, options, refuses, &now)?;
+        let max_gap = match options.max_gap {
+            MaxGap::Auto => MaxGap::Given(edges * trimmed.spacing),
+            given => given,
+        };
+        let (done, cuts) = joined(pieces, &trimmed, &Options { max_gap, ..*options }, refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
         if is_final && round >= MAX_ROUNDS {
             return Ok(done);
         }
         round += 1;
-        if !take_out_spoilt(pieces, &mut trimmed, &done, &cuts, how.least_island(), &then)? {
+        let spoilt = Spoilt::of(pieces, &done, &cuts, how.least_island(), &then)?;
+        let widens = spoilt.has_alone() && edges == GAP_EDGES[0] && options.max_gap == MaxGap::Auto;
+        if widens {
+            edges = GAP_EDGES[1];
+        }
+        if !spoilt.take_out(pieces, &mut trimmed, &done, !widens) && !widens {
             if is_final {
                 return Ok(done);
             }
@@ -137,7 +143,7 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
     let excluded = excluded_pairs(base, &loops, options)?;
     let mut found = chosen_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
     if options.within_components && matches!(cuts, Cuts::Listed(_) | Cuts::Refused) {
-        found.retain(|facing| loops.is_long(facing));
+        found.retain(|facing| loops.is_seam(facing));
     }
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
