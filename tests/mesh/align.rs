@@ -1,10 +1,11 @@
 //! Alignment of pieces that overlap.
 
-use crate::common::{Soup, data};
+use crate::common::{Silent, Soup, data, edge_counts, faces_of, some_of, torus};
 use glam::{DMat3, DQuat, DVec3};
-use gusset::Job;
 use gusset::align::{Options, Pose, Reason, Start, align};
-use gusset::mesh::MeshView;
+use gusset::mesh::{MeshView, NONE};
+use gusset::stitch::assemble::{self, Overlaps};
+use gusset::{Job, fill, trim};
 
 /// The views of the bunny, and the poses that were published with them.
 fn bunny() -> Option<(Vec<Soup>, Vec<Pose>)> {
@@ -24,171 +25,161 @@ fn bunny() -> Option<(Vec<Soup>, Vec<Pose>)> {
     Some((scans, poses))
 }
 
+/// A direction by chance.
+fn direction(random: &mut fastrand::Rng) -> DVec3 {
+    loop {
+        let v = DVec3::new(random.f64(), random.f64(), random.f64()) * 2.0 - 1.0;
+        if (0.1..1.0).contains(&v.length()) {
+            return v.normalize();
+        }
+    }
+}
+
+/// A turn about a centre and a shift.
+fn motion(centre: DVec3, axis: DVec3, angle: f64, shift: DVec3) -> Pose {
+    let rotation = DMat3::from_axis_angle(axis, angle);
+    Pose { rotation, translation: centre + shift - rotation * centre }
+}
+
+fn middle(soup: &Soup) -> DVec3 {
+    soup.points.iter().map(|&p| DVec3::from_array(p)).sum::<DVec3>() / soup.points.len() as f64
+}
+
+/// The ten views, disturbed by 3 degrees and 3 % of the size each, are back where they were published,
+/// to half a degree and half a percent, and trusted.
 #[test]
-fn experiment() {
+fn views_of_the_bunny_find_back() {
     let Some((scans, poses)) = bunny() else { return };
     let views: Vec<MeshView<'_>> = scans.iter().map(Soup::view).collect();
-    for seed in 0..20 {
+    // The bunny is 0.25 high, wide and deep along the diagonal.
+    let size = 0.25;
+    for seed in some_of(10, 0..20) {
         let mut random = fastrand::Rng::with_seed(seed);
-        let mut unit = || loop {
-            let v = DVec3::new(random.f64(), random.f64(), random.f64()) * 2.0 - 1.0;
-            if (0.1..1.0).contains(&v.length()) {
-                return v.normalize();
-            }
-        };
-        let disturbed: Vec<Pose> = scans
-            .iter()
-            .zip(&poses)
-            .enumerate()
-            .map(|(k, (scan, pose))| {
-                if k == 0 || seed == 0 {
-                    return *pose;
-                }
-                let centre =
-                    scan.points.iter().map(|&p| pose.point(DVec3::from(p))).sum::<DVec3>() / scan.points.len() as f64;
-                let rotation = DMat3::from_axis_angle(unit(), 3f64.to_radians());
-                let shift = unit() * 0.03 * 0.25;
-                let turned = Pose { rotation, translation: centre + shift - rotation * centre };
-                pose.then(&turned)
-            })
-            .collect();
-        let start = std::time::Instant::now();
+        let mut disturbed = poses.clone();
+        for (pose, scan) in disturbed.iter_mut().zip(&scans).skip(1) {
+            let [axis, shift] = [(); 2].map(|()| direction(&mut random));
+            let centre = pose.point(middle(scan));
+            *pose = pose.then(&motion(centre, axis, 3f64.to_radians(), 0.03 * size * shift));
+        }
         let options = Options { start: Start::Poses(&disturbed), ..Options::default() };
         let found = align(&views, &options, &Job::default()).unwrap();
-        let time = start.elapsed();
-        let still = Options { max_rounds: 1, start: Start::Poses(&poses), ..Options::default() };
-        let _ = still;
-        let (mut angle, mut shift) = (0.0f64, 0.0f64);
-        for ((own, pose), scan) in found.pieces.iter().zip(&poses).zip(&scans) {
-            let turn = own.pose.rotation * pose.rotation.transpose();
-            angle = angle.max(DQuat::from_mat3(&turn).to_axis_angle().1.to_degrees());
-            let centre = scan.points.iter().map(|&p| DVec3::from(p)).sum::<DVec3>() / scan.points.len() as f64;
-            shift = shift.max(own.pose.point(centre).distance(pose.point(centre)) / 0.25 * 100.0);
-        }
-        let trusted = found.pieces.iter().filter(|piece| piece.reason == Reason::Trusted).count();
-        let counts: f64 = found.overlaps.iter().map(|o| f64::from(o.count)).sum();
-        let mean = found.overlaps.iter().map(|o| f64::from(o.count) * o.mean).sum::<f64>() / counts;
-        println!(
-            "{seed}: {:?} rounds {} {} angle {angle:.3} shift {shift:.3} % trusted {trusted} mean {:.3} um",
-            time,
-            found.rounds,
-            found.converged,
-            mean * 1e6
-        );
-        if seed == 0 {
-            for overlap in &found.overlaps {
-                println!("{overlap:?}");
-            }
-            for piece in &found.pieces {
-                println!("{piece:?}");
-            }
+        assert!(found.converged, "{seed}");
+        for ((piece, pose), scan) in found.pieces.iter().zip(&poses).zip(&scans) {
+            assert_eq!(piece.reason, Reason::Trusted, "{seed}");
+            let turn = DQuat::from_mat3(&(piece.pose.rotation * pose.rotation.transpose())).to_axis_angle().1;
+            assert!(turn.to_degrees() < 0.5, "{seed}: {turn}");
+            let off = piece.pose.point(middle(scan)).distance(pose.point(middle(scan)));
+            assert!(off < 0.005 * size, "{seed}: {off}");
         }
     }
 }
 
-/// The faces that are kept, with the vertices that they use.
-fn part(soup: &Soup, pose: &Pose, kept: &[u32]) -> Soup {
-    let faces: Vec<&[u32]> = soup.faces().collect();
-    let mut names = std::collections::HashMap::new();
-    let mut out = Soup { offsets: vec![0], ..Soup::default() };
-    for &f in kept {
-        let face: Vec<u32> = faces[f as usize]
-            .iter()
-            .map(|&v| {
-                *names.entry(v).or_insert_with(|| {
-                    out.points.push(pose.point(DVec3::from(soup.points[v as usize])).to_array());
-                    out.points.len() as u32 - 1
+/// A closed surface without symmetries, cut in two along a wavy line: the halves, whose rims have the
+/// same vertices.
+fn halves() -> [Soup; 2] {
+    let whole = torus(64, 32);
+    let bent = |p: [f64; 3]| {
+        let [x, y, z] = p;
+        DVec3::new(x + 0.2 * (1.3 * y).sin(), y + 0.15 * (0.9 * z + x).cos(), 1.2 * z + 0.1 * (x * y).sin())
+    };
+    [1.0, -1.0].map(|side: f64| {
+        let mut half = Soup { offsets: vec![0], ..Soup::default() };
+        let mut names = std::collections::HashMap::new();
+        for face in whole.faces() {
+            let middle =
+                face.iter().map(|&v| DVec3::from_array(whole.points[v as usize])).sum::<DVec3>() / face.len() as f64;
+            if side * (middle.x + 0.3 * (3.0 * middle.y).sin() + 0.2 * (4.0 * middle.z).cos()) <= 0.0 {
+                continue;
+            }
+            let named: Vec<u32> = face
+                .iter()
+                .map(|&v| {
+                    *names.entry(v).or_insert_with(|| {
+                        half.points.push(bent(whole.points[v as usize]).to_array());
+                        half.points.len() as u32 - 1
+                    })
                 })
-            })
-            .collect();
-        out.face(&face);
-    }
-    out
+                .collect();
+            half.face(&named);
+        }
+        half
+    })
 }
 
-fn write_off(name: &str, points: impl Iterator<Item = DVec3>, faces: impl Iterator<Item = Vec<u32>>) {
-    use std::fmt::Write;
-    let points: Vec<_> = points.collect();
-    let faces: Vec<_> = faces.collect();
-    let mut text = format!("OFF\n{} {} 0\n", points.len(), faces.len());
-    points.iter().for_each(|p| writeln!(text, "{} {} {}", p.x, p.y, p.z).unwrap());
-    faces.iter().for_each(|f| {
-        write!(text, "{}", f.len()).unwrap();
-        f.iter().for_each(|v| write!(text, " {v}").unwrap());
-        text.push('\n');
-    });
-    std::fs::write(name, text).unwrap();
-}
-
+/// Broken in two, one half anywhere: their rims say how they belong together.
 #[test]
-fn trimmed() {
-    use gusset::stitch::assemble::{self, MaxGap};
+fn rims_that_run_alike_put_pieces_together() {
+    let [one, two] = halves();
+    for seed in 0..6 {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let [axis, shift] = [(); 2].map(|()| direction(&mut random));
+        let away = motion(middle(&two), axis, 3.0 * random.f64(), 5.0 * shift);
+        let moved = two.points.iter().map(|&p| away.point(DVec3::from_array(p)).to_array()).collect();
+        let moved = Soup { points: moved, ..two.clone() };
+        let options = Options { start: Start::Rims, ..Options::default() };
+        let found = align(&[one.view(), moved.view()], &options, &Job::default()).unwrap();
+        let back = away.then(&found.pieces[1].pose);
+        let worst = two.points.iter().map(|&p| back.point(p.into()).distance(p.into())).fold(0.0, f64::max);
+        assert!(worst < 1e-3, "{seed}: {worst}");
+        assert_eq!(found.pieces[1].reason, Reason::Trusted, "{seed}");
+    }
+}
+
+/// Threads, and places far from the origin or in other units, change nothing that matters.
+#[test]
+fn the_same_bits_for_any_number_of_threads() {
+    let [one, _] = halves();
+    let away = motion(middle(&one), DVec3::Z, 0.02, DVec3::new(0.02, -0.01, 0.03));
+    let moved = one.points.iter().map(|&p| away.point(DVec3::from_array(p)).to_array()).collect();
+    let moved = Soup { points: moved, ..one.clone() };
+    let views = [one.view(), moved.view()];
+    let run = |threads| align(&views, &Options::default(), &Job::new(threads, &Silent)).unwrap();
+    let single = run(1);
+    assert!(single.pieces[1].reason == Reason::Trusted && single.converged);
+    (2..5).for_each(|threads| assert_eq!(run(threads), single));
+    for (unit, shift) in [(1e-120, 0.0), (1e120, 0.0), (1.0, 1e5)] {
+        let place = |soup: &Soup| {
+            let points = soup.points.iter().map(|&p| p.map(|x| (x + shift) * unit)).collect();
+            Soup { points, ..soup.clone() }
+        };
+        let (a, b) = (place(&one), place(&moved));
+        let found = align(&[a.view(), b.view()], &Options::default(), &Job::default()).unwrap();
+        for (p, q) in a.points.iter().zip(&b.points) {
+            let off = found.pieces[1].pose.point(DVec3::from_array(*q)).distance(DVec3::from_array(*p));
+            assert!(off < 1e-4 * unit, "{unit} {shift}: {off}");
+        }
+    }
+}
+
+/// The faces that are there, moved.
+fn placed(soup: &Soup, pose: &Pose) -> Soup {
+    let points = soup.points.iter().map(|&p| pose.point(p.into()).to_array()).collect();
+    Soup { points, ..soup.clone() }
+}
+
+/// Ten views become one closed mesh, most of whose vertices are those of a view, bit for bit.
+#[test]
+fn views_of_the_bunny_become_one_closed_mesh() {
     let Some((scans, poses)) = bunny() else { return };
     let views: Vec<MeshView<'_>> = scans.iter().map(Soup::view).collect();
     let options = Options { start: Start::Poses(&poses), ..Options::default() };
     let found = align(&views, &options, &Job::default()).unwrap();
-    let placed: Vec<Soup> = scans
-        .iter()
-        .zip(&found.pieces)
-        .map(|(scan, piece)| part(scan, &piece.pose, &(0..scan.faces().count() as u32).collect::<Vec<_>>()))
-        .collect();
-    let views: Vec<MeshView<'_>> = placed.iter().map(Soup::view).collect();
-    let start = std::time::Instant::now();
-    let trimmed = gusset::trim::trim(&views, &gusset::trim::Options::default(), &Job::default()).unwrap();
-    println!("trim {:?} crossings {}", start.elapsed(), trimmed.crossings);
-    for (k, kept) in trimmed.kept.iter().enumerate() {
-        println!(
-            "{k}: {} of {} faces, {} covered of {}",
-            kept.len(),
-            placed[k].faces().count(),
-            trimmed.covered[k],
-            placed[k].points.len()
-        );
-    }
-    let pieces: Vec<Soup> =
-        placed.iter().zip(&trimmed.kept).map(|(soup, kept)| part(soup, &Pose::IDENTITY, kept)).collect();
-    let pieces: Vec<Soup> = pieces.into_iter().filter(|piece| !piece.points.is_empty()).collect();
-    let all = pieces.iter().skip(1).fold(pieces[0].clone(), |all, piece| all.and(piece));
-    write_off("/tmp/trimmed.off", all.points.iter().map(|&p| p.into()), all.faces().map(<[u32]>::to_vec));
+    let pieces: Vec<Soup> = scans.iter().zip(&found.pieces).map(|(scan, piece)| placed(scan, &piece.pose)).collect();
     let views: Vec<MeshView<'_>> = pieces.iter().map(Soup::view).collect();
-    let start = std::time::Instant::now();
-    let views: Vec<MeshView<'_>> = placed.iter().map(Soup::view).collect();
     let options = assemble::Options {
-        overlaps: assemble::Overlaps::Trim(gusset::trim::Options::default()),
-        within_components: std::env::var_os("WITHIN").is_some(),
-        max_gap: std::env::var("GAP").map_or(MaxGap::Auto, |gap| MaxGap::Given(gap.parse().unwrap())),
-        keep_orientation: true,
-        fill: std::env::var_os("FILL").map(|_| gusset::fill::Options::default()),
-        ..Default::default()
+        overlaps: Overlaps::Trim(trim::Options::default()),
+        fill: Some(fill::Options::default()),
+        ..assemble::Options::default()
     };
     let whole = assemble::assemble(&views, &options, &Job::default()).unwrap();
-    println!(
-        "assemble {:?}: loops {} near {} non-manifold {}",
-        start.elapsed(),
-        whole.loops_left,
-        whole.near_loops_left,
-        whole.non_manifold_edges
-    );
-    println!(
-        "joints {} {:?}",
-        whole.joints.len(),
-        whole
-            .joints
-            .iter()
-            .map(|j| (j.outcome, j.whole, j.sides[0].len(), j.sides[1].len(), j.intersections.as_ref().map(Vec::len)))
-            .collect::<Vec<_>>()
-    );
-    for left in whole.left.iter().filter(|l| l.vertices.len() > 20) {
-        println!("left {} {:?} gap {} {}", left.vertices.len(), left.reason, left.gap, left.allowed_gap);
+    assert_eq!((whole.loops_left, whole.non_manifold_edges), (0, 0));
+    let counts = edge_counts(faces_of(&whole.mesh));
+    assert!(counts.values().all(|&counts| counts == (1, 1)));
+    let old = whole.maps.iter().flat_map(|map| &map.vertices).filter(|&&v| v != NONE).count();
+    assert!(old as f64 > 0.9 * whole.mesh.positions.len() as f64);
+    for (map, piece) in whole.maps.iter().zip(&pieces) {
+        for (&v, p) in map.vertices.iter().zip(&piece.points).filter(|(v, _)| **v != NONE) {
+            assert_eq!(whole.mesh.positions.get(v).to_array(), *p);
+        }
     }
-    let mesh = &whole.mesh;
-    println!(
-        "holes {:?}",
-        whole.holes.iter().filter(|h| h.rim.len() > 12).map(|h| (h.rim.len(), h.status, h.finish)).collect::<Vec<_>>()
-    );
-    write_off(
-        "/tmp/joined.off",
-        (0..mesh.positions.len() as u32).map(|v| mesh.positions.get(v)),
-        mesh.faces().map(<[u32]>::to_vec),
-    );
 }
