@@ -9,4 +9,4 @@ mod fans;
 mod pairs;
 mod predicates;
 
-pub(crate) use pairs::{Soup, intersecting_pairs};
+pub(crate) use pairs::{Soup, intersecting_pairs, intersecting_pairs_where};

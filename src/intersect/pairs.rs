@@ -64,6 +64,17 @@ pub(crate) fn intersecting_pairs(
     soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
+    intersecting_pairs_where(soup, &|_, _| true, &|_, _| true, job)
+}
+
+/// [`intersecting_pairs`] of those pairs that are `wanted`, of which those are listed that `list` says,
+/// which is asked of pairs that intersect alone.
+pub(crate) fn intersecting_pairs_where(
+    soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
+    wanted: &(impl Fn(u32, u32) -> bool + Sync),
+    list: &(impl Fn(u32, u32) -> bool + Sync),
+    job: &Job<'_>,
+) -> Result<Vec<[u32; 2]>> {
     if soup.new.is_empty() {
         return Ok(Vec::new());
     }
@@ -98,8 +109,10 @@ pub(crate) fn intersecting_pairs(
                 let met = |&&i: &&u32| {
                     (i as usize) < k
                         && boxes[i as usize].overlaps(&query)
+                        && wanted(i, k as u32)
                         && !sides.are_beside(soup.new[i as usize], &soup.at)
                         && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
+                        && list(i, k as u32)
                 };
                 of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut found, [i, k as u32]))
             })?;

@@ -4,10 +4,12 @@ use super::layer::Layer;
 use super::region::Region;
 use crate::alloc;
 use crate::error::Result;
-use crate::intersect::{Soup, intersecting_pairs};
+use crate::intersect::{Soup, intersecting_pairs_where};
 use crate::job::Job;
 use crate::mesh::MeshView;
+use crate::sort::sort_distinct;
 use glam::DVec3;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The faces that cut one of another piece and are less confident than it, for each piece; of equal
 /// ones that of the later piece. O(F log F).
@@ -36,19 +38,23 @@ pub(super) fn crossings(
         }
     }
     let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
+    let confidence = |t: u32| {
+        let [k, f] = of[t as usize].map(|x| x as usize);
+        meshes[k].face(f).map(|v| layers[k].confidence[v as usize]).fold(f64::INFINITY, f64::min)
+    };
+    let worse = |s: u32, t: u32| if confidence(s).total_cmp(&confidence(t)).is_lt() { s } else { t };
+    // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed, and
+    // the faces are the same in any order.
+    let is_found = alloc::collect((0..triangles.len()).map(|_| AtomicBool::new(false)))?;
+    let wanted = |s: u32, t: u32| {
+        of[s as usize][0] != of[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)
+    };
+    let list = |s: u32, t: u32| !is_found[worse(s, t) as usize].swap(true, Ordering::Relaxed);
     let mut found = alloc::filled(Vec::new(), layers.len())?;
-    for pair in intersecting_pairs(&soup, job)? {
-        let [a, b] = pair.map(|t| of[t as usize]);
-        if a[0] == b[0] {
-            continue;
-        }
-        let confidence = |[k, f]: [u32; 2]| {
-            let own = meshes[k as usize].face(f as usize).map(|v| layers[k as usize].confidence[v as usize]);
-            own.fold(f64::INFINITY, f64::min)
-        };
-        let first_is_worse = confidence(a).total_cmp(&confidence(b)).is_lt();
-        let worse = if first_is_worse { a } else { b };
-        alloc::push(&mut found[worse[0] as usize], worse[1])?;
+    for [s, t] in intersecting_pairs_where(&soup, &wanted, &list, job)? {
+        let [k, f] = of[worse(s, t) as usize];
+        alloc::push(&mut found[k as usize], f)?;
     }
+    found.iter_mut().for_each(sort_distinct);
     Ok(found)
 }

@@ -12,7 +12,7 @@ fn case_count(name: &str) -> u64 {
     match name {
         "filters" => 300,
         "surface_paths" => 8,
-        "assemble" | "curve_meet" | "curve_net" | "fill" | "stitch" => 60,
+        "assemble" | "curve_meet" | "curve_net" | "fill" | "overlaps" | "stitch" => 60,
         "surface_lines" => 30,
         _ => 150,
     }

@@ -13,6 +13,7 @@ mod gluing;
 mod net_edit;
 mod net_ops;
 mod outline;
+mod overlaps;
 mod scene;
 mod sew;
 mod stitch;
@@ -40,6 +41,7 @@ pub const TARGETS: &[Target] = &[
     ("net_edit", net_edit::run),
     ("net_ops", net_ops::run),
     ("outline", outline::run),
+    ("overlaps", overlaps::run),
     ("scene", scene::run),
     ("sew", sew::run),
     ("stitch", stitch::run),
