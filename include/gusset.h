@@ -9821,7 +9821,8 @@ gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
  * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
  *     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (an eye),
  *     COUNT_DIFFERS (fewer eyes than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(V log F) for V vertices of a piece and F faces of each piece near it; linear extra
+ * @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to the
+ *     square of the number of faces that lie in one place; linear extra
  *     memory.
  * @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
  *     (1994), who clip one mesh at the other's border.

@@ -96,12 +96,6 @@ std::vector<Row> mesh_rows() {
         const MeshView pieces[] = {mesh};
         return gusset::Assembly(pieces, gusset::AssemblyOptions(), context);
     };
-    const auto assemble_trimmed = [](const MeshView &mesh, const Context &context) {
-        const MeshView pieces[] = {mesh, mesh};
-        gusset::AssemblyOptions options;
-        options.trim = gusset::TrimOptions();
-        return gusset::Assembly(pieces, options, context);
-    };
     // Each with itself.
     const auto align = [](const MeshView &mesh, const Context &context) {
         const MeshView pieces[] = {mesh, mesh};
@@ -180,7 +174,6 @@ std::vector<Row> mesh_rows() {
         {"assembly_create", "triangles at a vertex", 32, 100000, 2, 1, 0, on(bundle, assemble)},
         {"assembly_create", "points in one", 64, 100000, 1, 1, 0, on(in_one_point, assemble)},
         {"assembly_create", "equal copies", 64, 100000, 1, 1, 0, on(copies, assemble)},
-        {"assembly_create", "trimmed rough squares", 1024, 100000, 1, 1, 0, on(rough, assemble_trimmed)},
         {"alignment_create", "rough squares", 250, 1000000, 1, 1, 0, on(rough, align)},
         {"alignment_create", "fans", 250, 1000000, 1, 1, 0, on(open_fan, align), true},
         {"alignment_create", "points in one", 250, 1000000, 1, 1, 0, on(in_one_point, align)},

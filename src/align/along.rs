@@ -1,10 +1,11 @@
 //! Which samples of a piece's rims lie along the rims of another one.
 
-use super::pairs::{Found, Met, Pair, Placed};
+use super::pairs::{Found, Met, Pair, Placed, SAMPLES_PER_REPORT, STAGE};
 use super::rim::{MIN_COSINE, Rim};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::kd_tree::KdTree;
+use crate::job::Job;
 
 /// Looks for the rims of `a` along those of `b`, up to a distance.
 pub(super) fn look_along(
@@ -14,11 +15,13 @@ pub(super) fn look_along(
     (other, tree): (&Rim, &KdTree<'_>),
     gate: f64,
     reach: f64,
+    job: &Job<'_>,
 ) -> Result<Found> {
     let across = a.pose.then(&b.pose.inverse());
     let mut met = Met { entries: 2, samples: rim.points.len(), ..Met::default() };
     met.pairs = alloc::with_capacity(2 * rim.points.len())?;
     for k in 0..rim.points.len() {
+        job.step_every(SAMPLES_PER_REPORT, k, rim.points.len(), STAGE)?;
         let at = across.point(rim.points[k]);
         let (along, normal) = (across.direction(rim.directions[k]), across.direction(rim.normals[k]));
         let runs_against = |w: u32| other.directions[w as usize].dot(along) < -MIN_COSINE;

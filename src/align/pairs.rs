@@ -4,8 +4,12 @@ use super::member::Member;
 use super::pose::Pose;
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use glam::DVec3;
 
+pub(super) const STAGE: &str = "aligning the pieces";
+/// Samples between two progress reports: far from what is looked for each takes long.
+pub(super) const SAMPLES_PER_REPORT: usize = 1 << 7;
 /// The least cosine between the normals of a pair: 45 degrees.
 const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Pairs that are so many standard deviations off have no weight: J. Tukey's biweight, at 95 % of
@@ -88,12 +92,15 @@ pub(super) fn look<'s>(
     b: &Placed<'_>,
     gate: f64,
     reach: f64,
+    job: &Job<'_>,
 ) -> Result<Found> {
     let across = a.pose.then(&b.pose.inverse());
     let [from, onto] = [a.member.scan, b.member.scan];
     let pairs = alloc::with_capacity(samples.len())?;
     let mut met = Met { pairs, entries: 1, samples: samples.len(), ..Met::default() };
-    for &v in samples {
+    let count = samples.len();
+    for (k, &v) in samples.enumerate() {
+        job.step_every(SAMPLES_PER_REPORT, k, count, STAGE)?;
         let at = across.point(from.points[v as usize]);
         if onto.bounds.distance_squared(at) > gate * gate {
             continue;

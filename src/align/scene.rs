@@ -2,14 +2,13 @@
 
 use super::along::look_along;
 use super::member::Member;
-use super::pairs::{Found, Placed, look};
+use super::pairs::{Found, Placed, STAGE, look};
 use super::pose::Pose;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 
-const STAGE: &str = "aligning the pieces";
 /// Fewer pairs say nothing of two pieces.
 pub(super) const MIN_PAIRS: usize = 10;
 
@@ -66,16 +65,16 @@ impl<'a> Scene<'a> {
         on: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], Found)>> {
-        let found = par::map_cancellable(job, STAGE, looks.iter(), |look_at| {
+        let found = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
             let [a, b] = look_at.pieces.map(|k| Placed { member: &self.members[k], pose: poses[k] });
             let reach = on * self.spacing(look_at.pieces);
             let samples = a.member.samples;
             match (a.member.rim, b.member.rim) {
-                (Some((rim, _)), Some(other)) => look_along(&a, rim, &b, other, look_at.gate, reach),
-                _ => look(&a, samples.iter().step_by(part), &b, look_at.gate, reach),
+                (Some((rim, _)), Some(other)) => look_along(&a, rim, &b, other, look_at.gate, reach, job),
+                _ => look(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
             }
         })?;
-        alloc::try_collect(looks.iter().zip(found).map(|(look, found)| Ok((look.pieces, found?))))
+        alloc::collect(looks.iter().zip(found).map(|(look, found)| (look.pieces, found)))
     }
 
     /// What the pieces find on each other within so many spacings.
@@ -87,7 +86,8 @@ impl<'a> Scene<'a> {
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], Found)>> {
         let mut looks = self.looks(poses)?;
-        looks.iter_mut().for_each(|look| look.gate = within * self.spacing(look.pieces));
+        // No farther than pairs may be.
+        looks.iter_mut().for_each(|look| look.gate = (within * self.spacing(look.pieces)).min(self.reach));
         self.find(poses, &looks, 1, on, job)
     }
 }

@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// What is added to the diagonal, as part of its mean: directions in which nothing holds a piece do
 /// not move it.
-const DAMPING: f64 = 1e-6;
+const DAMPING: f64 = 1e-3;
 /// The residual, as part of the first, at which the solution is good enough: the equations are those
 /// of one round.
 const TOLERANCE: f64 = 1e-8;

@@ -37,8 +37,10 @@ impl<'a> TriangleTree<'a> {
         stage: &'static str,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let boxes = alloc::collect(triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize]))))?;
+        let boxes = triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize])));
+        let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), stage)?;
         let order = spatial_order(&boxes, 1, job, stage)?;
+        job.step(1.0, stage)?;
         let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
         Ok(TriangleTree { points, triangles, order, tree })
     }

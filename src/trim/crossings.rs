@@ -11,8 +11,7 @@ use crate::sort::sort_distinct;
 use glam::DVec3;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The faces that cut one of another piece and are less confident than it, for each piece; of equal
-/// ones that of the later piece. O(F log F).
+/// The faces of each piece that cut one of a piece before it. O(F log F).
 pub(super) fn crossings(
     layers: &[Layer],
     meshes: &[MeshView<'_>],
@@ -38,11 +37,9 @@ pub(super) fn crossings(
         }
     }
     let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
-    let confidence = |t: u32| {
-        let [k, f] = of[t as usize].map(|x| x as usize);
-        meshes[k].face(f).map(|v| layers[k].confidence[v as usize]).fold(f64::INFINITY, f64::min)
-    };
-    let worse = |s: u32, t: u32| if confidence(s).total_cmp(&confidence(t)).is_lt() { s } else { t };
+    // That of the later piece, as elsewhere: what went here on one side and there on the other would
+    // leave neither.
+    let worse = |s: u32, t: u32| if of[s as usize][0] > of[t as usize][0] { s } else { t };
     // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed, and
     // the faces are the same in any order.
     let is_found = alloc::collect((0..triangles.len()).map(|_| AtomicBool::new(false)))?;

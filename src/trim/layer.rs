@@ -57,7 +57,8 @@ impl Layer {
         for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER) {
             alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
         }
-        let tree = KdTree::boxed(&rim, &job.part(0.6, 0.6), STAGE)?;
+        // In one group: of points that lie in one, one is looked at.
+        let tree = KdTree::grouped(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
         let eye = options.eyes.get(k).map(|eye| *eye / unit - origin);
         let of = |v: usize| {
             let (p, n) = (scan.points[v], scan.normals[v]);

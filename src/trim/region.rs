@@ -2,12 +2,14 @@
 //! two faces, no small islands, no faces that meet in one vertex only.
 
 use super::request::SPARE;
+use crate::align::Scan;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::bit_set::BitSet;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
+use glam::DVec3;
 
 const STAGE: &str = "trimming the pieces";
 /// Components of a piece that have so many times fewer faces than its largest are islands, too, if
@@ -15,6 +17,16 @@ const STAGE: &str = "trimming the pieces";
 const DEBRIS: u32 = 10;
 /// Rounds in which faces go that hang by one side, or meet others in a vertex only.
 const MAX_ROUNDS: usize = 20;
+
+/// The rims of what is kept: vertices and the middles of edges between them.
+#[derive(Default)]
+pub(super) struct Rims {
+    pub(super) points: Vec<DVec3>,
+    /// In their directions.
+    pub(super) normals: Vec<DVec3>,
+    /// Something was taken out beyond; else it is a border of the piece.
+    pub(super) is_cut: Vec<bool>,
+}
 
 /// A set of a piece's faces.
 pub(super) struct Region<'m, 'a> {
@@ -115,7 +127,7 @@ impl<'m, 'a> Region<'m, 'a> {
         self.open()?;
         for _ in 0..MAX_ROUNDS {
             job.step(0.5, STAGE)?;
-            if !self.take_out_ears()? & !self.take_out_pinches()? {
+            if !self.take_out_ears()? & !self.take_out_pinches(job)? {
                 break;
             }
         }
@@ -150,14 +162,16 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok((of(0)?, of(1)?))
     }
 
-    /// The vertices on the border of what is kept where something was taken out beyond, and the
-    /// middles of the edges between them.
-    pub(super) fn rim(&self, at: impl Fn(u32) -> glam::DVec3, out: &mut Vec<glam::DVec3>) -> Result<()> {
+    /// Enters the rim of what is kept.
+    pub(super) fn rim(&self, scan: &Scan, out: &mut Rims) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
                 if !self.is_kept(g) {
-                    let [u, v] = [at(u), at(v)];
-                    alloc::append(out, &[u, u.midpoint(v)])?;
+                    let [p, q] = [u, v].map(|v| scan.points[v as usize]);
+                    let [m, n] = [u, v].map(|v| scan.normals[v as usize]);
+                    alloc::append(&mut out.points, &[p, p.midpoint(q)])?;
+                    alloc::append(&mut out.normals, &[m, m + n])?;
+                    alloc::append(&mut out.is_cut, &[g != NONE; 2])?;
                 }
             }
         }
@@ -261,7 +275,7 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Takes out all but the largest of several fans of faces round a vertex where something was
     /// taken out; true if there were any.
-    fn take_out_pinches(&mut self) -> Result<bool> {
+    fn take_out_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut touched = BitSet::new(self.mesh.positions().len())?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
             self.mesh.face(f).for_each(|v| touched.insert(v));
@@ -277,6 +291,7 @@ impl<'m, 'a> Region<'m, 'a> {
         }
         corners.sort_unstable();
         let (mut any, mut fans, mut sizes) = (false, DisjointSets::new(0)?, Vec::new());
+        job.step(0.5, STAGE)?;
         for round in corners.chunk_by(|x, y| x.0 == y.0) {
             fans.reset(round.len())?;
             for (k, (_, _, beside)) in round.iter().enumerate() {

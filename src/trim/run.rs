@@ -3,16 +3,17 @@
 use super::covers::{Covers, Same};
 use super::crossings::crossings;
 use super::layer::Layer;
-use super::region::Region;
+use super::region::{Region, Rims};
 use super::request::{Options, Trimmed};
 use crate::align::common_unit_of;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::geom::Aabb;
-use crate::geom::kd_tree::KdTree;
+use crate::geom::kd_tree::{KdTree, Radius};
 use crate::geom::triangle_places::TriangleTree;
 use crate::job::Job;
 use crate::mesh::MeshView;
+use std::ops::ControlFlow;
 
 /// Surfaces that are no farther apart are one, in mean edges, if the caller says nothing.
 const EDGES: f64 = 4.0;
@@ -142,18 +143,27 @@ fn keep(
         covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN)
     }))?;
     own[0].smooth(&mut margins, SMOOTHINGS, job)?;
-    let mut rims = Vec::new();
+    let mut rims = Rims::default();
     for (region, other) in before.iter().zip(layers) {
         if layer.scan.bounds.is_within(&other.scan.bounds, GAP * other.scan.spacing) {
-            region.rim(|v| other.scan.points[v as usize], &mut rims)?;
+            region.rim(&other.scan, &mut rims)?;
         }
     }
-    let tree = KdTree::boxed(&rims, job, "trimming the pieces")?;
-    let gap = GAP * layer.scan.spacing;
-    let barred = alloc::collect((0..points.len()).map(|v| {
+    let tree = KdTree::new(&rims.points, job, "trimming the pieces")?;
+    let gap = Radius::new((GAP * layer.scan.spacing).max(f64::MIN_POSITIVE));
+    // Borders that meet as they are need no gap.
+    let is_near_rim = |v: usize| {
+        let is_border = layer.scan.rim.contains(v as u32);
+        let bars = |r: usize| rims.normals[r].dot(layer.scan.normals[v]) > 0.0 && (rims.is_cut[r] || !is_border);
+        let mut visit = |_, r: u32| if bars(r as usize) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+        tree.visit_within(points[v], gap, &mut visit).is_break()
+    };
+    let mut barred = alloc::with_capacity(points.len())?;
+    for v in 0..points.len() {
+        job.step_every(1 << 14, v, points.len(), "trimming the pieces")?;
         let is_kept = |piece: u32, face: u32| before.get(piece as usize).is_some_and(|r| r.keeps[face as usize]);
-        covers[k].is_on(v, is_kept) || tree.nearest(points[v], gap * gap, |_| true).is_some()
-    }))?;
+        barred.push(covers[k].is_on(v, is_kept) || is_near_rim(v));
+    }
     let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -BIAS))?;
     let shown = alloc::collect((0..points.len()).map(|v| {
         covers[k].is_on(v, |piece, face| match (piece as usize).checked_sub(k + 1) {

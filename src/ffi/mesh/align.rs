@@ -15,7 +15,9 @@ pub const GUSSET_ALIGN_PRINCIPAL_AXES: u32 = 1;
 /// pieces of one surface that was cut or broken and do not overlap.
 pub const GUSSET_ALIGN_RIMS: u32 = 2;
 
-/// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one.
+/// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What fits
+/// is judged by mean edges: a smooth surface that lies within one of another, as a slightly scaled
+/// one or its mirror image may, passes for it. The rms of its overlaps, and converged, say more.
 pub const GUSSET_ALIGNED_TRUSTED: u32 = 0;
 /// It has no faces with an area, or too little of it lies on other pieces.
 pub const GUSSET_ALIGNED_NO_OVERLAP: u32 = 1;
@@ -181,7 +183,8 @@ impl gusset_alignment {
 /// apart and those whose normals differ by more than 45 degrees; the motions that bring pairs onto
 /// the planes of their normals, with less weight for those far off, are found in one system of
 /// equations; and so on until nothing moves. Pieces have to begin within max_distance of where they
-/// belong, see start. A piece that nothing holds stays where it begins.
+/// belong, see start. A piece that lies on no other stays where it begins; where
+/// overlaps leave it free it may slide.
 ///
 /// What is not known is no failure, but said for each piece: a piece is trusted if it fits others,
 /// overlaps hold it in all six directions by more than the noise of normals, and pieces lead from it

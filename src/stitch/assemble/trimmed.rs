@@ -3,6 +3,7 @@
 use super::request::Assembly;
 use crate::alloc;
 use crate::error::Result;
+use crate::fill::Hole;
 use crate::geom::bit_set::BitSet;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
@@ -33,12 +34,29 @@ impl Spoilt {
         let old = done.turned.len();
         let mut spoilt = BitSet::new(mesh.positions.len())?;
         let (mut parts_alone, mut alone) = (false, BitSet::new(mesh.face_count())?);
-        // The rims of patches that cut, and the corners of what they cut.
-        for &f in cuts.as_flattened() {
-            let corners = mesh.face_offsets[f as usize]..mesh.face_offsets[f as usize + 1];
-            corners.for_each(|corner| spoilt.insert(mesh.corner(corner as usize)));
-            for hole in done.holes.iter().filter(|hole| hole.faces.contains(&f)) {
-                done.hole_rims[hole.rim.clone()].iter().for_each(|&v| spoilt.insert(v));
+        // Vertices beside what was trimmed.
+        let mut beside = BitSet::new(mesh.positions.len())?;
+        for (map, piece) in done.maps.iter().zip(pieces) {
+            for f in (0..map.faces.len()).filter(|&f| map.faces[f] == NONE) {
+                let left = piece.face(f).map(|v| map.vertices[v as usize]).filter(|&v| v != NONE);
+                left.for_each(|v| beside.insert(v));
+            }
+        }
+        // The rims of patches that cut, and the corners of what they cut: of gaps that trimming left, as
+        // a patch over the border of what was seen may cut, too, and no surface is to go for that.
+        let is_gap = |rim: &[u32]| 2 * rim.iter().filter(|&&v| beside.contains(v)).count() > rim.len();
+        let mut is_spoilt = false;
+        for &[f, g] in cuts {
+            let of_patch = |hole: &&Hole| hole.faces.contains(&f) || hole.faces.contains(&g);
+            let mut rims = done.holes.iter().filter(of_patch).map(|hole| &done.hole_rims[hole.rim.clone()]);
+            if !rims.clone().all(is_gap) {
+                continue;
+            }
+            is_spoilt = true;
+            rims.by_ref().flatten().for_each(|&v| spoilt.insert(v));
+            for face in [f, g] {
+                let corners = mesh.face_offsets[face as usize]..mesh.face_offsets[face as usize + 1];
+                corners.for_each(|corner| spoilt.insert(mesh.corner(corner as usize)));
             }
         }
         // Parts that strips and seams hold together, patches apart.
@@ -56,12 +74,8 @@ impl Spoilt {
         let largest = sizes.iter().copied().max().unwrap_or(0);
         // Those that were cut have a vertex of a face that is gone.
         let mut is_cut = alloc::filled(false, roots.len())?;
-        for (map, piece) in done.maps.iter().zip(pieces) {
-            for f in (0..map.faces.len()).filter(|&f| map.faces[f] == NONE) {
-                for v in piece.face(f).map(|v| map.vertices[v as usize]).filter(|&v| v != NONE) {
-                    is_cut[roots[v as usize] as usize] = true;
-                }
-            }
+        for v in (0..mesh.positions.len()).filter(|&v| beside.contains(v as u32)) {
+            is_cut[roots[v] as usize] = true;
         }
         for (f, face) in mesh.faces().take(old).enumerate() {
             let root = roots[face[0] as usize] as usize;
@@ -70,7 +84,7 @@ impl Spoilt {
                 alone.insert(f as u32);
             }
         }
-        Ok(Spoilt { vertices: spoilt, alone, cuts: !cuts.is_empty(), parts: parts_alone })
+        Ok(Spoilt { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
     }
 
     /// True if there are parts that nothing joined.
