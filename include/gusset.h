@@ -413,13 +413,16 @@
 #define GUSSET_ALIGN_PRINCIPAL_AXES 1
 
 /**
- * The pieces are put together by rims that run alike, and it is their rims that hold them then: for
- * pieces of one surface that was cut or broken and do not overlap.
+ * The pieces are put together by rims that run alike, and it is their rims that hold them then:
+ * for pieces of one surface that was cut or broken and do not overlap.
  */
 #define GUSSET_ALIGN_RIMS 2
 
 /**
- * It can be trusted to lie right: it fits pieces that can be trusted, up to the first one.
+ * It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What
+ * fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
+ * scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
+ * more.
  */
 #define GUSSET_ALIGNED_TRUSTED 0
 
@@ -478,8 +481,8 @@
  * the loop with the longer ones. The width is the mean distance from each loop to the nearest
  * points of the other, the larger of the two. Loops must look at each other, or lie round each
  * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
- * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it may
- * be a hole that the seam crosses.
+ * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
+ * may be a hole that the seam crosses.
  */
 #define GUSSET_GAP_AUTO 0
 
@@ -8834,11 +8837,12 @@ gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
  * apart and those whose normals differ by more than 45 degrees; the motions that bring pairs onto
  * the planes of their normals, with less weight for those far off, are found in one system of
  * equations; and so on until nothing moves. Pieces have to begin within max_distance of where they
- * belong, see start. A piece that nothing holds stays where it begins.
+ * belong, see start. A piece that lies on no other stays where it begins; where
+ * overlaps leave it free it may slide.
  *
  * What is not known is no failure, but said for each piece: a piece is trusted if it fits others,
- * overlaps hold it in all six directions by more than the noise of normals, and pieces lead from it
- * to the first one by pairs that fit.
+ * overlaps hold it in all six directions by more than the noise of normals, and pieces lead from
+ * it to the first one by pairs that fit.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param pieces piece_count mesh views one after another, each as large as the first one's
@@ -9803,14 +9807,14 @@ gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
  * Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the
  * others, which gusset_assembly_create closes; see GUSSET_OVERLAPS_TRIM there for both at once.
  *
- * The pieces are cut along lines on which both are equally good. A vertex is the better the farther
- * it is from the borders of its piece, in mean edges of it, so that the finer of two pieces counts
- * for more, and the less flat the angle it was seen under, if eyes are given; loops of fewer than 32
- * vertices are small holes and no borders in that sense. A vertex lies on another piece if the
- * nearest place there is near, faces the same way, and is on no border. Where two are equally good
- * but for noise, the earlier one is kept. No vertex moves, and no face is cut. What would be thinner
- * than two faces goes, so do small islands, faces that hang on others by one vertex, and faces that
- * cut those of another piece.
+ * The pieces are cut along lines on which both are equally good. A vertex is the better the
+ * farther it is from the borders of its piece, in mean edges of it, so that the finer of two
+ * pieces counts for more, and the less flat the angle it was seen under, if eyes are given; loops
+ * of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on another
+ * piece if the nearest place there is near, faces the same way, and is on no border. Where two are
+ * equally good but for noise, the earlier one is kept. No vertex moves, and no face is cut. What
+ * would be thinner than two faces goes, so do small islands, faces that hang on others by one
+ * vertex, and faces that cut those of another piece.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param pieces piece_count mesh views one after another, each as large as the first one's
@@ -9821,9 +9825,8 @@ gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
  * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
  *     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (an eye),
  *     COUNT_DIFFERS (fewer eyes than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- * @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to the
- *     square of the number of faces that lie in one place; linear extra
- *     memory.
+ * @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to
+ *     the square of the number of faces that lie in one place; linear extra memory.
  * @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
  *     (1994), who clip one mesh at the other's border.
  * @since 0.1

@@ -25,7 +25,7 @@ pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
         return Ok(poses);
     };
     let target = axes(first.scan);
-    for k in 1..count {
+    for (k, pose) in poses.iter_mut().enumerate().skip(1) {
         let scan = scene.members[k].scan;
         let own = axes(scan);
         let two = scene.pair(0, k)?;
@@ -42,7 +42,7 @@ pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
                 best = (score, both[1]);
             }
         }
-        poses[k] = best.1;
+        *pose = best.1;
     }
     Ok(poses)
 }

@@ -9,8 +9,8 @@ use crate::geom::linear::eigen::eigen;
 /// What holds a piece.
 #[derive(Clone, Copy)]
 pub(super) struct Hold {
-    /// The least eigenvalue of the mean of its equations: the mean squared change of distances along
-    /// normals for the motion of length 1 that changes them least.
+    /// The least eigenvalue of the mean of its equations: the mean squared change of distances
+    /// along normals for the motion of length 1 that changes them least.
     pub(super) least: f64,
     /// As much of it as the noise of normals makes, where the surfaces do not.
     pub(super) noise: f64,
@@ -27,9 +27,9 @@ pub(super) fn holds(count: usize, found: &[([usize; 2], Found)]) -> Result<Vec<H
         let equations = &found.equations;
         for (k, &piece) in pieces.iter().enumerate() {
             let (sum, weight, turn) = &mut own[piece];
-            for i in 0..6 {
-                for j in 0..6 {
-                    sum[i][j] += equations.matrix[6 * k + i.max(j)][6 * k + i.min(j)];
+            for (i, row) in sum.iter_mut().enumerate() {
+                for (j, entry) in row.iter_mut().enumerate() {
+                    *entry += equations.matrix[6 * k + i.max(j)][6 * k + i.min(j)];
                 }
             }
             *weight += equations.weight;

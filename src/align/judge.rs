@@ -21,12 +21,15 @@ const MAX_NOISE: f64 = 0.5;
 /// Pieces that are so many times as large or small as the first are in other units.
 const OTHER_SIZE: f64 = 50.0;
 
+/// Whether a piece is trusted, and how well it is held.
+pub(super) type Verdict = (Reason, f64);
+
 /// The overlaps, and for each piece what is known and how it is held.
 pub(super) fn judge(
     members: &[Member<'_>],
     found: &[([usize; 2], Found)],
     unit: f64,
-) -> Result<(Vec<Overlap>, Vec<(Reason, f64)>)> {
+) -> Result<(Vec<Overlap>, Vec<Verdict>)> {
     let mut overlaps: Vec<Overlap> = Vec::new();
     let mut opposite = alloc::filled([0usize; 2], members.len())?;
     for ([i, k], one) in found.iter().filter(|([i, k], _)| i < k) {

@@ -9,8 +9,8 @@
 //! error adds up round a ring of them.
 //!
 //! In each round every piece asks its neighbours for the points nearest to some of its own. With
-//! small motions of piece i, a turn w_i about its centre g_i and a shift u_i, the distance of a pair
-//! x_i, x_j along their normal n changes to
+//! small motions of piece i, a turn w_i about its centre g_i and a shift u_i, the distance of a
+//! pair x_i, x_j along their normal n changes to
 //!
 //! (x_i - x_j) . n + (u_i + w_i x (x_i - g_i)) . n - (u_j + w_j x (x_j - g_j)) . n,
 //!

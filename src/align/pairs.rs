@@ -171,8 +171,8 @@ impl Found {
 }
 
 impl Equations {
-    /// Enters (x - y) . n + (u + w x (x - g)) . n - (u' + w' x (y - g')) . n = 0, with turns in radii
-    /// of the pieces, so that they are as long as shifts.
+    /// Enters (x - y) . n + (u + w x (x - g)) . n - (u' + w' x (y - g')) . n = 0, with turns in
+    /// radii of the pieces, so that they are as long as shifts.
     fn enter(&mut self, pair: &Pair, weight: f64, centres: [DVec3; 2], radii: [f64; 2]) {
         let [x, y] = pair.points;
         let along = pair.along;

@@ -58,8 +58,8 @@ impl Pose {
     }
 }
 
-/// The rotation by a vector, whose length is the angle: O. Rodrigues' formula. The same bits on every
-/// machine.
+/// The rotation by a vector, whose length is the angle: O. Rodrigues' formula. The same bits on
+/// every machine.
 fn rotation(turn: DVec3) -> DMat3 {
     let angle = turn.length();
     if angle == 0.0 {

@@ -1,6 +1,6 @@
-//! The rims of a piece at equal steps. Each sample has a frame, of the rim's direction, the surface's
-//! normal and the conormal, and a signature: where the rim is some steps before and after it, in
-//! that frame.
+//! The rims of a piece at equal steps. Each sample has a frame, of the rim's direction, the
+//! surface's normal and the conormal, and a signature: where the rim is some steps before and after
+//! it, in that frame.
 
 use super::scan::Scan;
 use crate::alloc;
@@ -81,7 +81,7 @@ impl Rim {
         let samples = &self.points[first..];
         let around = |k: usize, by: usize| samples[(k + by) % samples.len()];
         let directions = (0..samples.len()).map(|k| around(k, 1) - around(k, samples.len() - 1));
-        alloc::extend(&mut self.directions, directions.map(|d| d.normalize_or_zero()))?;
+        alloc::extend(&mut self.directions, directions.map(DVec3::normalize_or_zero))?;
         alloc::push(&mut self.starts, self.points.len())
     }
 

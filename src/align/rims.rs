@@ -1,8 +1,8 @@
 //! A start by features of rims: where two rims run alike, the pieces are put together there.
 //!
-//! Where two pieces of one surface meet, their rims run against each other under one normal, so that
-//! one pair of samples gives a motion; those whose signatures agree best are tried, and the one after
-//! which most of the rims lie on each other is taken.
+//! Where two pieces of one surface meet, their rims run against each other under one normal, so
+//! that one pair of samples gives a motion; those whose signatures agree best are tried, and the
+//! one after which most of the rims lie on each other is taken.
 
 use super::pose::Pose;
 use super::rim::{MIN_COSINE, Rim, STAGE, Signature};
@@ -25,8 +25,8 @@ const NEAR: f64 = 1.5;
 const MIN_MATCHES: usize = 12;
 const MIN_SHARE: f64 = 0.1;
 
-/// The best way to put a piece beside another: how many of its samples lie on the other's rims then,
-/// and the motion into the other's coordinates.
+/// The best way to put a piece beside another: how many of its samples lie on the other's rims
+/// then, and the motion into the other's coordinates.
 type Match = (usize, Pose);
 
 /// The poses that put the pieces together along rims that run alike, piece by piece from the first

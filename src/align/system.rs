@@ -13,8 +13,8 @@ use glam::DVec3;
 /// What is added to the diagonal, as part of its mean: directions in which nothing holds a piece do
 /// not move it.
 const DAMPING: f64 = 1e-3;
-/// The residual, as part of the first, at which the solution is good enough: the equations are those
-/// of one round.
+/// The residual, as part of the first, at which the solution is good enough: the equations are
+/// those of one round.
 const TOLERANCE: f64 = 1e-8;
 /// Iterations at the most, for each unknown.
 const MAX_ITERATIONS: usize = 2;

@@ -45,8 +45,8 @@ impl<'a> TriangleTree<'a> {
         Ok(TriangleTree { points, triangles, order, tree })
     }
 
-    /// The place nearest to a point, among those nearer than `limit` (squared); of equally near ones
-    /// that which is met first.
+    /// The place nearest to a point, among those nearer than `limit` (squared); of equally near
+    /// ones that which is met first.
     pub(crate) fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
         self.nearest_beside(p, limit, None)
     }

@@ -1,9 +1,9 @@
 //! Groups of triangles that share a corner.
 //!
-//! Where many triangles meet at one vertex, no boxes tell them apart there: all pairs of a fan would
-//! be tested. But if all triangles of a group have the vertex, and a plane through it has a triangle
-//! with the same vertex on one side and all other corners of the group on the other, they share
-//! nothing else. Such are the planes through the sides of the triangle, square to it.
+//! Where many triangles meet at one vertex, no boxes tell them apart there: all pairs of a fan
+//! would be tested. But if all triangles of a group have the vertex, and a plane through it has a
+//! triangle with the same vertex on one side and all other corners of the group on the other, they
+//! share nothing else. Such are the planes through the sides of the triangle, square to it.
 
 use crate::alloc;
 use crate::error::Result;
@@ -16,8 +16,8 @@ const ROUND_OFF: f64 = 1.0 / (1u64 << 40) as f64;
 /// The slope that a triangle's own sides may have against a plane through one of them.
 const OWN_SLOPE: f64 = 1.0 / (1u64 << 46) as f64;
 
-/// For each node of a tree over groups of triangles, the vertex that they share and the box of their
-/// other corners.
+/// For each node of a tree over groups of triangles, the vertex that they share and the box of
+/// their other corners.
 pub(super) struct Fans(Vec<Fan>);
 
 #[derive(Clone, Copy)]
@@ -68,8 +68,8 @@ impl Fans {
         Ok(Fans(fans))
     }
 
-    /// True if what a node holds shares with a triangle one of its vertices and nothing else, by the
-    /// planes through its sides there. O(1).
+    /// True if what a node holds shares with a triangle one of its vertices and nothing else, by
+    /// the planes through its sides there. O(1).
     #[inline]
     pub(super) fn is_beside(&self, node: usize, sides: &Sides) -> bool {
         let fan = &self.0[node];
@@ -123,8 +123,8 @@ impl Sides {
         Sides { vertices, corners, normals, size: size(&corners) }
     }
 
-    /// True if another triangle lies strictly beyond one of the sides, but for the ends of that side
-    /// where it has them, too: they share nothing else.
+    /// True if another triangle lies strictly beyond one of the sides, but for the ends of that
+    /// side where it has them, too: they share nothing else.
     #[inline]
     pub(super) fn are_beside(&self, other: [u32; 3], at: &impl Fn(u32) -> DVec3) -> bool {
         let points = other.map(at);

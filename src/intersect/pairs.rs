@@ -67,8 +67,8 @@ pub(crate) fn intersecting_pairs(
     intersecting_pairs_where(soup, &|_, _| true, &|_, _| true, job)
 }
 
-/// [`intersecting_pairs`] of those pairs that are `wanted`, of which those are listed that `list` says,
-/// which is asked of pairs that intersect alone.
+/// [`intersecting_pairs`] of those pairs that are `wanted`, of which those are listed that `list`
+/// says, which is asked of pairs that intersect alone.
 pub(crate) fn intersecting_pairs_where(
     soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
     wanted: &(impl Fn(u32, u32) -> bool + Sync),

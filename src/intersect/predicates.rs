@@ -167,8 +167,8 @@ mod tests {
 
     /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) =
     /// q(u, v), 0 <= s, t, s + t <= 1 and the same for u, v: a polytope. Its corners are where four
-    /// independent rows are 0; of each its place as (x, y, z, w), w > 0, the coordinates being x / w,
-    /// y / w and z / w.
+    /// independent rows are 0; of each its place as (x, y, z, w), w > 0, the coordinates being x /
+    /// w, y / w and z / w.
     fn corners_of_what_is_common(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
         // Rows: coefficients of s, t, u, v and a constant; three that must be 0, and six that must

@@ -100,16 +100,16 @@ impl Covers {
         self.of(v).iter().any(|cover| is_kept(cover.piece, cover.face))
     }
 
-    /// How much more confident a vertex is than all places that it lies on, of faces that `competes`
-    /// says; infinite if there are none.
+    /// How much more confident a vertex is than all places that it lies on, of faces that
+    /// `competes` says; infinite if there are none.
     pub(super) fn margin(&self, v: usize, confidence: f64, competes: impl Fn(u32, u32) -> bool) -> f64 {
         let on = self.of(v).iter().filter(|cover| competes(cover.piece, cover.face));
         on.map(|cover| confidence - cover.confidence).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// The face and the confidence of the place on a piece that a point with a normal lies on, if it does.
-/// `guess`: the triangle where a point beside it lay.
+/// The face and the confidence of the place on a piece that a point with a normal lies on, if it
+/// does. `guess`: the triangle where a point beside it lay.
 fn place(
     other: &Layer,
     tree: &TriangleTree<'_>,

@@ -37,11 +37,11 @@ pub(super) fn crossings(
         }
     }
     let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
-    // That of the later piece, as elsewhere: what went here on one side and there on the other would
-    // leave neither.
+    // That of the later piece, as elsewhere: what went here on one side and there on the other
+    // would leave neither.
     let worse = |s: u32, t: u32| if of[s as usize][0] > of[t as usize][0] { s } else { t };
-    // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed, and
-    // the faces are the same in any order.
+    // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed,
+    // and the faces are the same in any order.
     let is_found = alloc::collect((0..triangles.len()).map(|_| AtomicBool::new(false)))?;
     let wanted = |s: u32, t: u32| {
         of[s as usize][0] != of[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)

@@ -1,16 +1,16 @@
-//! Trimming: where pieces overlap, one of them is kept, and a narrow gap is left between them, which
-//! strips close.
+//! Trimming: where pieces overlap, one of them is kept, and a narrow gap is left between them,
+//! which strips close.
 //!
 //! Source of the idea: G. Turk and M. Levoy, *Zippered polygon meshes from range images* (1994),
 //! who eat overlaps away from the borders and clip one mesh at the other's. Here both are cut along
 //! the line where they are equally good, near the middle of the overlap, and no vertex moves:
 //!
-//! 1. Each vertex has a confidence: its distance from the nearest border of its piece, in edges,
-//!    so that the finer of two pieces counts for more; less where it was seen under a flat angle, if
+//! 1. Each vertex has a confidence: its distance from the nearest border of its piece, in edges, so
+//!    that the finer of two pieces counts for more; less where it was seen under a flat angle, if
 //!    the caller says from where.
 //! 2. A vertex lies on another piece if the nearest place there is near, faces the same way, and is
-//!    not on a border. It is kept if it is more confident than all places that it lies on, by as much
-//!    as makes the gap.
+//!    not on a border. It is kept if it is more confident than all places that it lies on, by as
+//!    much as makes the gap.
 //! 3. Faces are kept whose vertices are; what is left thinner than two faces goes, and so do small
 //!    islands, and faces that would meet in one vertex only.
 //! 4. Kept faces of different pieces that still cut each other go, with those round them.

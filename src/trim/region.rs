@@ -101,10 +101,10 @@ impl<'m, 'a> Region<'m, 'a> {
         alloc::collect((0..count).map(|f| if self.keeps[f] { sizes[roots[f] as usize] } else { 0 }))
     }
 
-    /// Keeps the faces all of whose vertices are wanted, without those that are lost or have a vertex
-    /// that is barred, and makes them a surface: small holes are kept after all, and small islands
-    /// are lost; true if there are any. `shown`: vertices that later pieces show as well. `min_faces`:
-    /// what has fewer is small. O(rounds * H).
+    /// Keeps the faces all of whose vertices are wanted, without those that are lost or have a
+    /// vertex that is barred, and makes them a surface: small holes are kept after all, and small
+    /// islands are lost; true if there are any. `shown`: vertices that later pieces show as well.
+    /// `min_faces`: what has fewer is small. O(rounds * H).
     pub(super) fn keep_where(
         &mut self,
         wanted: &[bool],
@@ -116,8 +116,8 @@ impl<'m, 'a> Region<'m, 'a> {
         let may = alloc::collect(
             (0..self.keeps.len()).map(|f| !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])),
         )?;
-        for f in 0..self.keeps.len() {
-            self.keeps[f] = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
+        for (f, keeps) in self.keeps.iter_mut().enumerate() {
+            *keeps = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
         let holes = self.part_sizes(job)?;
         for f in 0..self.keeps.len() {
@@ -179,7 +179,7 @@ impl<'m, 'a> Region<'m, 'a> {
     }
 
     /// Smooths values of vertices over faces, so many times.
-    pub(super) fn smooth(&self, values: &mut Vec<f64>, passes: usize, job: &Job<'_>) -> Result<()> {
+    pub(super) fn smooth(&self, values: &mut [f64], passes: usize, job: &Job<'_>) -> Result<()> {
         let mut sums = alloc::filled((0.0, 0.0), values.len())?;
         for pass in 0..passes {
             job.step(pass as f64 / passes as f64, STAGE)?;

@@ -12,8 +12,8 @@ const STAGE: &str = "putting the pieces together";
 /// What is left of the pieces side by side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Remains {
-    /// The faces that are kept and the vertices that they use, in the order of the pieces. Positions
-    /// keep their bits, in the scalar type of the first piece.
+    /// The faces that are kept and the vertices that they use, in the order of the pieces.
+    /// Positions keep their bits, in the scalar type of the first piece.
     pub mesh: Mesh,
     /// Where the vertices and faces of each piece begin in the maps.
     pub places: Vec<Piece>,
@@ -28,8 +28,8 @@ pub struct Remains {
 }
 
 impl Remains {
-    /// `trimmed`: what is left of these pieces. Vertices that are one with others are kept if a face
-    /// that is kept has them. O(size).
+    /// `trimmed`: what is left of these pieces. Vertices that are one with others are kept if a
+    /// face that is kept has them. O(size).
     ///
     /// # Errors
     /// [`Error::EmptyMesh`](crate::Error::EmptyMesh) without pieces,

@@ -8,8 +8,8 @@ pub struct Options<'a> {
     /// Surfaces that are no farther apart than this are one, in the unit of the positions; `None`:
     /// four mean edges of the coarser piece.
     pub max_distance: Option<f64>,
-    /// Surfaces whose normals differ by more are two, in radians, below a quarter of a circle; 0: 60
-    /// degrees.
+    /// Surfaces whose normals differ by more are two, in radians, below a quarter of a circle; 0:
+    /// 60 degrees.
     pub max_angle: f64,
     /// Where each piece was seen from, in the unit of the positions; empty if nothing is known.
     /// What was seen under a flat angle counts for less.

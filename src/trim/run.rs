@@ -121,8 +121,9 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     })
 }
 
-/// Chooses what is kept of piece `k`, of which nothing lies on what is kept of the pieces before it:
-/// where it is as confident as those after it, give or take [`BIAS`]. True if islands were lost.
+/// Chooses what is kept of piece `k`, of which nothing lies on what is kept of the pieces before
+/// it: where it is as confident as those after it, give or take [`BIAS`]. True if islands were
+/// lost.
 fn keep(
     layers: &[Layer],
     covers: &[Covers],

@@ -11,13 +11,14 @@ pub const GUSSET_ALIGN_AS_GIVEN: u32 = 0;
 /// Each piece begins with its principal axes on those of the first one, in the one of the four ways
 /// to do so after which most of it lies on the first. For pieces that show the same object whole.
 pub const GUSSET_ALIGN_PRINCIPAL_AXES: u32 = 1;
-/// The pieces are put together by rims that run alike, and it is their rims that hold them then: for
-/// pieces of one surface that was cut or broken and do not overlap.
+/// The pieces are put together by rims that run alike, and it is their rims that hold them then:
+/// for pieces of one surface that was cut or broken and do not overlap.
 pub const GUSSET_ALIGN_RIMS: u32 = 2;
 
-/// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What fits
-/// is judged by mean edges: a smooth surface that lies within one of another, as a slightly scaled
-/// one or its mirror image may, passes for it. The rms of its overlaps, and converged, say more.
+/// It can be trusted to lie right: it fits pieces that can be trusted, up to the first one. What
+/// fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
+/// scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
+/// more.
 pub const GUSSET_ALIGNED_TRUSTED: u32 = 0;
 /// It has no faces with an area, or too little of it lies on other pieces.
 pub const GUSSET_ALIGNED_NO_OVERLAP: u32 = 1;
@@ -187,8 +188,8 @@ impl gusset_alignment {
 /// overlaps leave it free it may slide.
 ///
 /// What is not known is no failure, but said for each piece: a piece is trusted if it fits others,
-/// overlaps hold it in all six directions by more than the noise of normals, and pieces lead from it
-/// to the first one by pairs that fit.
+/// overlaps hold it in all six directions by more than the noise of normals, and pieces lead from
+/// it to the first one by pairs that fit.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's

@@ -29,8 +29,8 @@ pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
 /// the loop with the longer ones. The width is the mean distance from each loop to the nearest
 /// points of the other, the larger of the two. Loops must look at each other, or lie round each
 /// other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
-/// joined with itself if it is at most one of its mean edges wide, and half its radius; wider it may
-/// be a hole that the seam crosses.
+/// joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
+/// may be a hole that the seam crosses.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;

@@ -86,14 +86,14 @@ impl gusset_trim_options {
 /// Chooses what is kept of pieces that overlap: of each overlap one piece, with a narrow gap to the
 /// others, which gusset_assembly_create closes; see GUSSET_OVERLAPS_TRIM there for both at once.
 ///
-/// The pieces are cut along lines on which both are equally good. A vertex is the better the farther
-/// it is from the borders of its piece, in mean edges of it, so that the finer of two pieces counts
-/// for more, and the less flat the angle it was seen under, if eyes are given; loops of fewer than 32
-/// vertices are small holes and no borders in that sense. A vertex lies on another piece if the
-/// nearest place there is near, faces the same way, and is on no border. Where two are equally good
-/// but for noise, the earlier one is kept. No vertex moves, and no face is cut. What would be thinner
-/// than two faces goes, so do small islands, faces that hang on others by one vertex, and faces that
-/// cut those of another piece.
+/// The pieces are cut along lines on which both are equally good. A vertex is the better the
+/// farther it is from the borders of its piece, in mean edges of it, so that the finer of two
+/// pieces counts for more, and the less flat the angle it was seen under, if eyes are given; loops
+/// of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on another
+/// piece if the nearest place there is near, faces the same way, and is on no border. Where two are
+/// equally good but for noise, the earlier one is kept. No vertex moves, and no face is cut. What
+/// would be thinner than two faces goes, so do small islands, faces that hang on others by one
+/// vertex, and faces that cut those of another piece.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's
@@ -104,9 +104,8 @@ impl gusset_trim_options {
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
 ///     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (an eye),
 ///     COUNT_DIFFERS (fewer eyes than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
-/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to the
-///     square of the number of faces that lie in one place; linear extra
-///     memory.
+/// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to
+///     the square of the number of faces that lie in one place; linear extra memory.
 /// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
 ///     (1994), who clip one mesh at the other's border.
 /// @since 0.1

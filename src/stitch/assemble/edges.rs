@@ -6,9 +6,9 @@ use crate::sort::sort_distinct;
 use crate::stitch::rim::{Bridges, Rim};
 use crate::stitch::strip::Strip;
 
-/// Edges between vertices of loops, each once from either end: which rims they join is asked for the
-/// rims of a strip, as an edge between two vertices of many loops joins each of the one with each of
-/// the other.
+/// Edges between vertices of loops, each once from either end: which rims they join is asked for
+/// the rims of a strip, as an edge between two vertices of many loops joins each of the one with
+/// each of the other.
 pub(super) struct Edges {
     /// In ascending order.
     pub(super) of: Vec<(u32, u32)>,
@@ -45,8 +45,8 @@ impl Edges {
     }
 
     /// From a vertex of side A to one of side B, which are of these rims. Side B of a slit lies
-    /// between the ends of side A; at the edges there the strip begins and ends. O(log edges) for each
-    /// vertex of side A and each edge there, or each vertex of side B if those are fewer.
+    /// between the ends of side A; at the edges there the strip begins and ends. O(log edges) for
+    /// each vertex of side A and each edge there, or each vertex of side B if those are fewer.
     pub(super) fn between(&self, rims: [usize; 2], [a, b]: &[Rim; 2]) -> Result<Bridges> {
         let first = |rim: &Rim| rim.vertices[0];
         let last = |rim: &Rim| rim.vertices[rim.vertices.len() - 1];

@@ -2,8 +2,8 @@
 //!
 //! Loops that look at each other are joined as wholes (`whole_loops`). Of the others, runs of
 //! neighbouring vertices whose nearest vertices lie on one loop, mutually, form facing arcs, as at
-//! the border of two scans that overlap others elsewhere. Two loops that are the only ones, of
-//! two pieces, are joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
+//! the border of two scans that overlap others elsewhere. Two loops that are the only ones, of two
+//! pieces, are joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 

@@ -86,8 +86,9 @@ impl Loops {
         Ok([a, b])
     }
 
-    /// True if they are of two components, or both sides are many times as long as the gap is wide: what
-    /// is left of a seam, and no two holes beside each other, which a strip would make a handle of.
+    /// True if they are of two components, or both sides are many times as long as the gap is wide:
+    /// what is left of a seam, and no two holes beside each other, which a strip would make a
+    /// handle of.
     pub(super) fn is_seam(&self, facing: &Facing) -> bool {
         let [a, b] = facing.rims.map(|r| self.candidates[r].component);
         a != b

@@ -2,7 +2,8 @@
 //!
 //! The stages in order:
 //!
-//! 1. The pieces are concatenated, overlaps trimmed on request (`trimmed`), and coincident borders sewn ([`sew`](crate::repair::sew)).
+//! 1. The pieces are concatenated, overlaps trimmed on request (`trimmed`), and coincident borders
+//!    sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Loops that sewing left of two borders are joined with themselves (`slit`), and loops of
 //!    different components that face each other across a gap are paired (`facing_loops`): whole

@@ -15,10 +15,11 @@ pub enum MaxGap {
     /// loops half the smaller radius, and at most four edges of the loop with the longer ones. Two
     /// loops that are the only ones, of two pieces, are joined however far they are.
     ///
-    /// For what sewing left of two borders half the loop's radius, and at most one of its mean edges.
+    /// For what sewing left of two borders half the loop's radius, and at most one of its mean
+    /// edges.
     ///
-    /// Between pieces whose overlaps are trimmed, two and a half mean edges of the coarsest, or four
-    /// where a part would be left alone.
+    /// Between pieces whose overlaps are trimmed, two and a half mean edges of the coarsest, or
+    /// four where a part would be left alone.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.

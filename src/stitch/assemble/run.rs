@@ -53,11 +53,11 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         return finished(base, options, &job.part(0.8, 1.0)).map(|(done, _)| done);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
-    // Pieces that were cut where they overlap are near each other there: no loop is to look farther,
-    // unless parts are left alone.
+    // Pieces that were cut where they overlap are near each other there: no loop is to look
+    // farther, unless parts are left alone.
     let mut edges = GAP_EDGES[0];
-    // What is left small and alone, and what makes strips or patches cut, goes, and all is done once
-    // more.
+    // What is left small and alone, and what makes strips or patches cut, goes, and all is done
+    // once more.
     let mut round = 0;
     loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);

@@ -10,8 +10,8 @@ use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
 use crate::trim::Trimmed;
 
-/// What has to go: small parts that nothing joined with the rest, where they were cut; and, round what
-/// cuts, one ring of what patches and strips hang on.
+/// What has to go: small parts that nothing joined with the rest, where they were cut; and, round
+/// what cuts, one ring of what patches and strips hang on.
 pub(super) struct Spoilt {
     /// Vertices of the result.
     vertices: BitSet,
@@ -42,8 +42,9 @@ impl Spoilt {
                 left.for_each(|v| beside.insert(v));
             }
         }
-        // The rims of patches that cut, and the corners of what they cut: of gaps that trimming left, as
-        // a patch over the border of what was seen may cut, too, and no surface is to go for that.
+        // The rims of patches that cut, and the corners of what they cut: of gaps that trimming
+        // left, as a patch over the border of what was seen may cut, too, and no surface is to go
+        // for that.
         let is_gap = |rim: &[u32]| 2 * rim.iter().filter(|&&v| beside.contains(v)).count() > rim.len();
         let mut is_spoilt = false;
         for &[f, g] in cuts {
@@ -92,8 +93,8 @@ impl Spoilt {
         self.parts
     }
 
-    /// Takes it out of what is left of the pieces, parts that are alone only if `parts` says so; false
-    /// if there was nothing to take.
+    /// Takes it out of what is left of the pieces, parts that are alone only if `parts` says so;
+    /// false if there was nothing to take.
     pub(super) fn take_out(
         &self,
         pieces: &[MeshView<'_>],
@@ -101,7 +102,7 @@ impl Spoilt {
         done: &Assembly,
         parts: bool,
     ) -> bool {
-        if !self.cuts && !(self.parts && parts) {
+        if !(self.cuts || self.parts && parts) {
             return false;
         }
         let mut less = false;
