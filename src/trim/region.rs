@@ -24,8 +24,6 @@ pub(super) struct Rims {
     pub(super) points: Vec<DVec3>,
     /// In their directions.
     pub(super) normals: Vec<DVec3>,
-    /// Something was taken out beyond; else it is a border of the piece.
-    pub(super) is_cut: Vec<bool>,
 }
 
 /// A set of a piece's faces.
@@ -162,16 +160,16 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok((of(0)?, of(1)?))
     }
 
-    /// Enters the rim of what is kept.
-    pub(super) fn rim(&self, scan: &Scan, out: &mut Rims) -> Result<()> {
+    /// Enters the rim of what is kept: where something was taken out beyond, and borders of the piece.
+    pub(super) fn rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2]) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
                 if !self.is_kept(g) {
                     let [p, q] = [u, v].map(|v| scan.points[v as usize]);
                     let [m, n] = [u, v].map(|v| scan.normals[v as usize]);
+                    let out = if g == NONE { &mut *border } else { &mut *cut };
                     alloc::append(&mut out.points, &[p, p.midpoint(q)])?;
                     alloc::append(&mut out.normals, &[m, m + n])?;
-                    alloc::append(&mut out.is_cut, &[g != NONE; 2])?;
                 }
             }
         }

@@ -144,20 +144,22 @@ fn keep(
         covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN)
     }))?;
     own[0].smooth(&mut margins, SMOOTHINGS, job)?;
-    let mut rims = Rims::default();
+    let mut rims = [Rims::default(), Rims::default()];
     for (region, other) in before.iter().zip(layers) {
         if layer.scan.bounds.is_within(&other.scan.bounds, GAP * other.scan.spacing) {
             region.rim(&other.scan, &mut rims)?;
         }
     }
-    let tree = KdTree::new(&rims.points, job, "trimming the pieces")?;
+    let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, "trimming the pieces")))?;
     let gap = Radius::new((GAP * layer.scan.spacing).max(f64::MIN_POSITIVE));
-    // Borders that meet as they are need no gap.
     let is_near_rim = |v: usize| {
-        let is_border = layer.scan.rim.contains(v as u32);
-        let bars = |r: usize| rims.normals[r].dot(layer.scan.normals[v]) > 0.0 && (rims.is_cut[r] || !is_border);
-        let mut visit = |_, r: u32| if bars(r as usize) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-        tree.visit_within(points[v], gap, &mut visit).is_break()
+        let bars = |rims: &Rims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
+        // Borders that meet as they are need no gap.
+        let count = if layer.scan.rim.contains(v as u32) { 1 } else { 2 };
+        rims.iter().zip(&trees).take(count).any(|(rims, tree)| {
+            let visit = |r| if bars(rims, r) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+            tree.visit_within(points[v], gap, &mut |_, r| visit(r)).is_break()
+        })
     };
     let mut barred = alloc::with_capacity(points.len())?;
     for v in 0..points.len() {
