@@ -483,6 +483,8 @@
  * other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
  * joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
  * may be a hole that the seam crosses.
+ * Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
+ * coarsest wide, or four where a part would be left alone.
  */
 #define GUSSET_GAP_AUTO 0
 
@@ -2973,11 +2975,11 @@ typedef struct gusset_trim_options {
      * x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL:
      * what was seen under a flat angle counts for less.
      */
-    const double *eyes;
+    const double *viewpoints;
     /**
      * Their number: that of the pieces, or 0.
      */
-    size_t eye_count;
+    size_t viewpoint_count;
     /**
      * What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others
      * show the same, and as small holes do not come about.
@@ -4105,7 +4107,7 @@ typedef struct gusset_trim_view {
      */
     size_t piece_count;
     /**
-     * Faces that cut others of another piece after all else, and went with those round them.
+     * Faces that cut some of an earlier piece after all else; they went, with those round them.
      */
     uint32_t crossings;
     /**
@@ -6956,9 +6958,9 @@ typedef struct gusset_cell_pairs_view {
  * across a gap where for most of the new faces the values beyond are nearer to where their own
  * side's chart would go on than half of the way there and of their base. Elsewhere each new face
  * goes on with the chart of the old face that it comes from, unfolded, and the charts meet in a
- * seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the cut,
- * or, where that is no repeat of the texture, as where the base's chart goes on: no face runs back
- * over the chart. Of vertices and faces it is the weighted mean.
+ * seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the
+ * cut, or, where that is no repeat of the texture, as where the base's chart goes on: no face runs
+ * back over the chart. Of vertices and faces it is the weighted mean.
  */
 #define GUSSET_RULE_TEXTURE 4
 
@@ -9809,12 +9811,12 @@ gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
  *
  * The pieces are cut along lines on which both are equally good. A vertex is the better the
  * farther it is from the borders of its piece, in mean edges of it, so that the finer of two
- * pieces counts for more, and the less flat the angle it was seen under, if eyes are given; loops
- * of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on another
- * piece if the nearest place there is near, faces the same way, and is on no border. Where two are
- * equally good but for noise, the earlier one is kept. No vertex moves, and no face is cut. What
- * would be thinner than two faces goes, so do small islands, faces that hang on others by one
- * vertex, and faces that cut those of another piece.
+ * pieces counts for more, and the less flat the angle it was seen under, if viewpoints are given;
+ * loops of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on
+ * another piece if the nearest place there is near, faces the same way, and is on no border. Where
+ * two are equally good but for noise, the earlier one is kept. No vertex moves, and no face is
+ * cut. What would be thinner than two faces goes, so do small islands, faces that hang on others
+ * by one vertex, and faces that cut those of an earlier piece.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param pieces piece_count mesh views one after another, each as large as the first one's
@@ -9823,8 +9825,8 @@ gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
  * @param options NULL for the defaults.
  * @param[out] trim receives the result, for gusset_trim_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
- *     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (an eye),
- *     COUNT_DIFFERS (fewer eyes than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint),
+ *     COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  * @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to
  *     the square of the number of faces that lie in one place; linear extra memory.
  * @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images

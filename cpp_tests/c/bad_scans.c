@@ -262,7 +262,7 @@ static void trim_arguments(void) {
     gusset_trim_options options = {0};
     gusset_trim_view view = {0};
     gusset_trim *done = NULL;
-    double eyes[2][3] = {{0.3, 0.5, 9.0}, {0.7, 0.5, 9.0}};
+    double viewpoints[2][3] = {{0.3, 0.5, 9.0}, {0.7, 0.5, 9.0}};
     gusset_alignment_view other = {.struct_size = sizeof other};
 
     two_hills(pieces);
@@ -302,22 +302,22 @@ static void trim_arguments(void) {
     }
 
     /* Eyes that there are not, are too few, or are nowhere. */
-    options.eye_count = 2;
+    options.viewpoint_count = 2;
     FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, trim(pieces, 2, &options, &done));
-    options.eyes = eyes[0], options.eye_count = SIZE_MAX;
+    options.viewpoints = viewpoints[0], options.viewpoint_count = SIZE_MAX;
     FAILS(GUSSET_ERROR_SIZE_OVERFLOW, done, trim(pieces, 2, &options, &done));
-    options.eye_count = 1;
+    options.viewpoint_count = 1;
     FAILS(GUSSET_ERROR_COUNT_DIFFERS, done, trim(pieces, 2, &options, &done));
     REPORT(GUSSET_ERROR_COUNT_DIFFERS, GUSSET_ELEMENT_COUNT, 1, 0);
     CHECK(reported_value() == 2.0);
-    options.eye_count = 2;
+    options.viewpoint_count = 2;
     for (int place = 0; place < 6; ++place) {
-        const double good = eyes[place / 3][place % 3];
-        eyes[place / 3][place % 3] = place % 2 ? -INFINITY : NAN;
+        const double good = viewpoints[place / 3][place % 3];
+        viewpoints[place / 3][place % 3] = place % 2 ? -INFINITY : NAN;
         FAILS(GUSSET_ERROR_NOT_FINITE, done, trim(pieces, 2, &options, &done));
         REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, (uint64_t)(place / 3), 0);
         CHECK(place % 2 ? reported_value() == -INFINITY : isnan(reported_value()));
-        eyes[place / 3][place % 3] = good;
+        viewpoints[place / 3][place % 3] = good;
     }
     gusset_context_cancel(context);
     FAILS(GUSSET_ERROR_CANCELLED, done, trim(pieces, 2, &options, &done));
@@ -362,7 +362,7 @@ static void assembly_overlaps(void) {
     gusset_assembly_view parts = {.struct_size = sizeof parts};
     gusset_trim_options how = {0};
     gusset_assembly *done = NULL;
-    double eye[3] = {0.0, 0.0, 9.0};
+    double viewpoint[3] = {0.0, 0.0, 9.0};
     size_t k, f, gone = 0;
 
     two_hills(pieces);
@@ -381,11 +381,11 @@ static void assembly_overlaps(void) {
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, &options, &done));
     how.max_distance = 0.0, how.max_angle = 1.6;
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, &options, &done));
-    how.max_angle = 0.0, how.eye_count = 1;
+    how.max_angle = 0.0, how.viewpoint_count = 1;
     FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, assemble(pieces, &options, &done));
-    how.eyes = eye;
+    how.viewpoints = viewpoint;
     FAILS(GUSSET_ERROR_COUNT_DIFFERS, done, assemble(pieces, &options, &done));
-    how.eyes = NULL, how.eye_count = 0, how.reserved = 1;
+    how.viewpoints = NULL, how.viewpoint_count = 0, how.reserved = 1;
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, &options, &done));
     how.reserved = 0;
 

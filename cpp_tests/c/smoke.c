@@ -26,7 +26,7 @@ static void layouts(void) {
         CHECK(sizeof(gusset_left_loop) == 40 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);
         CHECK(sizeof(gusset_alignment_options) == 48 && offsetof(gusset_alignment_options, max_distance) == 32);
         CHECK(sizeof(gusset_alignment_view) == 48 && sizeof(gusset_aligned_piece) == 112 && sizeof(gusset_overlap) == 56);
-        CHECK(sizeof(gusset_trim_options) == 48 && offsetof(gusset_trim_options, eyes) == 24);
+        CHECK(sizeof(gusset_trim_options) == 48 && offsetof(gusset_trim_options, viewpoints) == 24);
         CHECK(sizeof(gusset_trim_view) == 32 && sizeof(gusset_trimmed_piece) == 24);
         CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);
         CHECK(sizeof(gusset_winged_view) == 120 && offsetof(gusset_winged_view, loop_offsets) == 104);

@@ -208,7 +208,7 @@ TEST_CASE("what is trimmed has no overlaps") {
     for (bool seen : {false, true}) {
         gusset::TrimOptions options;
         if (seen) {
-            options.eyes = {{0.3, 0.5, 5.0}, {0.7, 0.5, 5.0}};
+            options.viewpoints = {{0.3, 0.5, 5.0}, {0.7, 0.5, 5.0}};
         }
         const gusset::Trim trim(views(pieces), options);
         REQUIRE(trim.pieces().size() == 2);
@@ -335,12 +335,12 @@ TEST_CASE("mistakes are errors") {
     CHECK(status([&] { gusset::Alignment(views(pieces), options); }) == GUSSET_ERROR_COUNT_DIFFERS);
     options.poses = {gusset::identity(), {{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}};
     CHECK(status([&] { gusset::Alignment(views(pieces), options); }) == GUSSET_ERROR_OUT_OF_RANGE);
-    gusset::TrimOptions eyes;
-    eyes.eyes = {{0, 0, 9}};
-    CHECK(status([&] { gusset::Trim(views(pieces), eyes); }) == GUSSET_ERROR_COUNT_DIFFERS);
-    eyes.eyes = {{0, 0, 9}, {0, NAN, 9}};
-    CHECK(status([&] { gusset::Trim(views(pieces), eyes); }) == GUSSET_ERROR_NOT_FINITE);
+    gusset::TrimOptions viewpoints;
+    viewpoints.viewpoints = {{0, 0, 9}};
+    CHECK(status([&] { gusset::Trim(views(pieces), viewpoints); }) == GUSSET_ERROR_COUNT_DIFFERS);
+    viewpoints.viewpoints = {{0, 0, 9}, {0, NAN, 9}};
+    CHECK(status([&] { gusset::Trim(views(pieces), viewpoints); }) == GUSSET_ERROR_NOT_FINITE);
     gusset::AssemblyOptions assembly;
-    assembly.trim = eyes;
+    assembly.trim = viewpoints;
     CHECK(status([&] { gusset::Assembly(views(pieces), assembly); }) == GUSSET_ERROR_NOT_FINITE);
 }

@@ -48,7 +48,7 @@ public:
         const gusset_stitch_options strips = detail::as_c(options.strips);
         const gusset_fill_options fill = detail::as_c(options.fill.value_or(FillOptions()));
         const TrimOptions untouched;
-        // No copy, as it points to the eyes.
+        // No copy, as it points to the viewpoints.
         const gusset_trim_options trim = detail::as_c(options.trim ? *options.trim : untouched);
         auto given = detail::sized<gusset_assembly_options>();
         given.weld = !options.weld          ? GUSSET_ASSEMBLY_NO_WELD

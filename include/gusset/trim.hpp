@@ -13,7 +13,7 @@ struct TrimOptions {
     /// In radians; 0: 60 degrees.
     double max_angle = 0.0;
     /// The place that each piece was seen from. Empty: nothing is known of that.
-    std::vector<Point3> eyes;
+    std::vector<Point3> viewpoints;
     /// 0: 30.
     uint32_t min_faces = 0;
 };
@@ -24,8 +24,8 @@ inline gusset_trim_options as_c(const TrimOptions &options) {
     auto given = detail::sized<gusset_trim_options>();
     given.max_distance = options.max_distance;
     given.max_angle = options.max_angle;
-    given.eyes = options.eyes.empty() ? nullptr : options.eyes.front().data();
-    given.eye_count = options.eyes.size();
+    given.viewpoints = options.viewpoints.empty() ? nullptr : options.viewpoints.front().data();
+    given.viewpoint_count = options.viewpoints.size();
     given.min_faces = options.min_faces;
     return given;
 }

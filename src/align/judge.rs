@@ -33,7 +33,7 @@ pub(super) fn judge(
     let mut overlaps: Vec<Overlap> = Vec::new();
     let mut opposite = alloc::filled([0usize; 2], members.len())?;
     for ([i, k], one) in found.iter().filter(|([i, k], _)| i < k) {
-        let back = found.iter().find(|(pair, _)| *pair == [*k, *i]).map(|(_, found)| found);
+        let back = found.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &found[at].1);
         let ways = [Some(one), back];
         let sum = |of: &dyn Fn(&Found) -> f64| ways.iter().flatten().map(|found| of(found)).sum::<f64>();
         let on = sum(&|f| f.on as f64);

@@ -14,8 +14,9 @@ impl Alignment {
     /// moved by its pose. Positions of a piece that stays keep their bits; others are rounded to
     /// the scalar type of the first piece. What is not finite stays as it is. O(size).
     ///
-    /// # Errors Those of [`concatenate`]; [`Error::NotFinite`] for a vertex, counted through all
-    /// pieces, whose new place is beyond the numbers of the type.
+    /// # Errors
+    /// Those of [`concatenate`]; [`Error::NotFinite`] for a vertex, counted through all pieces, whose
+    /// new place is beyond the numbers of the type.
     pub fn moved(&self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
         let (mut whole, places) = concatenate(pieces, &job.part(0.0, 0.0))?;
         for (k, (piece, aligned)) in pieces.iter().zip(&self.pieces).enumerate() {

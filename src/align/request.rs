@@ -35,7 +35,8 @@ pub struct Options<'a> {
 /// Why a piece is not trusted to lie right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// It is: it fits pieces that are trusted, up to the first one.
+    /// It is: it fits pieces that are trusted, up to the first one. A smooth surface that lies within
+    /// a mean edge of another passes for it.
     Trusted,
     /// It has no faces, or lies on no other piece, or on too little of one.
     NoOverlap,

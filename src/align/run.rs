@@ -11,6 +11,7 @@ use super::scan::Scan;
 use super::scene::Scene;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::kd_tree::KdTree;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::MeshView;
@@ -28,15 +29,15 @@ const MAX_SKEW: f64 = 1e-6;
 /// Moves pieces that overlap rigidly to where they fit; the first one stays.
 ///
 /// Pieces are told apart by where they are to begin with, which must be within `max_distance` of
-/// right, see [`Start`]. Those that hang together with none stay where they are. Nothing is trusted
-/// that cannot be known: see [`Reason`].
+/// right, see [`Start`]. Those that lie on no other stay where they are. What is trusted, and why
+/// not: see [`Reason`].
 ///
 /// O(V log V) for the pieces' vertices, and O(samples log V) for each piece and each of its
 /// neighbours in each round, on the job's threads. Memory: linear in the vertices and faces.
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::OptionOutOfRange`] for a distance that is not
-/// above 0 or not finite, [`Error::ArrayTooShort`] for fewer poses than pieces,
+/// above 0 or not finite, [`Error::InputsDiffer`] for fewer poses than pieces,
 /// [`Error::NotRigid`] for a pose that is no rotation and translation, [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Alignment> {
@@ -49,7 +50,6 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     if let Start::Poses(poses) = options.start {
         check_poses(poses, pieces.len())?;
     }
-    let job = &job.part(0.0, 1.0);
     let unit = common_unit_of(pieces, job)?;
     let prepare = job.part(0.0, 0.2);
     let mut scans = alloc::with_capacity(pieces.len())?;
@@ -66,10 +66,8 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
             alloc::push(&mut rims, Rim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
         }
     }
-    let rim_trees = alloc::try_collect(
-        rims.iter()
-            .map(|rim| crate::geom::kd_tree::KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")),
-    )?;
+    let rim_trees =
+        alloc::try_collect(rims.iter().map(|rim| KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")))?;
     let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
     let reach = options.max_distance.map_or(REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
     let members = alloc::collect((0..pieces.len()).map(|k| Member {

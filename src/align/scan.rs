@@ -20,9 +20,9 @@ pub(crate) struct Scan {
     pub(crate) points: Vec<DVec3>,
     /// Of unit length; 0 of a vertex that no face with an area uses.
     pub(crate) normals: Vec<DVec3>,
-    /// The vertices on borders, and beside them.
+    /// The vertices on borders, and on edges with three or more faces.
     pub(crate) rim: BitSet,
-    /// The vertices with a normal, in an order in which neighbours are near each other.
+    /// The vertices with a normal, ascending.
     pub(crate) used: Vec<u32>,
     /// The centre of its box in the common unit, from the origin of the positions.
     pub(crate) centre: DVec3,

@@ -71,7 +71,8 @@ choices! {
         Overlaps::Trim(TRIM) => "Trim", "Of each overlap one piece is kept, and the narrow gap is closed as others are.";
 }
 
-const TRIM: trim::Options<'static> = trim::Options { max_distance: None, max_angle: 0.0, eyes: &[], min_faces: 0 };
+const TRIM: trim::Options<'static> =
+    trim::Options { max_distance: None, max_angle: 0.0, viewpoints: &[], min_faces: 0 };
 
 const HOLES: &[Choice] = &[
     Choice::new("Leave", "They stay open."),

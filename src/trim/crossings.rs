@@ -6,34 +6,21 @@ use crate::alloc;
 use crate::error::Result;
 use crate::intersect::{Soup, intersecting_pairs_where};
 use crate::job::Job;
-use crate::mesh::MeshView;
 use crate::sort::sort_distinct;
 use glam::DVec3;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The faces of each piece that cut one of a piece before it. O(F log F).
-pub(super) fn crossings(
-    layers: &[Layer],
-    meshes: &[MeshView<'_>],
-    regions: &[Region<'_, '_>],
-    job: &Job<'_>,
-) -> Result<Vec<Vec<u32>>> {
-    let mut starts = alloc::with_capacity(layers.len() + 1)?;
-    starts.push(0u32);
+pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
     let mut points: Vec<DVec3> = Vec::new();
     // Triangles, the pieces and the faces that they are of.
     let (mut triangles, mut of): (Vec<[u32; 3]>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
-    for (k, (layer, mesh)) in layers.iter().zip(meshes).enumerate() {
-        let first = starts[k];
+    for ((layer, region), k) in layers.iter().zip(regions).zip(0..) {
+        let first = points.len() as u32;
         alloc::append(&mut points, &layer.scan.points)?;
-        starts.push(points.len() as u32);
-        for f in (0..mesh.faces().len()).filter(|&f| regions[k].keeps[f]) {
-            let mut corners = mesh.face(f);
-            let apex = corners.next().unwrap_or(0) + first;
-            for (u, v) in corners.clone().zip(corners.skip(1)) {
-                alloc::push(&mut triangles, [apex, u + first, v + first])?;
-                alloc::push(&mut of, [k as u32, f as u32])?;
-            }
+        for (triangle, &f) in layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.keeps[**f as usize]) {
+            alloc::push(&mut triangles, triangle.map(|v| v + first))?;
+            alloc::push(&mut of, [k, f])?;
         }
     }
     let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };

@@ -59,12 +59,12 @@ impl Layer {
         }
         // In one group: of points that lie in one, one is looked at.
         let tree = KdTree::grouped(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
-        let eye = options.eyes.get(k).map(|eye| *eye / unit - origin);
+        let viewpoint = options.viewpoints.get(k).map(|viewpoint| *viewpoint / unit - origin);
         let of = |v: usize| {
             let (p, n) = (scan.points[v], scan.normals[v]);
             // Of a closed piece no place is nearer to a border than another.
             let distance = tree.nearest(p, f64::INFINITY, |_| true).map_or(scan.bounds.diagonal(), |(s, _)| s.sqrt());
-            let sight = eye.map_or(1.0, |eye| (eye - p).normalize_or_zero().dot(n).max(MIN_SIGHT));
+            let sight = viewpoint.map_or(1.0, |viewpoint| (viewpoint - p).normalize_or_zero().dot(n).max(MIN_SIGHT));
             if scan.spacing > 0.0 { sight * distance / scan.spacing } else { 0.0 }
         };
         let parts = par::map_cancellable(&job.part(0.6, 1.0), STAGE, par::ranges(scan.points.len(), CHUNK), |range| {

@@ -9,11 +9,14 @@
 //!    that the finer of two pieces counts for more; less where it was seen under a flat angle, if
 //!    the caller says from where.
 //! 2. A vertex lies on another piece if the nearest place there is near, faces the same way, and is
-//!    not on a border. It is kept if it is more confident than all places that it lies on, by as
-//!    much as makes the gap.
-//! 3. Faces are kept whose vertices are; what is left thinner than two faces goes, and so do small
-//!    islands, and faces that would meet in one vertex only.
-//! 4. Kept faces of different pieces that still cut each other go, with those round them.
+//!    not on a border.
+//! 3. Piece by piece, in their order, a vertex is kept if it lies on nothing that is kept before, and
+//!    is no less confident than what it lies on after, up to what noise may say; not where it is too
+//!    near to the rim of what is kept before: that is the gap.
+//! 4. Faces are kept whose vertices are; what is left thinner than two faces goes, and so do small
+//!    islands, and faces that would meet in one vertex only. What cannot be kept competes with
+//!    nothing, and islands that nothing else shows are given back.
+//! 5. Kept faces that cut those of a piece before theirs go, with those round them.
 //!
 //! | file | what it does |
 //! |---|---|

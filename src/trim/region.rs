@@ -160,7 +160,7 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok((of(0)?, of(1)?))
     }
 
-    /// Enters the rim of what is kept: where something was taken out beyond, and borders of the piece.
+    /// Enters the rim of what is kept: where something was taken out beyond, and where nothing was.
     pub(super) fn rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2]) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {

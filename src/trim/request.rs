@@ -13,7 +13,7 @@ pub struct Options<'a> {
     pub max_angle: f64,
     /// Where each piece was seen from, in the unit of the positions; empty if nothing is known.
     /// What was seen under a flat angle counts for less.
-    pub eyes: &'a [DVec3],
+    pub viewpoints: &'a [DVec3],
     /// Parts of fewer faces are no surface, but for whole components of the pieces; 0: 30.
     pub min_faces: u32,
 }
@@ -44,7 +44,6 @@ pub struct Trimmed {
     pub covered: Vec<u32>,
     /// The mean edge of the coarsest piece, in the unit of the positions.
     pub spacing: f64,
-    /// Faces of different pieces that cut each other after all else, and were taken out with those
-    /// round them.
+    /// Faces that cut some of a piece before theirs after all else; they went, with those round them.
     pub crossings: u32,
 }

@@ -38,8 +38,8 @@ const MAX_ROUNDS: usize = 12;
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::OptionOutOfRange`] for a distance or an angle out
-/// of range, [`Error::InputsDiffer`] for eyes of fewer pieces, [`Error::NotFinite`] for an eye that
-/// is nowhere, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// of range, [`Error::InputsDiffer`] for viewpoints of fewer pieces, [`Error::NotFinite`]
+/// for a viewpoint that is nowhere, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Trimmed> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -49,11 +49,11 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     }
     let angle = options.max_angle;
     Error::require((0.0..std::f64::consts::FRAC_PI_2).contains(&angle), "max_angle", angle)?;
-    if !options.eyes.is_empty() && options.eyes.len() < pieces.len() {
-        return Err(Error::InputsDiffer { given: options.eyes.len() as u64, needed: pieces.len() as u64 });
+    if !options.viewpoints.is_empty() && options.viewpoints.len() < pieces.len() {
+        return Err(Error::InputsDiffer { given: options.viewpoints.len() as u64, needed: pieces.len() as u64 });
     }
-    for (&eye, k) in options.eyes.iter().zip(0..) {
-        Error::check_finite(Element::Point, k, eye)?;
+    for (&viewpoint, k) in options.viewpoints.iter().zip(0..) {
+        Error::check_finite(Element::Point, k, viewpoint)?;
     }
     let unit = common_unit_of(pieces, job)?;
     let all = pieces.iter().map(|piece| bounds(piece, unit)).fold(Aabb::EMPTY, Aabb::union);
@@ -102,7 +102,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
                 continue;
             }
         }
-        let found = crossings(&layers, pieces, &regions, &job.part(0.7, 1.0))?;
+        let found = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
         if found.iter().all(Vec::is_empty) {
             break;
         }

@@ -50,6 +50,27 @@ impl Soup {
         self.offsets.windows(2).map(|w| &self.corners[w[0] as usize..w[1] as usize])
     }
 
+    /// The faces that are kept, and the vertices that they use in the order of their first corners.
+    pub fn part(&self, keeps: impl Fn(&[u32]) -> bool) -> Soup {
+        let mut part = Soup { offsets: vec![0], ..Soup::default() };
+        let mut names = HashMap::new();
+        for face in self.faces().filter(|face| keeps(face)) {
+            for v in face {
+                part.corners.push(*names.entry(*v).or_insert_with(|| {
+                    part.points.push(self.points[*v as usize]);
+                    part.points.len() as u32 - 1
+                }));
+            }
+            part.offsets.push(part.corners.len() as u32);
+        }
+        part
+    }
+
+    /// The mean of some of its points.
+    pub fn middle(&self, face: &[u32]) -> glam::DVec3 {
+        face.iter().map(|&v| glam::DVec3::from_array(self.points[v as usize])).sum::<glam::DVec3>() / face.len() as f64
+    }
+
     pub fn view(&self) -> MeshView<'_> {
         let faces = Faces::polygons(&self.offsets, &self.corners).unwrap();
         MeshView::new(Positions::from(self.points.as_slice()), faces, &Job::default()).unwrap()

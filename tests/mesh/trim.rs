@@ -109,26 +109,11 @@ fn pieces(shape: Shape, count: usize, random: &mut fastrand::Rng) -> Vec<Soup> {
                 *p = (DVec3::from_array(*p) + size * noise).to_array();
             }
             let overlap = 0.5;
-            let mut piece = Soup { offsets: vec![0], ..Soup::default() };
-            let mut names = HashMap::new();
-            for face in whole.faces() {
-                let middle = face.iter().map(|&v| DVec3::from_array(whole.points[v as usize])).sum::<DVec3>() / 3.0;
+            whole.part(|face| {
+                let middle = whole.middle(face);
                 let others = centres.iter().map(|c| c.distance(middle)).fold(f64::INFINITY, f64::min);
-                if centres[k].distance(middle) > others + overlap {
-                    continue;
-                }
-                let named: Vec<u32> = face
-                    .iter()
-                    .map(|&v| {
-                        *names.entry(v).or_insert_with(|| {
-                            piece.points.push(whole.points[v as usize]);
-                            piece.points.len() as u32 - 1
-                        })
-                    })
-                    .collect();
-                piece.face(&named);
-            }
-            piece
+                centres[k].distance(middle) <= others + overlap
+            })
         })
         .collect()
 }

@@ -31,6 +31,8 @@ pub const GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE: u32 = 2;
 /// other: of all that do, the best one-to-one choice is joined. What sewing left of two borders is
 /// joined with itself if it is at most one of its mean edges wide, and half its radius; wider it
 /// may be a hole that the seam crosses.
+/// Between pieces whose overlaps are trimmed, the gap is at most two and a half mean edges of the
+/// coarsest wide, or four where a part would be left alone.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;
@@ -312,7 +314,7 @@ impl gusset_assembly_options {
         &self,
         [pairs, excluded]: [&'a [[Selector; 2]]; 2],
         trim: gusset_trim_options,
-        eyes: &'a [DVec3],
+        viewpoints: &'a [DVec3],
     ) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
             GUSSET_ASSEMBLY_WELD | GUSSET_ASSEMBLY_WELD_EDGE_TO_EDGE => {
@@ -333,7 +335,7 @@ impl gusset_assembly_options {
         };
         let overlaps = match self.overlaps {
             GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
-            GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(eyes)),
+            GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
             other => return Err(Failure::unknown("overlaps", other.into())),
         };
         let fill = input::nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
@@ -442,7 +444,7 @@ pub unsafe extern "C" fn gusset_assembly_create(
     create(context, assembly, "assembly", |job| {
         let options = input::read(options, true, "options")?;
         let trim = input::nested(options.trim_options, "trim_options", Ok)?;
-        let eyes = trim.eyes().map_err(|failure| failure.of_field("trim_options"))?;
+        let viewpoints = trim.viewpoints().map_err(|failure| failure.of_field("trim_options"))?;
         let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
         let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
@@ -452,7 +454,7 @@ pub unsafe extern "C" fn gusset_assembly_create(
                 selector.vertex = view.faces().merge_of(selector.vertex);
             }
         }
-        let options = options.checked([&given, &excluded], trim, &eyes)?;
+        let options = options.checked([&given, &excluded], trim, &viewpoints)?;
         let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
         done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
         Ok(gusset_assembly::new(done)?)

@@ -40,9 +40,9 @@ pub const GUSSET_RULE_NEAREST: gusset_channel_rule = 3;
 /// across a gap where for most of the new faces the values beyond are nearer to where their own
 /// side's chart would go on than half of the way there and of their base. Elsewhere each new face
 /// goes on with the chart of the old face that it comes from, unfolded, and the charts meet in a
-/// seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the cut,
-/// or, where that is no repeat of the texture, as where the base's chart goes on: no face runs back
-/// over the chart. Of vertices and faces it is the weighted mean.
+/// seam in the middle. Beyond the cut of a chart that goes round, values count by the jump at the
+/// cut, or, where that is no repeat of the texture, as where the base's chart goes on: no face runs
+/// back over the chart. Of vertices and faces it is the weighted mean.
 pub const GUSSET_RULE_TEXTURE: gusset_channel_rule = 4;
 
 c_enum! {

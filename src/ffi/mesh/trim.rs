@@ -19,9 +19,9 @@ pub struct gusset_trim_options {
     pub max_angle: f64,
     /// x, y, z of the place that each piece was seen from, in the unit of the positions, or NULL:
     /// what was seen under a flat angle counts for less.
-    pub eyes: *const f64,
+    pub viewpoints: *const f64,
     /// Their number: that of the pieces, or 0.
-    pub eye_count: usize,
+    pub viewpoint_count: usize,
     /// What has fewer faces is no surface; 0: 30. Parts of twenty times as many go where others
     /// show the same, and as small holes do not come about.
     pub min_faces: u32,
@@ -49,7 +49,7 @@ pub struct gusset_trim_view {
     pub pieces: *const gusset_trimmed_piece,
     /// How many.
     pub piece_count: usize,
-    /// Faces that cut others of another piece after all else, and went with those round them.
+    /// Faces that cut some of an earlier piece after all else; they went, with those round them.
     pub crossings: u32,
     /// 0.
     pub reserved: u32,
@@ -67,18 +67,18 @@ versioned! { gusset_trim_options: 48 reserved, gusset_trim_view: 32 }
 fixed! { gusset_trimmed_piece: 24 }
 
 impl gusset_trim_options {
-    /// `eyes`: those of [`gusset_trim_options::eyes`].
-    pub(crate) fn checked(self, eyes: &[DVec3]) -> Options<'_> {
+    /// `viewpoints`: those of [`gusset_trim_options::viewpoints`].
+    pub(crate) fn checked(self, viewpoints: &[DVec3]) -> Options<'_> {
         Options {
             max_distance: (self.max_distance != 0.0).then_some(self.max_distance),
             max_angle: self.max_angle,
-            eyes,
+            viewpoints,
             min_faces: self.min_faces,
         }
     }
 
-    pub(crate) fn eyes(&self) -> Result<Vec<DVec3>, Failure> {
-        let given = input::items(self.eyes.cast::<[f64; 3]>(), self.eye_count, "eyes")?;
+    pub(crate) fn viewpoints(&self) -> Result<Vec<DVec3>, Failure> {
+        let given = input::items(self.viewpoints.cast::<[f64; 3]>(), self.viewpoint_count, "viewpoints")?;
         Ok(alloc::collect(given.map(DVec3::from_array))?)
     }
 }
@@ -88,12 +88,12 @@ impl gusset_trim_options {
 ///
 /// The pieces are cut along lines on which both are equally good. A vertex is the better the
 /// farther it is from the borders of its piece, in mean edges of it, so that the finer of two
-/// pieces counts for more, and the less flat the angle it was seen under, if eyes are given; loops
-/// of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on another
-/// piece if the nearest place there is near, faces the same way, and is on no border. Where two are
-/// equally good but for noise, the earlier one is kept. No vertex moves, and no face is cut. What
-/// would be thinner than two faces goes, so do small islands, faces that hang on others by one
-/// vertex, and faces that cut those of another piece.
+/// pieces counts for more, and the less flat the angle it was seen under, if viewpoints are given;
+/// loops of fewer than 32 vertices are small holes and no borders in that sense. A vertex lies on
+/// another piece if the nearest place there is near, faces the same way, and is on no border. Where
+/// two are equally good but for noise, the earlier one is kept. No vertex moves, and no face is
+/// cut. What would be thinner than two faces goes, so do small islands, faces that hang on others
+/// by one vertex, and faces that cut those of an earlier piece.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param pieces piece_count mesh views one after another, each as large as the first one's
@@ -102,8 +102,8 @@ impl gusset_trim_options {
 /// @param options NULL for the defaults.
 /// @param[out] trim receives the result, for gusset_trim_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: those of gusset_mesh_view (the report's input is the piece),
-///     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (an eye),
-///     COUNT_DIFFERS (fewer eyes than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///     EMPTY_MESH without pieces, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint),
+///     COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 /// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, and up to
 ///     the square of the number of faces that lie in one place; linear extra memory.
 /// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
@@ -120,10 +120,10 @@ pub unsafe extern "C" fn gusset_trim_create(
 ) -> gusset_status {
     create(context, trim, "trim", |job| {
         let options = input::read(options, true, "options")?;
-        let eyes = options.eyes()?;
+        let viewpoints = options.viewpoints()?;
         let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
-        let done = self::trim(&views, &options.checked(&eyes), &job.part(0.1, 1.0))?;
+        let done = self::trim(&views, &options.checked(&viewpoints), &job.part(0.1, 1.0))?;
         // The lists that these point to lie on the heap and stay where they are.
         let pieces = done.kept.iter().zip(&done.covered).map(|(kept, &covered)| gusset_trimmed_piece {
             kept: gusset_indices::lend(kept),
