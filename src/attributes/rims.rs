@@ -9,11 +9,11 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::bit_set::BitSet;
 use crate::job::Job;
-use crate::mesh::{Mesh, NONE, unordered};
+use crate::mesh::{Mesh, NONE};
 use crate::sort::{Buckets, sort};
 
 /// An end of a rim edge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct End {
     pub(super) vertex: u32,
     pub(super) edge: u32,
@@ -55,27 +55,28 @@ impl Rims {
             }
             Ok(())
         })?;
-        let mut keyed = alloc::collect(sides.iter().map(|&(ends, corner)| (unordered(ends), corner)))?;
+        // All three lists here are sorted as numbers by threes: what sorts is compiled once.
+        let mut keyed = alloc::collect(sides.iter().map(|&([u, v], corner)| (u.min(v), u.max(v), corner)))?;
         sort(&mut keyed, Ord::cmp, &job.part(0.4, 0.6), STAGE)?;
         let count = mesh.face_count() - first_face;
         let face_of = |corner: u32| mesh.face_of(corner) as u32;
         let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
-        for together in keyed.chunk_by(|a, b| a.0 == b.0) {
+        for together in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             job.step_within(edges.len() + links.len(), STAGE)?;
-            let old = together.partition_point(|&(_, corner)| corner < first_corner);
-            let faces = together[old..].iter().map(|&(_, corner)| face_of(corner) - first_face as u32);
+            let old = together.partition_point(|&(_, _, corner)| corner < first_corner);
+            let faces = together[old..].iter().map(|&(_, _, corner)| face_of(corner) - first_face as u32);
             if old > 0 && old < together.len() {
                 alloc::extend(
                     &mut own,
-                    faces.zip(together[old..].iter()).map(|(f, side)| (f, side.1, edges.len() as u32)),
+                    faces.zip(together[old..].iter()).map(|(f, side)| (side.2, f, edges.len() as u32)),
                 )?;
-                alloc::push(&mut edges, together[0].1)?;
+                alloc::push(&mut edges, together[0].2)?;
             } else if old == 0 {
                 alloc::extend(&mut links, faces.clone().zip(faces.skip(1)))?;
             }
         }
         // In the order of the faces' corners.
-        sort(&mut own, |a, b| a.1.cmp(&b.1), &job.part(0.6, 0.7), STAGE)?;
+        sort(&mut own, Ord::cmp, &job.part(0.6, 0.7), STAGE)?;
         let bases = bases(count, &own, &links, &job.part(0.7, 0.8))?;
         job.step(0.8, STAGE)?;
         let after = |corner: u32| {
@@ -88,9 +89,10 @@ impl Rims {
             edges
                 .iter()
                 .zip(0..)
-                .flat_map(|(corners, edge)| corners.map(|corner| End { vertex: at(corner), edge, corner })),
+                .flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
+        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| End { vertex, edge, corner }))?;
         let mut rims = Rims { edges, bases, ends, loose: Vec::new() };
         rims.find_loose(mesh, &new, &job.part(0.9, 1.0))?;
         Ok(rims)
@@ -150,7 +152,7 @@ fn bases(count: usize, own: &[(u32, u32, u32)], links: &[(u32, u32)], job: &Job<
     let neighbours = Buckets::new(count, 0u32, both)?;
     let mut bases = alloc::filled(NONE, count)?;
     let mut queue = alloc::with_capacity(count)?;
-    for &(f, _, edge) in own {
+    for &(_, f, edge) in own {
         if bases[f as usize] == NONE {
             bases[f as usize] = edge;
             queue.push(f);
