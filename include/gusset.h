@@ -5057,6 +5057,12 @@ typedef struct gusset_net_mesh_options {
      * 0.
      */
     uint32_t reserved;
+    /**
+     * Faces with an edge of more than so many times the median length of edges are left out: in a
+     * range image those that lead from one surface to another behind it, for which 4 is a good
+     * value. Above 0; 0 for no limit.
+     */
+    double max_edge_ratio;
 } gusset_net_mesh_options;
 
 /**
@@ -11057,14 +11063,16 @@ gusset_status gusset_net_planarity(const struct gusset_context *context,
  *
  * Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so
  * that closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh
- * without faces is no failure.
+ * without faces is no failure. The grid of a range image becomes the mesh of what was seen by
+ * triangles, fill_corners and max_edge_ratio.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
  * @param net the net.
  * @param options NULL for the defaults.
  * @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- *     UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED.
+ *     UNKNOWN_VALUE, OPTION_OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
+ *     CANCELLED.
  * @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
  * @since 0.1
  */

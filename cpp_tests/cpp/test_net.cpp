@@ -307,6 +307,10 @@ TEST_CASE("missing nodes, and corners filled") {
     filled.fill_corners = true;
     const NetMesh filled_mesh(net, filled);
     CHECK(filled_mesh.mesh().face_count() == 20);
+    // Faces whose edges are longer than 2.5 lengths of the usual 2: none is in a plain as flat.
+    filled.max_edge_ratio = 2.5;
+    const NetMesh whole_mesh(net, filled);
+    CHECK(whole_mesh.mesh().face_count() == filled_mesh.mesh().face_count());
     // From above counter-clockwise, though rows run against y.
     const gusset_net_measure_report measures = net.measure();
     CHECK(measures.area_vector[2] == doctest::Approx(15.0));

@@ -93,5 +93,6 @@ void intersections(Case &);
 void surfaces(Case &);
 void curves(Case &);
 void gluings(Case &);
+void overlaps(Case &);
 
 } // namespace campaign

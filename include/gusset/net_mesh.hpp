@@ -24,6 +24,8 @@ struct NetMeshOptions {
     /// A cell with exactly one missing corner becomes a triangle.
     bool fill_corners = false;
     bool texture = false;
+    /// Faces with an edge of more than so many times the median are left out; 0 for no limit.
+    double max_edge_ratio = 0.0;
 };
 
 /// The mesh of a net; see gusset_net_mesh_create. It keeps nothing of the net; views and spans live
@@ -40,6 +42,7 @@ public:
         given.keep_unused = options.keep_unused ? 1 : 0;
         given.fill_corners = options.fill_corners ? 1 : 0;
         given.texture = options.texture ? 1 : 0;
+        given.max_edge_ratio = options.max_edge_ratio;
         mesh_.reset(context.result(gusset_net_mesh_create, net.get(), &given));
     }
 

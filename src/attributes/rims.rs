@@ -86,10 +86,7 @@ impl Rims {
         let edges = alloc::collect(edges.into_iter().map(|corner| [corner, after(corner)]))?;
         let at = |corner: u32| mesh.corner(corner as usize);
         let mut ends = alloc::gather(
-            edges
-                .iter()
-                .zip(0..)
-                .flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
+            edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
         let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| End { vertex, edge, corner }))?;

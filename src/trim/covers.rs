@@ -95,6 +95,18 @@ impl Covers {
         (0..self.ends.len()).filter(|&v| !self.of(v).is_empty()).count() as u32
     }
 
+    /// The pieces that vertices lie on, ascending.
+    pub(super) fn pieces(&self) -> Result<Vec<u32>> {
+        let mut pieces = Vec::new();
+        for cover in &self.places {
+            if !pieces.contains(&cover.piece) {
+                alloc::push(&mut pieces, cover.piece)?;
+            }
+        }
+        pieces.sort_unstable();
+        Ok(pieces)
+    }
+
     /// True if a vertex lies on a face that `is_kept` says.
     pub(super) fn is_on(&self, v: usize, is_kept: impl Fn(u32, u32) -> bool) -> bool {
         self.of(v).iter().any(|cover| is_kept(cover.piece, cover.face))

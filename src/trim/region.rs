@@ -63,7 +63,8 @@ impl<'m, 'a> Region<'m, 'a> {
             component: Vec::new(),
             largest: 0,
         };
-        region.component = region.part_sizes(&job.part(0.5, 1.0))?;
+        let sizes = region.sizes_within(&region.keeps, &region.keeps, &job.part(0.5, 1.0))?;
+        region.component = alloc::collect(sizes.iter().map(|size| size[0]))?;
         region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
     }
@@ -75,28 +76,6 @@ impl<'m, 'a> Region<'m, 'a> {
 
     fn is_kept(&self, f: u32) -> bool {
         f != NONE && self.keeps[f as usize]
-    }
-
-    /// The set that each face hangs together with across sides, if it is kept.
-    fn parts(&self, job: &Job<'_>) -> Result<Vec<u32>> {
-        let count = self.keeps.len();
-        let mut sets = DisjointSets::new(count)?;
-        for f in (0..count).filter(|&f| self.keeps[f]) {
-            job.step_within(f, STAGE)?;
-            for &g in self.beside(f).iter().filter(|&&g| self.is_kept(g)) {
-                sets.union(f as u32, g);
-            }
-        }
-        sets.into_roots(job, STAGE)
-    }
-
-    /// For each face that is kept the number of those that hang together with it.
-    fn part_sizes(&self, job: &Job<'_>) -> Result<Vec<u32>> {
-        let roots = self.parts(job)?;
-        let count = self.keeps.len();
-        let mut sizes = alloc::filled(0u32, count)?;
-        (0..count).filter(|&f| self.keeps[f]).for_each(|f| sizes[roots[f] as usize] += 1);
-        alloc::collect((0..count).map(|f| if self.keeps[f] { sizes[roots[f] as usize] } else { 0 }))
     }
 
     /// Keeps the faces all of whose vertices are wanted, without those that are lost or have a
@@ -117,9 +96,9 @@ impl<'m, 'a> Region<'m, 'a> {
         for (f, keeps) in self.keeps.iter_mut().enumerate() {
             *keeps = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
-        let holes = self.part_sizes(job)?;
+        let holes = self.sizes_within(&self.keeps, &self.keeps, job)?;
         for f in 0..self.keeps.len() {
-            let is_small_hole = self.keeps[f] && holes[f] < SPARE.saturating_mul(min_faces);
+            let is_small_hole = self.keeps[f] && holes[f][0] < SPARE.saturating_mul(min_faces);
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
         self.open()?;
@@ -129,14 +108,18 @@ impl<'m, 'a> Region<'m, 'a> {
                 break;
             }
         }
-        let (sizes, needed) = self.islands(shown, job)?;
+        // How many of each island no other piece shows.
+        let is_needed = |f: usize| self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
+        let needed = alloc::collect((0..self.keeps.len()).map(is_needed))?;
+        let islands = self.sizes_within(&self.keeps, &needed, job)?;
         let mut any = false;
         for f in 0..self.keeps.len() {
             // What others show as well can be spared.
-            let least = if 2 * needed[f] < sizes[f] { SPARE.saturating_mul(min_faces) } else { min_faces };
+            let [size, needed] = islands[f];
+            let least = if 2 * needed < size { SPARE.saturating_mul(min_faces) } else { min_faces };
             // Small pieces may have nothing larger; beside large components they are debris.
-            let is_own = sizes[f] == self.component[f] && sizes[f].saturating_mul(DEBRIS) >= self.largest;
-            let is_island = self.keeps[f] && sizes[f] < least && !is_own;
+            let is_own = size == self.component[f] && size.saturating_mul(DEBRIS) >= self.largest;
+            let is_island = self.keeps[f] && size < least && !is_own;
             self.keeps[f] &= !is_island;
             self.lost[f] |= is_island;
             any |= is_island;
@@ -144,20 +127,16 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(any)
     }
 
-    /// For each face that is kept the number of those that hang together with it, and how many of
-    /// them no other piece shows.
-    fn islands(&self, shown: &[bool], job: &Job<'_>) -> Result<(Vec<u32>, Vec<u32>)> {
-        let roots = self.parts(job)?;
-        let count = self.keeps.len();
-        let mut sums = alloc::filled([0u32; 2], count)?;
-        for f in (0..count).filter(|&f| self.keeps[f]) {
-            let needed = self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
-            let sum = &mut sums[roots[f] as usize];
-            *sum = [sum[0] + 1, sum[1] + u32::from(needed)];
+    /// Visits the edges of the rim of what is kept, with their faces.
+    pub(super) fn each_rim_edge(&self, mut visit: impl FnMut(u32, [u32; 2]) -> Result<()>) -> Result<()> {
+        for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
+                if !self.is_kept(g) {
+                    visit(f as u32, [u, v])?;
+                }
+            }
         }
-        let of =
-            |k: usize| alloc::collect((0..count).map(|f| if self.keeps[f] { sums[roots[f] as usize][k] } else { 0 }));
-        Ok((of(0)?, of(1)?))
+        Ok(())
     }
 
     /// Enters the rim of what is kept: where something was taken out beyond, and where nothing was.
@@ -168,8 +147,9 @@ impl<'m, 'a> Region<'m, 'a> {
                     let [p, q] = [u, v].map(|v| scan.points[v as usize]);
                     let [m, n] = [u, v].map(|v| scan.normals[v as usize]);
                     let out = if g == NONE { &mut *border } else { &mut *cut };
-                    alloc::append(&mut out.points, &[p, p.midpoint(q)])?;
-                    alloc::append(&mut out.normals, &[m, m + n])?;
+                    // Both ends: the next edge may be of the other kind.
+                    alloc::append(&mut out.points, &[p, p.midpoint(q), q])?;
+                    alloc::append(&mut out.normals, &[m, m + n, n])?;
                 }
             }
         }
@@ -200,31 +180,43 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Gives back islands that were spared where nothing else is kept now; true if there are any.
-    /// `on`: vertices that lie on what is kept of other pieces.
-    pub(super) fn give_back(&mut self, on: &[bool], job: &Job<'_>) -> Result<bool> {
+    /// Gives back islands that were spared where nothing else is kept now, whole if that is much
+    /// of them; true if there are any. `on`: vertices that lie on what is kept of other pieces;
+    /// `min_faces`: what has fewer is small.
+    pub(super) fn give_back(&mut self, on: &[bool], min_faces: u32, job: &Job<'_>) -> Result<bool> {
         let count = self.keeps.len();
-        let mut islands = DisjointSets::new(count)?;
-        for f in (0..count).filter(|&f| self.lost[f] && !self.settled[f]) {
-            for &g in self.beside(f).iter().filter(|&&g| g != NONE && self.lost[g as usize]) {
-                islands.union(f as u32, g);
-            }
-        }
-        let roots = islands.into_roots(job, STAGE)?;
-        let mut sums = alloc::filled([0u32; 2], count)?;
-        for f in (0..count).filter(|&f| self.lost[f] && !self.settled[f]) {
-            let bare = !self.mesh.face(f).any(|v| on[v as usize]);
-            let sum = &mut sums[roots[f] as usize];
-            *sum = [sum[0] + 1, sum[1] + u32::from(bare)];
-        }
+        let spared = alloc::collect((0..count).map(|f| self.lost[f] && !self.settled[f]))?;
+        let bare = alloc::collect((0..count).map(|f| spared[f] && !self.mesh.face(f).any(|v| on[v as usize])))?;
+        let islands = self.sizes_within(&spared, &bare, job)?;
+        let places = self.sizes_within(&bare, &bare, job)?;
         let mut any = false;
-        for f in 0..count {
-            let [all, bare] = sums[roots[f] as usize];
-            if self.lost[f] && !self.settled[f] && 3 * bare > all {
+        for f in (0..count).filter(|&f| spared[f]) {
+            let ([all, without], [place, _]) = (islands[f], places[f]);
+            if 3 * without > all || place >= min_faces {
                 (self.lost[f], self.settled[f], any) = (false, true, true);
             }
         }
         Ok(any)
+    }
+
+    /// For each face of `among` the number of those that hang together with it across sides, and
+    /// how many of them are `counted`; zeros for other faces.
+    fn sizes_within(&self, among: &[bool], counted: &[bool], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+        let count = among.len();
+        let mut sets = DisjointSets::new(count)?;
+        for f in (0..count).filter(|&f| among[f]) {
+            job.step_within(f, STAGE)?;
+            for &g in self.beside(f).iter().filter(|&&g| g != NONE && among[g as usize]) {
+                sets.union(f as u32, g);
+            }
+        }
+        let roots = sets.into_roots(job, STAGE)?;
+        let mut sums = alloc::filled([0u32; 2], count)?;
+        for f in (0..count).filter(|&f| among[f]) {
+            let sum = &mut sums[roots[f] as usize];
+            *sum = [sum[0] + 1, sum[1] + u32::from(counted[f])];
+        }
+        alloc::collect((0..count).map(|f| if among[f] { sums[roots[f] as usize] } else { [0; 2] }))
     }
 
     /// Loses faces for good, and all that have a vertex in common with them.

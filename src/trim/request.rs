@@ -42,6 +42,9 @@ pub struct Trimmed {
     pub kept: Vec<Vec<u32>>,
     /// For each piece the vertices that lie on another one.
     pub covered: Vec<u32>,
+    /// The pairs of pieces, the smaller first, that show the same surface somewhere, and face the
+    /// same way there. Ascending.
+    pub pairs: Vec<[u32; 2]>,
     /// The mean edge of the coarsest piece, in the unit of the positions.
     pub spacing: f64,
     /// Faces that cut some of a piece before theirs after all else; they went, with those round them.

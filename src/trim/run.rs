@@ -1,7 +1,7 @@
 //! Trimming from the meshes to the faces that are kept.
 
 use super::covers::{Covers, Same};
-use super::crossings::crossings;
+use super::crossings::{add_touching, crossings};
 use super::layer::Layer;
 use super::region::{Region, Rims};
 use super::request::{Options, Trimmed};
@@ -13,6 +13,7 @@ use crate::geom::kd_tree::{KdTree, Radius};
 use crate::geom::triangle_places::TriangleTree;
 use crate::job::Job;
 use crate::mesh::MeshView;
+use crate::sort::sort_distinct;
 use std::ops::ControlFlow;
 
 /// Surfaces that are no farther apart are one, in mean edges, if the caller says nothing.
@@ -74,6 +75,11 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         cosine: libm::cos(if angle == 0.0 { ANGLE } else { angle }),
     };
     let covers = alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
+    let mut pairs = Vec::new();
+    for (k, covers) in (0..).zip(&covers) {
+        alloc::extend(&mut pairs, covers.pieces()?.into_iter().map(|j| [j.min(k), j.max(k)]))?;
+    }
+    sort_distinct(&mut pairs);
     let min_faces = options.least();
     let job = job.part(0.8, 1.0);
     let mut regions = alloc::try_collect(
@@ -96,13 +102,14 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
             for k in 0..count {
                 let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
                 let on = alloc::collect((0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept)))?;
-                back |= regions[k].give_back(&on, &job.part(0.7, 0.7))?;
+                back |= regions[k].give_back(&on, min_faces, &job.part(0.7, 0.7))?;
             }
             if back {
                 continue;
             }
         }
-        let found = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
+        let mut found = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
+        add_touching(&layers, &regions, &pairs, &mut found)?;
         if found.iter().all(Vec::is_empty) {
             break;
         }
@@ -116,6 +123,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     Ok(Trimmed {
         kept: alloc::try_collect(regions.iter().map(kept))?,
         covered: alloc::collect(covers.iter().map(Covers::count))?,
+        pairs,
         spacing: unit * layers.iter().map(|layer| layer.scan.spacing).fold(0.0, f64::max),
         crossings: cut,
     })

@@ -23,6 +23,7 @@ fn any_options() -> impl Strategy<Value = MeshOptions> {
         keep_unused,
         fill_corners,
         texture,
+        max_edge_ratio: None,
     })
 }
 
@@ -329,6 +330,45 @@ fn heights_face_up() {
     ));
     let flat = Heights { stride: 0, spacing: [0.0, 1.0], ..heights };
     assert!(matches!(net_of_heights(&flat, &job()), Err(Error::OptionOutOfRange { option: "spacing", .. })));
+}
+
+/// A plane seen in front of another, whose gap is wider than any edge of either; glued or not, from
+/// either side, in quads and triangles.
+#[test]
+fn steps_of_range_images_are_left_out() {
+    let place = |i: usize, j: usize| {
+        let front = (3..8).contains(&i) && (4..9).contains(&j);
+        DVec3::new(j as f64, i as f64, if front { 9.0 } else { 0.1 * i as f64 })
+    };
+    for reversed in [false, true] {
+        let mut topology = Topology::of_sides(shape(12, 14), Sides::SHEET);
+        topology = topology.with_reversed(reversed);
+        let net = Net::from_fn(topology, Scalar::F32, place).unwrap();
+        for triangles in [None, Some(Diagonal::Shorter), Some(Diagonal::Fixed)] {
+            let options = MeshOptions { triangles, ..MeshOptions::default() };
+            let whole = net.to_mesh(&options, &job()).unwrap();
+            let made = net.to_mesh(&MeshOptions { max_edge_ratio: Some(4.0), ..options }, &job()).unwrap();
+            let [all, left] = [&whole, &made].map(|made| {
+                let at = |v: &u32| made.mesh.positions.get(*v);
+                let faces = made.mesh.faces().zip(&made.cell_of_face);
+                let faces: Vec<(Vec<DVec3>, u32)> =
+                    faces.map(|(f, &cell)| (f.iter().map(at).collect(), cell)).collect();
+                faces
+            });
+            let is_flat = |(face, _): &(Vec<DVec3>, u32)| face.iter().all(|p| (p.z < 5.0) == (face[0].z < 5.0));
+            // The same faces in the same order, and all nodes are in some.
+            assert!(left.len() < all.len());
+            assert!(all.into_iter().filter(is_flat).eq(left));
+            assert_eq!(made.mesh.positions.len(), net.shape().node_count());
+        }
+        let none = net.to_mesh(&MeshOptions { max_edge_ratio: Some(1e-9), ..MeshOptions::default() }, &job()).unwrap();
+        assert_eq!((none.mesh.face_count(), none.mesh.positions.len()), (0, 0));
+        for bad in [0.0, -1.0, f64::NAN] {
+            let options = MeshOptions { max_edge_ratio: Some(bad), ..MeshOptions::default() };
+            let refused = net.to_mesh(&options, &job());
+            assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "max_edge_ratio", .. })));
+        }
+    }
 }
 
 #[test]

@@ -40,6 +40,10 @@ pub struct gusset_net_mesh_options {
     pub texture: u32,
     /// 0.
     pub reserved: u32,
+    /// Faces with an edge of more than so many times the median length of edges are left out: in a
+    /// range image those that lead from one surface to another behind it, for which 4 is a good
+    /// value. Above 0; 0 for no limit.
+    pub max_edge_ratio: f64,
 }
 
 /// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed.
@@ -121,7 +125,7 @@ pub struct gusset_net_grid {
 handle! { gusset_net_grid }
 
 versioned! {
-    gusset_net_mesh_options: 32 reserved,
+    gusset_net_mesh_options: 40 reserved,
     gusset_net_mesh_view: 104,
     gusset_heights: 96,
     gusset_net_grid_view: 40,
@@ -140,6 +144,7 @@ impl gusset_net_mesh_options {
             keep_unused: flag(self.keep_unused, "keep_unused")?,
             fill_corners: flag(self.fill_corners, "fill_corners")?,
             texture: flag(self.texture, "texture")?,
+            max_edge_ratio: (self.max_edge_ratio != 0.0).then_some(self.max_edge_ratio),
         })
     }
 }
@@ -148,14 +153,16 @@ impl gusset_net_mesh_options {
 ///
 /// Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so
 /// that closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh
-/// without faces is no failure.
+/// without faces is no failure. The grid of a range image becomes the mesh of what was seen by
+/// triangles, fill_corners and max_edge_ratio.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.
 /// @param net the net.
 /// @param options NULL for the defaults.
 /// @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED.
+///     UNKNOWN_VALUE, OPTION_OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
+///     CANCELLED.
 /// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
 /// @since 0.1
 #[unsafe(no_mangle)]

@@ -19,6 +19,8 @@ use std::iter::repeat_n;
 
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
+/// About so many edges tell what length is usual.
+const EDGES_LOOKED_AT: usize = 1 << 16;
 const FACES: &str = "cells to faces";
 const NUMBERS: &str = "numbering vertices";
 
@@ -33,7 +35,7 @@ pub enum Diagonal {
 }
 
 /// Options of [`Net::to_mesh`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
     /// Triangles only; `None` keeps quads.
     pub triangles: Option<Diagonal>,
@@ -45,11 +47,21 @@ pub struct MeshOptions {
     pub fill_corners: bool,
     /// Computes texture coordinates.
     pub texture: bool,
+    /// Faces with an edge of more than so many times the length that is usual among the edges are
+    /// left out: in a range image, those from one surface to another behind it. Above 0.
+    pub max_edge_ratio: Option<f64>,
 }
 
 impl Default for MeshOptions {
     fn default() -> Self {
-        MeshOptions { triangles: None, weld: true, keep_unused: false, fill_corners: false, texture: false }
+        MeshOptions {
+            triangles: None,
+            weld: true,
+            keep_unused: false,
+            fill_corners: false,
+            texture: false,
+            max_edge_ratio: None,
+        }
     }
 }
 
@@ -114,11 +126,15 @@ impl Net<'_> {
     /// The mesh of the net. It has the cells that exist. O(nodes).
     ///
     /// # Errors
+    /// [`Error::OptionOutOfRange`] for a `max_edge_ratio` that is not above 0,
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
         Error::check_count("corners", corners, MAX_ELEMENTS)?;
+        if let Some(ratio) = options.max_edge_ratio {
+            Error::require(ratio > 0.0, "max_edge_ratio", ratio)?;
+        }
         each!(self.coordinates(), planes => build(self, planes, options, job))
     }
 }
@@ -161,7 +177,10 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         }
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
     }
-    faces.finish(options, &job.part(0.7, 1.0))
+    if let Some(ratio) = options.max_edge_ratio {
+        faces.leave_out_long(ratio, &job.part(0.7, 0.8))?;
+    }
+    faces.finish(options, &job.part(0.8, 1.0))
 }
 
 /// The nodes at which classes lie.
@@ -307,6 +326,50 @@ impl<T: Real> FaceBuilder<'_, T> {
         }
         alloc::push(&mut self.offsets, self.nodes.len() as u32)?;
         alloc::push(&mut self.cells, cell)
+    }
+
+    /// Leaves out faces with an edge of more than `ratio` times the usual length: the median over
+    /// edges taken evenly from the faces. O(faces).
+    fn leave_out_long(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
+        let squared = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
+        // One of each face, which may be any but the diagonal.
+        let firsts = self.offsets[..self.cells.len()].iter().step_by(self.cells.len() / EDGES_LOOKED_AT + 1);
+        let [first, second] = if self.reversed { [1, 2] } else { [0, 1] };
+        let firsts =
+            firsts.map(|&start| squared(self.nodes[start as usize + first], self.nodes[start as usize + second]));
+        let mut lengths = alloc::gather(firsts)?;
+        if lengths.is_empty() {
+            return Ok(());
+        }
+        let middle = lengths.len() / 2;
+        let longest = ratio * ratio * *lengths.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let mut kept = alloc::filled(false, self.cells.len())?;
+        job.part(0.0, 0.7).ranges(FACES, self.cells.len(), |range| {
+            for f in range {
+                let face = &self.nodes[self.offsets[f] as usize..self.offsets[f + 1] as usize];
+                let nexts = face.iter().skip(1).chain(face.first());
+                kept[f] = face.iter().zip(nexts).all(|(&p, &q)| squared(p, q) <= longest);
+            }
+            Ok(())
+        })?;
+        // In place, as nothing gets longer.
+        let (mut faces, mut corners) = (0, 0);
+        job.part(0.7, 1.0).ranges(FACES, self.cells.len(), |range| {
+            for f in range.filter(|&f| kept[f]) {
+                let own = self.offsets[f] as usize..self.offsets[f + 1] as usize;
+                let count = own.len();
+                self.nodes.copy_within(own, corners);
+                self.cells[faces] = self.cells[f];
+                (faces, corners) = (faces + 1, corners + count);
+                // The end of this face comes after the start of the next, which is still to be read.
+                self.offsets[faces] = corners as u32;
+            }
+            Ok(())
+        })?;
+        self.nodes.truncate(corners);
+        self.cells.truncate(faces);
+        self.offsets.truncate(faces + 1);
+        Ok(())
     }
 
     /// The edges without faces, as pairs of classes, each once, in order. O(e log e) for e edges,

@@ -7,6 +7,7 @@ use super::request::{Assembly, Outcome};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::ParitySets;
+use crate::mesh::NONE;
 use crate::sort::sort_distinct;
 use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
 
@@ -22,6 +23,22 @@ impl Base {
         sort_distinct(&mut components);
         let place = |component: u32| components.partition_point(|&other| other < component) as u32;
         let mut agreement = ParitySets::new(components.len())?;
+        // What overlaps agrees already, whatever loops seem to say.
+        let mut first_of = alloc::filled(NONE, self.done.maps.len())?;
+        for candidate in loops.candidates.iter().filter(|candidate| candidate.piece != NONE) {
+            let (first, own) = (&mut first_of[candidate.piece as usize], place(candidate.component));
+            if *first == NONE {
+                *first = own;
+            }
+            if !self.alike.is_empty() {
+                agreement.union(*first, own, false);
+            }
+        }
+        for [first, second] in self.alike.iter().map(|pair| pair.map(|k| first_of[k as usize])) {
+            if first != NONE && second != NONE {
+                agreement.union(first, second, false);
+            }
+        }
         for (facing, outcome) in found.iter().zip(&mut outcomes) {
             let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
             let [a, b] = loops.sides(facing)?;

@@ -21,6 +21,8 @@ pub(super) struct Base {
     pub(super) piece: Vec<u32>,
     /// The vertices that sewing made of several, ascending.
     pub(super) seam: Vec<u32>,
+    /// Pairs of pieces that agree in which side is the front, as they overlap.
+    pub(super) alike: Vec<[u32; 2]>,
 }
 
 impl Base {
@@ -96,7 +98,8 @@ impl Base {
             near_loops_left: 0,
             non_manifold_edges: 0,
         };
-        Ok(Base { done, piece, seam })
+        let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
+        Ok(Base { done, piece, seam, alike })
     }
 
     /// Fills and turns, as the options say. Also the pairs of faces that patches cut.

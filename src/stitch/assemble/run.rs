@@ -24,8 +24,10 @@ use crate::trim::{Trimmed, trim};
 const GAP_EDGES: [f64; 2] = [2.5, 4.0];
 /// Rounds in which what is left of trimmed pieces gets less where it cannot be joined; in the first
 /// of them where strips cut, and after these such strips are refused.
-const MAX_ROUNDS: u32 = 8;
+const MAX_ROUNDS: u32 = 10;
 const ROUNDS_OF_STRIPS: u32 = 4;
+/// After so many rounds patches that still cut lose their rims whole.
+const WHOLE_AFTER: u32 = 6;
 /// How often loops are looked for that strips have left facing each other.
 const MORE_PASSES: usize = 2;
 
@@ -63,17 +65,18 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
         let refuses = round >= ROUNDS_OF_STRIPS;
-        let max_gap = match options.max_gap {
+        let gap_of = |edges: f64| match options.max_gap {
             MaxGap::Auto => MaxGap::Given(edges * trimmed.spacing),
             given => given,
         };
-        let (done, cuts) = joined(pieces, &trimmed, &Options { max_gap, ..*options }, refuses, &now)?;
+        let how_wide = Options { max_gap: gap_of(edges), ..*options };
+        let (done, cuts) = joined(pieces, &trimmed, &how_wide, gap_of(GAP_EDGES[1]), refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
         if is_final && round >= MAX_ROUNDS {
             return Ok(done);
         }
         round += 1;
-        let spoilt = Spoilt::of(pieces, &done, &cuts, how.least_island(), &then)?;
+        let spoilt = Spoilt::of(pieces, &done, &cuts, how.least_island(), round > WHOLE_AFTER, &then)?;
         let widens = spoilt.has_alone() && edges == GAP_EDGES[0] && options.max_gap == MaxGap::Auto;
         if widens {
             edges = GAP_EDGES[1];
@@ -104,6 +107,7 @@ fn joined(
     pieces: &[MeshView<'_>],
     trimmed: &Trimmed,
     options: &Options<'_>,
+    wide: MaxGap,
     refuses: bool,
     job: &Job<'_>,
 ) -> Result<(Assembly, Vec<[u32; 2]>)> {
@@ -111,8 +115,8 @@ fn joined(
     let mut cuts = if refuses { Cuts::Refused } else { Cuts::Listed(Vec::new()) };
     base.done.left = join(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
     // Where three pieces meet, the first strips leave loops that face each other, of what is one
-    // component now.
-    let again = Options { within_components: true, pairs: &[], ..*options };
+    // component now. Sides of a seam may be farther apart than loops of which nothing is known.
+    let again = Options { within_components: true, pairs: &[], max_gap: wide, ..*options };
     for pass in 0..MORE_PASSES {
         let before = base.done.joints.len();
         alloc::grow(&mut base.piece, base.done.mesh.positions.len(), NONE)?;

@@ -3,12 +3,74 @@
 use super::request::Assembly;
 use crate::alloc;
 use crate::error::Result;
-use crate::fill::Hole;
 use crate::geom::bit_set::BitSet;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
 use crate::trim::Trimmed;
+use std::ops::Range;
+
+/// A patch that cuts.
+#[derive(Debug, Clone, PartialEq)]
+struct Patch {
+    faces: Range<u32>,
+    /// Vertices of its rims.
+    rim: usize,
+    /// Those of them that are beside what was trimmed.
+    beside: usize,
+    /// Pairs of faces that one of its own is in.
+    cuts: usize,
+    /// Faces of the part that it closes.
+    part: usize,
+}
+
+impl Patch {
+    /// True if its rim goes round most of what it closes, rather than round a gap that trimming
+    /// left or a hole in it, and it cuts that in more than a place or two. A disc of F triangles
+    /// has a rim of some 2.3 sqrt(F) edges, and a square one of 2.8 sqrt(F).
+    fn lies_on_surface(&self) -> bool {
+        2 * self.beside <= self.rim && 4 * self.cuts > self.rim && self.rim * self.rim > self.part
+    }
+}
+
+/// The patches that cut, in the order of their faces.
+struct Patches(Vec<Patch>);
+
+impl Patches {
+    /// `beside`: the vertices beside what was trimmed; `size`: the faces of the part that a vertex
+    /// is of. O(size + c log c) for c cuts.
+    fn of(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<Patches> {
+        let mut cutting = alloc::copied(cuts.as_flattened())?;
+        cutting.sort_unstable();
+        let mut patches: Vec<Patch> = Vec::new();
+        let patched = done.holes.iter().filter(|hole| !hole.faces.is_empty());
+        let mut holes = alloc::gather(patched)?;
+        holes.sort_unstable_by_key(|hole| (hole.faces.start, hole.rim.start));
+        for hole in holes {
+            let at = |end: u32| cutting.partition_point(|&f| f < end);
+            let cuts = at(hole.faces.end) - at(hole.faces.start);
+            if cuts == 0 {
+                continue;
+            }
+            // Several loops may have one patch.
+            if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
+                alloc::push(&mut patches, Patch { faces: hole.faces.clone(), rim: 0, beside: 0, cuts, part: 0 })?;
+            }
+            let last = patches.len() - 1;
+            let rim = &done.hole_rims[hole.rim.clone()];
+            patches[last].rim += rim.len();
+            patches[last].part = patches[last].part.max(rim.first().map_or(0, |&v| size(v) as usize));
+            patches[last].beside += rim.iter().filter(|&&v| beside.contains(v)).count();
+        }
+        Ok(Patches(patches))
+    }
+
+    /// That of a face, if it has one that cuts.
+    fn cutting(&self, face: u32) -> Option<&Patch> {
+        let after = self.0.partition_point(|patch| patch.faces.start <= face);
+        self.0[..after].last().filter(|patch| patch.faces.contains(&face))
+    }
+}
 
 /// What has to go: small parts that nothing joined with the rest, where they were cut; and, round
 /// what cuts, one ring of what patches and strips hang on.
@@ -22,12 +84,14 @@ pub(super) struct Spoilt {
 }
 
 impl Spoilt {
-    /// `cuts`: pairs of faces that cut each other. `least`: what has fewer faces is small. O(size).
+    /// `cuts`: pairs of faces that cut each other. `least`: what has fewer faces is small;
+    /// `whole`: patches that cut lose their rims whole. O(size).
     pub(super) fn of(
         pieces: &[MeshView<'_>],
         done: &Assembly,
         cuts: &[[u32; 2]],
         least: u32,
+        whole: bool,
         job: &Job<'_>,
     ) -> Result<Spoilt> {
         let mesh = &done.mesh;
@@ -42,24 +106,6 @@ impl Spoilt {
                 left.for_each(|v| beside.insert(v));
             }
         }
-        // The rims of patches that cut, and the corners of what they cut: of gaps that trimming
-        // left, as a patch over the border of what was seen may cut, too, and no surface is to go
-        // for that.
-        let is_gap = |rim: &[u32]| 2 * rim.iter().filter(|&&v| beside.contains(v)).count() > rim.len();
-        let mut is_spoilt = false;
-        for &[f, g] in cuts {
-            let of_patch = |hole: &&Hole| hole.faces.contains(&f) || hole.faces.contains(&g);
-            let mut rims = done.holes.iter().filter(of_patch).map(|hole| &done.hole_rims[hole.rim.clone()]);
-            if !rims.clone().all(is_gap) {
-                continue;
-            }
-            is_spoilt = true;
-            rims.by_ref().flatten().for_each(|&v| spoilt.insert(v));
-            for face in [f, g] {
-                let corners = mesh.face_offsets[face as usize]..mesh.face_offsets[face as usize + 1];
-                corners.for_each(|corner| spoilt.insert(mesh.corner(corner as usize)));
-            }
-        }
         // Parts that strips and seams hold together, patches apart.
         let unfilled = done.holes.iter().map(|hole| hole.faces.start).min().unwrap_or(mesh.face_count() as u32);
         let mut parts = DisjointSets::new(mesh.positions.len())?;
@@ -72,6 +118,26 @@ impl Spoilt {
         let roots = parts.into_roots(job, "putting the pieces together")?;
         let mut sizes = alloc::filled(0u32, roots.len())?;
         mesh.faces().take(unfilled as usize).for_each(|face| sizes[roots[face[0] as usize] as usize] += 1);
+        // The corners of what cuts, and whole rims of patches where that has not helped. A patch
+        // over the border of an open surface lies on it: nothing is to go for that.
+        let size = |v: u32| sizes[roots[v as usize] as usize];
+        let patches = Patches::of(done, cuts, &beside, size)?;
+        let mut is_spoilt = false;
+        for pair in cuts {
+            if pair.iter().filter_map(|&f| patches.cutting(f)).any(Patch::lies_on_surface) {
+                continue;
+            }
+            is_spoilt = true;
+            for &face in pair {
+                let corners = mesh.face_offsets[face as usize]..mesh.face_offsets[face as usize + 1];
+                corners.for_each(|corner| spoilt.insert(mesh.corner(corner as usize)));
+            }
+        }
+        for hole in &done.holes {
+            if patches.cutting(hole.faces.start).is_some_and(|patch| whole && !patch.lies_on_surface()) {
+                done.hole_rims[hole.rim.clone()].iter().for_each(|&v| spoilt.insert(v));
+            }
+        }
         let largest = sizes.iter().copied().max().unwrap_or(0);
         // Those that were cut have a vertex of a face that is gone.
         let mut is_cut = alloc::filled(false, roots.len())?;
