@@ -72,7 +72,34 @@ class AssemblyOptions(Structure):
         ("struct_size", c_size_t), ("weld", c_uint32), ("orientation", c_uint32), ("gap", c_uint32),
         ("whole_loops_only", c_uint32), ("within_components", c_uint32), ("fill", c_uint32), ("max_gap", c_double),
         ("pairs", POINTER(LoopPair)), ("pair_count", c_size_t), ("excluded", c_void_p), ("excluded_count", c_size_t),
-        ("weld_options", c_void_p), ("strip_options", POINTER(StitchOptions)), ("fill_options", c_void_p)]
+        ("weld_options", c_void_p), ("strip_options", POINTER(StitchOptions)), ("fill_options", c_void_p),
+        ("keep_inside_out", c_uint32), ("overlaps", c_uint32), ("trim_options", c_void_p)]
+
+
+class Transform(Structure):
+    _fields_ = [("rows", c_double * 12)]
+
+
+class AlignmentOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("start", c_uint32), ("samples", c_uint32), ("poses", POINTER(Transform)),
+        ("pose_count", c_size_t), ("max_distance", c_double), ("max_rounds", c_uint32), ("reserved", c_uint32)]
+
+
+class AlignedPiece(Structure):
+    _fields_ = [("pose", Transform), ("hold", c_double), ("reason", c_uint32), ("reserved", c_uint32)]
+
+
+class AlignmentParts(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("pieces", POINTER(AlignedPiece)), ("piece_count", c_size_t), ("overlaps", c_void_p),
+        ("overlap_count", c_size_t), ("rounds", c_uint32), ("converged", c_uint32)]
+
+
+class NetMeshOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("faces", c_uint32), ("no_weld", c_uint32), ("keep_unused", c_uint32),
+        ("fill_corners", c_uint32), ("texture", c_uint32), ("reserved", c_uint32), ("max_edge_ratio", c_double)]
 
 
 class Joint(Structure):
@@ -92,7 +119,7 @@ class AssemblyParts(Structure):
         ("joint_count", c_size_t), ("left", c_void_p), ("left_count", c_size_t), ("holes", c_void_p), ("hole_count", c_size_t),
         ("hole_rims", Indices), ("turned", Indices), ("one_sided", Indices), ("zero_volume", Indices), ("welded_vertices", c_uint32),
         ("sewn_edges", c_uint32), ("loops_left", c_uint32), ("non_manifold_edges", c_uint32),
-        ("splits", c_uint32), ("near_loops_left", c_uint32)]
+        ("splits", c_uint32), ("near_loops_left", c_uint32), ("trimmed_faces", c_uint32), ("reserved", c_uint32)]
 
 
 class FillOptions(Structure):
@@ -181,7 +208,7 @@ class Library:
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
         self.c.gusset_boundary_loop_count.restype = c_size_t
-        for name in ("assembly", "boundary", "fill", "stitch", "strip", "outline", "context", "net", "stream"):
+        for name in ("alignment", "assembly", "boundary", "fill", "stitch", "strip", "outline", "context", "net", "net_mesh", "stream"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
         self.one_thread, self.automatic = self._context(1), self._context(0)
         self.version = self.c.gusset_version().decode()
@@ -275,6 +302,42 @@ class Library:
             options.strip_options = ctypes.pointer(strip)
         self._check(self.c.gusset_assembly_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
         return Handle(self.c, "gusset_assembly_destroy", address)
+
+    def trimmed_and_joined(self, pieces, max_diameter=0.0):
+        """Overlaps trimmed, what is left joined, and holes filled, up to a diameter if one is given: points, triangles, and for each
+        piece its vertices in the result."""
+        views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
+        options, address = sized(AssemblyOptions), c_void_p()
+        options.overlaps = options.fill = 1
+        fill = self.fill_options(max_diameter=max_diameter)
+        options.fill_options = ctypes.cast(ctypes.pointer(fill), c_void_p)
+        self._check(self.c.gusset_assembly_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
+        made = Handle(self.c, "gusset_assembly_destroy", address)
+        points, faces, maps, _ = self.assembled(made)
+        return points.copy(), faces.copy(), [of.copy() for of in maps]
+
+    def aligned(self, pieces, poses):
+        """The poses that pieces belong in, from poses near them; matrices 4 x 4."""
+        views = (View * len(pieces))(*(self._view(piece) for piece in pieces))
+        options, address, parts = sized(AlignmentOptions), c_void_p(), sized(AlignmentParts)
+        given = (Transform * len(poses))(*(Transform((c_double * 12)(*pose[:3].ravel())) for pose in poses))
+        options.poses, options.pose_count = given, len(poses)
+        self._check(self.c.gusset_alignment_create(None, views, c_size_t(len(pieces)), byref(options), byref(address)))
+        made = Handle(self.c, "gusset_alignment_destroy", address)
+        self._check(self.c.gusset_alignment_get_view(made.address, byref(parts)))
+        rows = [np.array(parts.pieces[k].pose.rows[:]).reshape(3, 4) for k in range(parts.piece_count)]
+        return [np.vstack([own, [0, 0, 0, 1]]) for own in rows]
+
+    def net_triangles(self, grid, max_edge_ratio):
+        """The triangles of a range image H x W x 3, NaN where nothing was seen, without steps: points and faces."""
+        net, options, address, view = self.net(grid, "sheet"), sized(NetMeshOptions), c_void_p(), sized(View)
+        options.faces, options.fill_corners, options.max_edge_ratio = 1, 1, max_edge_ratio
+        self._check(self.c.gusset_net_mesh_create(None, net.address, byref(options), byref(address)))
+        made = Handle(self.c, "gusset_net_mesh_destroy", address)
+        self._check(self.c.gusset_net_mesh_get_mesh(made.address, byref(view)))
+        points = array(view.positions, 3 * view.vertex_count, np.float32).reshape(-1, 3)
+        faces = array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3)
+        return points.astype(np.float64), faces.copy()
 
     def assembled(self, assembly):
         """Points, triangles, for each piece its vertices in the result, and the two sides of each joint that was made."""

@@ -8,6 +8,9 @@ from timing import Contender
 mm = Peer("meshlib.mrmeshpy")
 mn = Peer("meshlib.mrmeshnumpy", after="meshlib.mrmeshpy")
 
+# Samples of a view for its alignment are so far apart, in its unit: some 3,000 a view.
+SAMPLES_APART = 0.002
+
 METRICS = {"complex": "getComplexStitchMetric", "edge-length": "getEdgeLengthStitchMetric"}
 
 
@@ -111,3 +114,49 @@ def step_contender(gap, metric):
 
 def rows_contender(gap, edge):
     return Contender("meshlib-nicely", lambda state: nicely(*state, edge), ready(gap), mesh)
+
+
+def aligned(views, poses):
+    """All views at once, the first held."""
+    objects, built = mm.Vector_MeshOrPointsXf_ObjId(), []
+    for view, pose in zip(views, poses):
+        mesh = mn.meshFromFacesVerts(view.faces, view.points)
+        built.append(mesh)
+        turn, shift = pose[:3, :3].tolist(), pose[:3, 3].tolist()
+        rows = [mm.Vector3f(*row) for row in turn]
+        objects.push_back(mm.MeshOrPointsXf(mm.MeshOrPoints(mesh), mm.AffineXf3f(mm.Matrix3f(*rows), mm.Vector3f(*shift))))
+    sampling = mm.MultiwayICPSamplingParameters()
+    sampling.samplingVoxelSize = SAMPLES_APART
+    icp = mm.MultiwayICP(objects, sampling)
+    how = mm.ICPProperties()
+    how.method = mm.ICPMethod.PointToPlane
+    how.iterLimit = 100
+    icp.setParams(how)
+    found = icp.calculateTransformationsFixFirst()
+    poses = []
+    for k in range(len(views)):
+        pose = np.eye(4)
+        own = found.vec_[k]
+        pose[:3, :3] = [[row.x, row.y, row.z] for row in (own.A.x, own.A.y, own.A.z)]
+        pose[:3, 3] = own.b.x, own.b.y, own.b.z
+        poses.append(pose)
+    return poses
+
+
+def fused(pieces, face_count):
+    """One surface of all by voxels, of about so many faces."""
+    points = np.concatenate([piece.points for piece in pieces])
+    built = [mn.meshFromFacesVerts(piece.faces, piece.points) for piece in pieces]
+    normals = np.concatenate([np.array(mn.toNumpyArray(mm.computePerVertNormals(mesh))) for mesh in built])
+    cloud = mn.pointCloudFromPoints(points, normals)
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    voxel = size / 300
+    for _ in range(2):
+        how = mm.PointsToMeshParameters()
+        # The sharpest that gives one part without debris; sigma = voxel is nearer, and leaves three.
+        how.voxelSize, how.sigma, how.minWeight = voxel, 1.5 * voxel, 4.0
+        mesh = mm.pointsToMeshFusion(cloud, how)
+        made = mesh.topology.numValidFaces()
+        voxel *= (made / face_count) ** 0.5
+    mesh.pack()
+    return arrays(mesh)

@@ -59,6 +59,16 @@ nearer to what was cut out ours are, root mean square both ways, the geometric m
 the mean edge count as that. `plain`: no new vertices, everybody's defaults; `fair`: refined and faired. `clean`: closed, and no new
 face meets another; `cuts`: pairs that do, of all discs. `rim-N`: a wavy rim of N vertices with one ring of faces, from arrays to
 arrays; `unchecked`: without the search for cuts. `holes-81-in-8M`: two bunnies, every triangle cut into 64, with 81 holes.""",
+    "align": """## Scans aligned
+
+The ten views of the Stanford bunny at their published poses, each but the first disturbed by 3 degrees and 3 % of the size, 20 times.
+`recovered`: the share of seeds in which every view is found again within 0.5 degrees and 0.5 % of the size of its published pose.
+`meshlib` is MultiwayICP, point to plane, a sample each 2 mm; `trueform` aligns two clouds: each view to all before it.""",
+    "trim": """## Scans joined
+
+The ten views at their published poses; in metres, root mean square both ways between the result and the reference model, whose base
+is open: holes wider than 2 cm are left. `closed`: all filled. `kept`: vertices that are those of a view bit for bit. The peer's is a
+fusion by voxels with as many faces, at sigma of 1.5 voxels.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
 

@@ -10,6 +10,7 @@ import fills
 import surface
 import meshes
 import outlines
+import scans
 import truth
 from cases import BOUNDARIES, OUTLINES, Cases
 from gusset import Library
@@ -72,6 +73,8 @@ def main():
         truth.run(library, report, options.tools, folder, options.only, options.docs)
     if fills.wanted(options.only):
         fills.run(library, report, options.tools, folder, options.only)
+    if scans.wanted(options.only):
+        scans.run(library, report, options.tools, folder, options.only)
     report.write(options.out)
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
     if options.docs:
