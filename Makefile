@@ -42,7 +42,7 @@ deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
 
-.PHONY: help build openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -62,6 +62,7 @@ help:
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make cli                          the program gusset, its manual and its completions, into build/cli'
+	@echo 'make scans FOLDER=views OUT=model.ply  overlapping scans of a folder, PLY files, made one closed mesh; pictures if PyVista is there'
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
@@ -133,6 +134,9 @@ cli: stage
 	@scripts/install-packages.sh $(cli_packages)
 	cmake -S tools/gusset -B build/cli -DGUSSET_PREFIX='$(stage)'
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cli --parallel 2
+
+scans: cli
+	@python3 scripts/scans.py build/cli/gusset '$(FOLDER)' '$(or $(OUT),scans.ply)'
 
 torture: stage
 	@scripts/install-packages.sh $(test_packages)

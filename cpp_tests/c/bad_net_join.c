@@ -264,9 +264,9 @@ static void meshes(void) {
     bad = options, bad.reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
     bad = options, bad.max_edge_ratio = -1;
-    EXPECT(GUSSET_ERROR_OPTION_OUT_OF_RANGE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_mesh_create(context, net, &bad, &mesh));
     bad = options, bad.max_edge_ratio = NAN;
-    EXPECT(GUSSET_ERROR_OPTION_OUT_OF_RANGE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_mesh_create(context, net, &bad, &mesh));
     options.texture = 1;
     EXPECT(GUSSET_OK, gusset_net_mesh_create(context, net, &options, &mesh));
     view.struct_size = sizeof view, maps.struct_size = sizeof maps;

@@ -194,6 +194,50 @@ class Formats(unittest.TestCase):
             normals = [row.split()[-1] for row in self.at("arrow.stl").read_text().splitlines() if "normal" in row]
             self.assertEqual(normals, ["1", "1"])
 
+    def range_image(self, name, rows=9, columns=12, obj_info=True):
+        """A plane with a step to another behind it, without a corner: the cells that there are, and those of the step."""
+        missing = {(0, 0), (4, 6)}
+        seen = [(i, j) for i in range(rows) for j in range(columns) if (i, j) not in missing]
+        depth = lambda i, j: 0 if j < 8 else -20
+        head = ["ply", "format ascii 1.0"] + ([f"obj_info num_cols {columns}", f"obj_info num_rows {rows}"] if obj_info else [])
+        head += [f"element vertex {len(seen)}", "property float x", "property float y", "property float z"]
+        head += [f"element range_grid {rows * columns}", "property list uchar int vertex_indices", "end_header"]
+        points = [f"{j} {i} {depth(i, j)}" for i, j in seen]
+        grid = [f"1 {seen.index((i, j))}" if (i, j) in seen else "0" for i in range(rows) for j in range(columns)]
+        self.at(name).write_text("\n".join(head + points + grid) + "\n")
+        # Two triangles a cell, one for those with a missing corner, none across the step.
+        return 2 * (rows - 1) * (columns - 2) - 1 - 4
+
+    def test_range_images_become_meshes(self):
+        faces = self.range_image("range.ply")
+        held, _ = self.convert("range.ply", "range.off")
+        self.assertEqual(held["faces"], faces)
+        self.assertTrue(all(face for face in read_off(self.at("range.off"))[1]))
+        self.range_image("unsized.ply", obj_info=False)
+        self.expect(FILE, "check", "unsized.ply", says="it has no faces")
+        text = self.at("range.ply").read_text()
+        self.at("beyond.ply").write_text(text[: text.rindex("1 ")] + "1 999\n")
+        self.expect(FILE, "check", "beyond.ply", says="it names a vertex that there is not")
+
+    def test_lists_of_scans_place_them(self):
+        self.range_image("one.ply")
+        self.range_image("two.ply")
+        half = 0.5 ** 0.5
+        self.at("all.conf").write_text(f"camera 0 0 0 0 0 0 1\nbmesh one.ply 0 0 0 0 0 0 1\nbmesh two.ply 100 0 0 0 0 {half} {half}\n")
+        self.expect(DONE, "run", "align", "all.conf", "-o", "both.off")
+        points = read_off(self.at("both.off"))[0]
+        count = len(points) // 2
+        for (x, y, z), (u, v, w) in zip(points[:count], points[count:]):
+            # The quaternion turns the axes by a quarter, and so the points back by one.
+            self.assertAlmostEqual(u, 100 + y, places=5)
+            self.assertAlmostEqual(v, -x, places=5)
+            self.assertAlmostEqual(w, z, places=5)
+        for text, says in (("", "it lists no scans"), ("bmesh one.ply 0 0 0 0 0 0 0\n", "1: a quaternion of length 0"),
+                           ("bmesh one.ply 0 0 0 0 x 0 1\n", '1: "bmesh" needs'), ("bmesh one.ply 0 0 0\n", '1: "bmesh" needs'),
+                           ("bmesh none.ply 0 0 0 0 0 0 1\n", "there is no such file")):
+            self.at("wrong.conf").write_text(text)
+            self.expect(FILE, "run", "align", "wrong.conf", "-o", "both.off", says=says)
+
     def test_what_is_wrong_is_pointed_at(self):
         wrong = {
             "a.off": ("OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", '4: vertex number 1 from 0: "x" is no number'),
@@ -250,10 +294,15 @@ class Formats(unittest.TestCase):
         known = {f".{kind}" for kind in FORMATS}
         tried = 0
         for file in sorted(folder.iterdir()):
+            if file.suffix == ".conf":
+                continue
             if file.suffix.lower() not in known:
                 self.expect(FILE, "check", file, says="meshes are in")
                 continue
             vertices, faces = meshes.counts(file)
+            if faces == 0 and b"element range_grid" in file.read_bytes()[:4096]:
+                self.expect(DONE, "check", file)
+                continue
             if faces == 0:
                 self.expect(FILE, "check", file, says=f"it has no faces, only {vertices} points")
                 continue

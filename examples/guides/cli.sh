@@ -19,6 +19,10 @@ gusset run boundary_loops left.obj -o rim.obj
 gusset run stitch left.obj right.obj -p finish=Blend -o joined.obj
 #! [run]
 
+#! [scans]
+gusset assemble left.obj right.obj --align --overlaps trim --holes fill -o model.ply
+#! [scans]
+
 #! [json]
 gusset check joined.obj --json
 #! [json]

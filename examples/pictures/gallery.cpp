@@ -2,6 +2,7 @@
 // and meet.svg.
 //   gallery FOLDER
 #include "shapes.hpp"
+#include "views.hpp"
 
 #include <iostream>
 
@@ -80,6 +81,52 @@ bool assembled(const std::string &file) {
     return drawing.write(file);
 }
 
+/// Five views of a body, misplaced; aligned, trimmed, joined and filled.
+bool scanned(const std::string &file) {
+    const std::array<Colour, 5> colours{blue, ochre, green, Colour{150, 110, 160}, Colour{90, 150, 150}};
+    std::vector<Mesh> pieces = misplaced_views();
+    Drawing drawing(960, 360, {0.05, -1, 0.3}, 125);
+    const auto side_by_side = [&](double x, const char *caption) {
+        std::vector<gusset::MeshView> views;
+        Mesh all;
+        std::vector<Colour> colour;
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            views.push_back(pieces[k].view());
+            for (const uint32_t v : pieces[k].corners) {
+                all.corners.push_back(v + static_cast<uint32_t>(all.points.size()));
+            }
+            all.points.insert(all.points.end(), pieces[k].points.begin(), pieces[k].points.end());
+            colour.resize(all.corners.size() / 3, colours[k]);
+        }
+        drawing.place(x, 165);
+        drawing.mesh(all.view(), [&](std::size_t f) { return colour[f]; });
+        drawing.caption(x, 345, caption);
+        return views;
+    };
+    const gusset::Alignment found(side_by_side(165, "five views"));
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        move(pieces[k].points, found.pieces()[k].pose);
+    }
+    const std::vector<gusset::MeshView> views = side_by_side(480, "aligned");
+    gusset::AssemblyOptions options;
+    options.trim.emplace();
+    options.fill.emplace();
+    const gusset::Assembly whole(views, options);
+    std::vector<Colour> colour(whole.mesh().face_count(), red);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const gusset_indices faces = whole.pieces()[k].faces;
+        for (const uint32_t f : gusset::Indices(faces.data, faces.count)) {
+            if (f != UINT32_MAX) {
+                colour[f] = colours[k];
+            }
+        }
+    }
+    drawing.place(795, 165);
+    drawing.mesh(whole.mesh(), [&](std::size_t f) { return colour[f]; });
+    drawing.caption(795, 345, "trimmed and joined");
+    return found.is_trusted() && whole.view().loops_left == 0 && drawing.write(file);
+}
+
 /// A ball with holes, whose rims are found, and filled: flat, and refined and fair.
 bool filled(const std::string &file) {
     const Mesh torn = torn_ball();
@@ -142,8 +189,8 @@ int main(int argc, char **argv) {
     }
     const std::string folder = std::string(argv[1]) + "/";
     try {
-        if (stitched(folder + "stitch.svg") && textured(folder + "texture.svg") && assembled(folder + "pieces.svg") && filled(folder + "fill.svg") && met(folder + "meet.svg")) {
-            std::cout << "stitch.svg texture.svg pieces.svg fill.svg meet.svg\n";
+        if (stitched(folder + "stitch.svg") && textured(folder + "texture.svg") && assembled(folder + "pieces.svg") && scanned(folder + "scans.svg") && filled(folder + "fill.svg") && met(folder + "meet.svg")) {
+            std::cout << "stitch.svg texture.svg pieces.svg scans.svg fill.svg meet.svg\n";
             return 0;
         }
         std::cerr << "cannot write into " << folder << '\n';

@@ -35,7 +35,7 @@
 //! | [`rims`](self) | a start by features of rims |
 //! | [`judge`](self) | what can be trusted |
 //! | [`run`](self) | all of it in order |
-//! | [`moved`](self) | the pieces where they lie in the end, in one mesh |
+//! | [`moved`](self) | the pieces where they lie in the end, in one mesh and apart |
 
 mod along;
 mod axes;
@@ -54,6 +54,7 @@ mod scan;
 mod scene;
 mod system;
 
+pub(crate) use moved::views_of;
 pub use pose::Pose;
 pub use request::{Aligned, Alignment, Options, Overlap, Reason, Start};
 pub use run::align;

@@ -2,9 +2,10 @@
 
 use super::pose::Pose;
 use super::request::Alignment;
+use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, Piece, PositionBuffer, concatenate};
+use crate::mesh::{Mesh, MeshView, Piece, PositionBuffer, Positions, concatenate};
 use glam::DVec3;
 
 const STAGE: &str = "moving the pieces";
@@ -32,6 +33,23 @@ impl Alignment {
         }
         Ok((whole, places))
     }
+}
+
+/// The pieces as they are in `moved`, with their own faces.
+pub(crate) fn views_of<'a>(
+    (whole, places): &'a (Mesh, Vec<Piece>),
+    pieces: &[MeshView<'a>],
+    job: &Job<'_>,
+) -> Result<Vec<MeshView<'a>>> {
+    let scalar = whole.positions.view().scalar();
+    let bytes: &[u8] = match &whole.positions {
+        PositionBuffer::F32(points) => bytemuck::cast_slice(points),
+        PositionBuffer::F64(points) => bytemuck::cast_slice(points),
+    };
+    alloc::try_collect(pieces.iter().zip(places).map(|(piece, place)| {
+        let own = &bytes[place.first_vertex as usize * scalar.position_size()..];
+        MeshView::new(Positions::strided(own, 0, piece.positions().len(), scalar)?, *piece.faces(), job)
+    }))
 }
 
 /// Moves points; the first one is vertex `first`.

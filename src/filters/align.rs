@@ -53,6 +53,19 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(moved.0, origins), Output::Text(report(&found))])
 }
 
+/// Why a piece is not trusted to lie right.
+pub(super) fn why_not(reason: Reason) -> &'static str {
+    match reason {
+        Reason::Trusted => "",
+        Reason::NoOverlap => "it lies on no other piece, or on too little of one",
+        Reason::PoorFit => "too much of it lies off the pieces that it is near",
+        Reason::Undetermined => "the overlaps leave it free to slide or to turn",
+        Reason::FacesOtherWay => "it faces the other way than the pieces that it lies on",
+        Reason::OtherSize => "its unit of length seems to be another",
+        Reason::TrustedByNone => "it fits pieces only that are not trusted",
+    }
+}
+
 fn report(found: &Alignment) -> Report {
     let trusted = found.pieces.iter().filter(|piece| piece.reason == Reason::Trusted).count();
     let mut text = format!(
@@ -63,13 +76,8 @@ fn report(found: &Alignment) -> Report {
     );
     for (k, piece) in found.pieces.iter().enumerate() {
         let why = match piece.reason {
-            Reason::Trusted => "trusted",
-            Reason::NoOverlap => "not trusted: it lies on no other piece, or on too little of one",
-            Reason::PoorFit => "not trusted: too much of it lies off the pieces that it is near",
-            Reason::Undetermined => "not trusted: the overlaps leave it free to slide or to turn",
-            Reason::FacesOtherWay => "not trusted: it faces the other way than the pieces that it lies on",
-            Reason::OtherSize => "not trusted: its unit of length seems to be another",
-            Reason::TrustedByNone => "not trusted: it fits pieces only that are not trusted",
+            Reason::Trusted => String::from("trusted"),
+            reason => format!("not trusted: {}", why_not(reason)),
         };
         push_line!(text, "piece {k}: {why}");
         push_pose(&mut text, &piece.pose);

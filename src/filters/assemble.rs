@@ -1,7 +1,9 @@
 use super::prelude::*;
-use super::report::{BOUNDARY_LOOP, EDGE, FACE};
+use super::align::why_not;
+use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE};
 use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};
+use crate::align::{self, Alignment, align};
 use crate::attributes::{KeepSplits, Origins};
 use crate::fill;
 use crate::repair::weld;
@@ -40,6 +42,10 @@ pub(super) const FILTER: Filter = Filter {
              reversed, each by its own volume, also inside others.",
         ),
         Param::choice("overlaps", "Overlaps", OVERLAPS.texts).with_help("The treatment of pieces that overlap."),
+        Param::flag("align", "Align first").with_help(
+            "Pieces that overlap are moved to where they fit before all else, as the filter align moves them from where they \
+             lie; the first one stays.",
+        ),
     ],
     ..Filter::new(MESH, TO_MESH_TEXT, run)
 };
@@ -110,15 +116,35 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         },
         ..Options::default()
     };
-    let mut done = assemble(&pieces, &options, job)?;
+    let aligned = match values.is_set("align") {
+        true => Some(align(&pieces, &align::Options::default(), &job.part(0.0, 0.2))?),
+        false => None,
+    };
+    let moved = aligned.as_ref().map(|found| found.moved(&pieces, &job.part(0.2, 0.2))).transpose()?;
+    let placed = match &moved {
+        Some(moved) => align::views_of(moved, &pieces, &job.part(0.2, 0.2))?,
+        None => alloc::copied(&pieces)?,
+    };
+    let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
+    let mut done = assemble(&placed, &options, job)?;
     done.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
-    let report = report(&done);
+    let report = report(&done, aligned.as_ref());
     let origins = values.origins(|| Origins::of_assembly(&done, &job.part(1.0, 1.0)))?;
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
-fn report(done: &Assembly) -> Report {
+fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     let mut text = String::new();
+    let mut trusted = 0;
+    for (k, piece) in aligned.iter().flat_map(|found| &found.pieces).enumerate() {
+        trusted += u32::from(piece.reason == align::Reason::Trusted);
+        if piece.reason != align::Reason::Trusted {
+            push_line!(text, "piece {k} may lie wrong: {}", why_not(piece.reason));
+        }
+    }
+    if let Some(found) = aligned {
+        push_line!(text, "{trusted} of {} trusted to lie right", counted(found.pieces.len(), PIECE));
+    }
     if done.trimmed_faces > 0 {
         push_line!(text, "{} trimmed from overlaps", counted(done.trimmed_faces, FACE));
     }
@@ -161,7 +187,7 @@ fn report(done: &Assembly) -> Report {
         push_line!(text, "closed without any volume, as one piece given twice: {}", done.zero_volume.len());
     }
     let joined = done.joints.iter().filter(|joint| matches!(joint.outcome, Outcome::Joined)).count();
-    let values = [
+    let mut values = vec![
         ("sewn_edges", f64::from(done.sewn_edges)),
         ("joins", joined as f64),
         ("refused_joins", (done.joints.len() - joined) as f64),
@@ -173,5 +199,8 @@ fn report(done: &Assembly) -> Report {
         ("trimmed_faces", f64::from(done.trimmed_faces)),
         ("blends", done.joints.iter().filter(|joint| joint.finish == Finish::Blend).count() as f64),
     ];
+    if aligned.is_some() {
+        values.push(("trusted_pieces", f64::from(trusted)));
+    }
     Report::new(text, &values)
 }

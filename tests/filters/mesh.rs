@@ -78,7 +78,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
     for (id, flag, soups, later) in [
         ("stitch", "outward", &turned[..], 0),
         ("fill_holes", "outward", &turned[..1], 0),
-        ("assemble", "keep_inside_out", &turned[..], 1),
+        ("assemble", "keep_inside_out", &turned[..], 2),
     ] {
         let params = Filter::find(id).unwrap().params;
         let place = params.iter().position(|param| param.id == flag).unwrap();

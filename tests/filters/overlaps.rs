@@ -112,6 +112,26 @@ fn far_away(soup: &Soup) -> Soup {
     Soup { points, ..soup.clone() }
 }
 
+/// Moved apart, aligned, trimmed and joined in one go: closed, with the bits of the piece that stays.
+#[test]
+fn pieces_that_were_moved_apart_become_one() {
+    let [first, second] = halves();
+    let (rotation, shift) = motion();
+    let mut moved = second;
+    moved.points.iter_mut().for_each(|p| *p = (rotation * DVec3::from(*p) + shift).to_array());
+    let set: &[(&str, &[f64])] = &[("align", &[1.0]), ("overlaps", &[1.0]), ("holes", &[1.0])];
+    let outputs = traced("assemble", &[first.clone(), moved], set);
+    let (at, faces) = mesh(&outputs[0]);
+    assert_eq!(euler(faces.iter().copied()), 2);
+    assert_eq!(["trusted_pieces", "boundary_loops"].map(|name| value(&outputs[1], name)), [2.0, 0.0]);
+    assert!(text(&outputs[1]).starts_with("2 of 2 pieces trusted to lie right\n"), "{}", text(&outputs[1]));
+    let expected: Vec<[f64; 3]> = halves().into_iter().flat_map(|half| half.points).collect();
+    let near = at.iter().filter(|p| expected.iter().any(|q| DVec3::from(**p).distance(DVec3::from(*q)) < 0.02));
+    assert_eq!(near.count(), at.len());
+    let kept = at.iter().filter(|p| first.points.contains(p)).count();
+    assert!(kept > first.points.len() / 2, "{kept}");
+}
+
 #[test]
 fn of_overlaps_one_piece_is_kept() {
     let given = halves();

@@ -42,7 +42,7 @@ RunRequest request_of(const Arguments &arguments, const CommandSpec &spec) {
     RunRequest request;
     request.command = arguments.command;
     request.filter = spec.filter.empty() ? arguments.one("filter") : spec.filter;
-    request.inputs = arguments.all("input");
+    request.inputs = input_files(arguments.all("input"));
     request.params = arguments.all("--param");
     for (const OptionSpec &option : spec.options) {
         if (!option.parameter.empty() && arguments.has(option.name)) {
@@ -85,7 +85,7 @@ void show_filters(const Plugin &plugin, const Arguments &arguments) {
     const auto inputs = arguments.all("input");
     Suggested suggested{};
     if (!inputs.empty()) {
-        suggested = suggest(filter, Inputs(filter, inputs));
+        suggested = suggest(filter, Inputs(filter, input_files(inputs)));
     }
     if (suggested.status != GUSSET_PLUGIN_DONE) {
         throw Failure(exit_of(suggested.status), std::string(filter.id) + " refuses these inputs (status " +

@@ -111,13 +111,17 @@ void check_count(const gusset_filter &filter, std::size_t count) {
     throw Failure(Exit::usage, std::string(filter.id) + " takes " + range + ", not " + std::to_string(count));
 }
 
-Inputs::Inputs(const gusset_filter &filter, const std::vector<std::string> &paths) {
-    check_count(filter, paths.size());
-    for (std::size_t i = 0; i < paths.size(); ++i) {
+Inputs::Inputs(const gusset_filter &filter, const std::vector<InputFile> &files) {
+    check_count(filter, files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
         if (input_kind(filter, i) == GUSSET_KIND_CURVES) {
-            read.emplace_back(read_curves(paths[i]));
+            read.emplace_back(read_curves(files[i].path));
         } else {
-            read.emplace_back(read_mesh(paths[i]));
+            Mesh mesh = read_mesh(files[i].path);
+            if (files[i].pose) {
+                place(mesh, *files[i].pose);
+            }
+            read.emplace_back(std::move(mesh));
         }
     }
     // Their addresses are final from here on.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/files.hpp"
+#include "formats/placed.hpp"
 #include "mesh.hpp"
 
 #include <gusset_plugin.h>
@@ -44,7 +45,7 @@ void check_count(const gusset_filter &filter, std::size_t count);
 class Inputs {
 public:
     /// Reads each file as the filter wants that input to be. Throws Failure.
-    Inputs(const gusset_filter &filter, const std::vector<std::string> &paths);
+    Inputs(const gusset_filter &filter, const std::vector<InputFile> &files);
     const gusset_input *data() const { return inputs.data(); }
     uint32_t count() const { return static_cast<uint32_t>(inputs.size()); }
     const std::vector<std::variant<Mesh, Curves>> &geometry() const { return read; }

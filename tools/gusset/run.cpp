@@ -51,7 +51,7 @@ Failure refusal(const Plugin &plugin, const gusset_filter &filter, const RunRequ
         text += std::string(", parameter ") + filter.param(&filter, failure.param)->id;
     }
     if (failure.input < request.inputs.size()) {
-        text += ", input " + std::to_string(failure.input + 1) + ": " + request.inputs[failure.input];
+        text += ", input " + std::to_string(failure.input + 1) + ": " + request.inputs[failure.input].path;
     }
     if (is_place(failure.element)) {
         text +=
@@ -170,9 +170,9 @@ std::vector<Piece> pieces_of(const Inputs &inputs, const RunRequest &request, st
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < inputs.geometry().size(); ++i) {
         if (const auto *mesh = std::get_if<Mesh>(&inputs.geometry()[i])) {
-            pieces.push_back({mesh, request.inputs[i]});
+            pieces.push_back({mesh, request.inputs[i].path});
             for (const std::string &what : mesh->unread) {
-                lost.push_back(what + " of " + request.inputs[i]);
+                lost.push_back(what + " of " + request.inputs[i].path);
             }
         }
     }
@@ -239,7 +239,7 @@ Json inputs_of_run(const Inputs &inputs, const RunRequest &request) {
     Json made = Json::array();
     for (std::size_t i = 0; i < request.inputs.size(); ++i) {
         made.push_back(
-            std::visit([&](const auto &one) { return json_of(request.inputs[i], one); }, inputs.geometry()[i]));
+            std::visit([&](const auto &one) { return json_of(request.inputs[i].path, one); }, inputs.geometry()[i]));
     }
     return made;
 }
@@ -302,10 +302,17 @@ void convert(const RunRequest &request) {
         throw Failure(Exit::usage, "convert writes a mesh: name its file with -o");
     }
     check_mesh_name(request.outputs[0]);
-    const Mesh mesh = read_mesh(request.inputs[0]);
+    if (request.inputs.size() != 1) {
+        throw Failure(Exit::usage, "convert reads one mesh");
+    }
+    const InputFile &file = request.inputs[0];
+    Mesh mesh = read_mesh(file.path);
+    if (file.pose) {
+        place(mesh, *file.pose);
+    }
     Losses lost;
     for (const std::string &what : mesh.unread) {
-        lost.push_back(what + " of " + request.inputs[0]);
+        lost.push_back(what + " of " + file.path);
     }
     const Losses in_the_file = write_mesh(request.outputs[0], mesh, request.text);
     lost.insert(lost.end(), in_the_file.begin(), in_the_file.end());
@@ -313,7 +320,7 @@ void convert(const RunRequest &request) {
     made["lost"] = tell_losses(request.outputs[0], lost);
     if (request.json) {
         const Json report = {{"command", request.command},
-                             {"inputs", Json::array({json_of(request.inputs[0], mesh)})},
+                             {"inputs", Json::array({json_of(file.path, mesh)})},
                              {"outputs", Json::array({made})}};
         std::cout << report.dump(2) << '\n';
     }

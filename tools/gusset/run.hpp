@@ -12,7 +12,7 @@
 struct RunRequest {
     std::string command;
     std::string filter;
-    std::vector<std::string> inputs;
+    std::vector<InputFile> inputs;
     /// "name=value".
     std::vector<std::string> params;
     std::vector<std::string> outputs;

@@ -8,8 +8,8 @@
 const char *const program_summary = "Joins, fills, mends and checks meshes in files.";
 
 const char *const formats_text =
-    "Meshes are .obj, .ply, .stl, .off, .gltf or .glb files, curves are the lines (l) of .obj files; a line that ends "
-    "where it begins is closed. Colours, normals, texture coordinates and materials are kept: old vertices and faces "
+    "Meshes are .obj, .ply, .stl, .off, .gltf or .glb files, or .conf files that list scans and where they lie; curves are "
+    "the lines (l) of .obj files; a line that ends where it begins is closed. Colours, normals, texture coordinates and materials are kept: old vertices and faces "
     "have what they had, new ones what they lie between. What a format cannot hold is named on the standard error. "
     "PLY and STL files are written in binary, unless --text is given.";
 

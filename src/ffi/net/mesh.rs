@@ -161,7 +161,7 @@ impl gusset_net_mesh_options {
 /// @param options NULL for the defaults.
 /// @param[out] mesh receives the result, for gusset_net_mesh_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-///     UNKNOWN_VALUE, OPTION_OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
+///     UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY,
 ///     CANCELLED.
 /// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
 /// @since 0.1

@@ -86,6 +86,12 @@ PlyHeader read_ply_header(Scanner &scanner) {
             property(scanner, header, words);
         } else if (words[0] == "comment" && words.size() > 2 && words[1] == "TextureFile") {
             header.textures.emplace_back(words[2]);
+        } else if (words[0] == "obj_info" && words.size() == 3 && (words[1] == "num_rows" || words[1] == "num_cols")) {
+            const auto count = number_in(words[2]);
+            if (!count || !(*count >= 0 && *count <= UINT32_MAX)) {
+                scanner.fail("a grid needs a count of its rows and columns");
+            }
+            (words[1] == "num_rows" ? header.rows : header.columns) = static_cast<std::size_t>(*count);
         } else if (words[0] != "comment" && words[0] != "obj_info") {
             scanner.fail("\"" + std::string(words[0]) + "\" means nothing in a header");
         }

@@ -29,6 +29,8 @@ struct PlyHeader {
     Form form = Form::text;
     std::vector<PlyElement> elements;
     std::vector<std::string> textures;
+    /// Of a range image, if its header says so: the grid's size.
+    std::size_t rows = 0, columns = 0;
 };
 
 /// Leaves the scanner where the elements begin. Throws Failure.

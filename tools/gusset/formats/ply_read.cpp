@@ -5,6 +5,7 @@
 #include "bytes.hpp"
 #include "formats.hpp"
 #include "ply_header.hpp"
+#include "range_grid.hpp"
 
 #include <algorithm>
 
@@ -294,6 +295,23 @@ void read_faces(const std::string &path, Source &source, const PlyElement &eleme
         mesh.texcoords = std::move(texcoords);
     }
 }
+/// For each place of the grid a vertex, or none.
+std::vector<uint32_t> read_grid(Source &source, const PlyElement &element, const Mesh &mesh) {
+    std::vector<uint32_t> grid(element.count, unseen);
+    for (std::size_t k = 0; k < element.count; ++k) {
+        const Element of{"place of the grid", k};
+        source.row(element, of);
+        if (source.lists.empty() || source.lists[0].empty()) {
+            continue;
+        }
+        const double v = source.lists[0][0];
+        if (!(v >= 0 && v < static_cast<double>(mesh.points.size()))) {
+            source.fail(of, "it names a vertex that there is not");
+        }
+        grid[k] = static_cast<uint32_t>(v);
+    }
+    return grid;
+}
 } // namespace
 
 Mesh read_ply(const std::string &path) {
@@ -309,6 +327,9 @@ Mesh read_ply(const std::string &path) {
             has_vertices = true;
         } else if (element.name == "face" && has_vertices) {
             read_faces(path, source, element, mesh);
+        } else if (element.name == "range_grid" && has_vertices && header.columns > 0 &&
+                   element.count == header.rows * header.columns) {
+            add_range_faces(mesh, read_grid(source, element, mesh), header.columns);
         } else {
             for (std::size_t k = 0; k < element.count; ++k) {
                 source.row(element, {element.name.c_str(), k});
