@@ -96,7 +96,7 @@ impl Boxes {
         let order = spatial_order(boxes, 1, job, "looking for intersections")?;
         let leaves = order.iter().map(|&k| boxes[k as usize]);
         let leaves = alloc::collect_cancellable(leaves, &job.part(1.0, 1.0), "looking for intersections")?;
-        let tree = BoxTree::new(leaves.into_iter())?;
+        let tree = BoxTree::new_cancellable(leaves.into_iter(), &job.part(1.0, 1.0), "looking for intersections")?;
         Ok(Boxes { tree, order })
     }
 

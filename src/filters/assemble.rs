@@ -1,5 +1,5 @@
-use super::prelude::*;
 use super::align::why_not;
+use super::prelude::*;
 use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE};
 use super::stitch::{FAIRING_HELP, FINISH_HELP};
 use super::weld::{TOLERANCES, tolerance};

@@ -30,9 +30,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let from = alloc::collect((0..positions.len()).map(|v| positions.get(v as u32)))?;
     let nearest = smooth::nearest(&surface, &from, Element::Vertex, &job.part(0.3, 1.0))?;
     let strength = values.number("strength");
+    job.step(1.0, "moving vertices")?;
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(from.iter().zip(&nearest).map(|(from, to)| from.lerp(to.point, strength)))?;
+    job.step(1.0, "moving vertices")?;
     let report = distances(VERTEX, from.iter().zip(&nearest).map(|(from, to)| from.distance(to.point)));
+    job.step(1.0, "moving vertices")?;
     let moved = moved_output(with_positions(mesh, moved)?, inputs, values, job)?;
     Ok(vec![moved, Output::Text(report)])
 }

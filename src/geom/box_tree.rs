@@ -21,14 +21,32 @@ pub(crate) struct BoxTree {
 impl BoxTree {
     /// O(n).
     pub(crate) fn new(boxes: impl ExactSizeIterator<Item = Aabb>) -> Result<Self> {
-        let leaves = boxes.len().next_power_of_two();
-        let mut nodes = alloc::filled(Aabb::EMPTY, 2 * leaves)?;
-        for (node, b) in nodes[leaves..].iter_mut().zip(boxes) {
-            *node = b;
-        }
-        for k in (1..leaves).rev() {
-            nodes[k] = nodes[2 * k].union(nodes[2 * k + 1]);
-        }
+        Self::new_cancellable(boxes, &Job::default(), "")
+    }
+
+    /// The same of so many that a host would wait.
+    pub(crate) fn new_cancellable(
+        mut boxes: impl ExactSizeIterator<Item = Aabb>,
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> Result<Self> {
+        let (count, leaves) = (boxes.len(), boxes.len().next_power_of_two());
+        let mut nodes = alloc::with_capacity(2 * leaves)?;
+        job.ranges(stage, leaves, |range| {
+            nodes.resize(range.end, Aabb::EMPTY);
+            Ok(())
+        })?;
+        job.ranges(stage, count, |range| {
+            nodes.extend(boxes.by_ref().take(range.len()));
+            Ok(())
+        })?;
+        nodes.resize(2 * leaves, Aabb::EMPTY);
+        job.ranges(stage, leaves, |range| {
+            for k in range.map(|k| leaves - k).filter(|&k| k < leaves) {
+                nodes[k] = nodes[2 * k].union(nodes[2 * k + 1]);
+            }
+            Ok(())
+        })?;
         Ok(BoxTree { nodes, leaves })
     }
 

@@ -84,7 +84,7 @@ pub(crate) fn intersecting_pairs_where(
     let order = spatial_order(&boxes, LEAF_TRIANGLES, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
-    let tree = BoxTree::new(order.chunks(LEAF_TRIANGLES).map(leaf_box))?;
+    let tree = BoxTree::new_cancellable(order.chunks(LEAF_TRIANGLES).map(leaf_box), &job.part(0.0, 0.0), STAGE)?;
     job.step(0.0, STAGE)?;
     let turned = oriented_boxes(&order, |i| soup.new[i as usize].map(&soup.at), &job.part(0.0, 0.0))?;
     let report = |k| job.part(0.0, 0.0).step_every(GROUPS_PER_REPORT, k, order.len(), STAGE);

@@ -9,6 +9,7 @@ use crate::geom::bit_set::BitSet;
 use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
+use crate::sort::sort;
 use glam::DVec3;
 
 const STAGE: &str = "trimming the pieces";
@@ -96,11 +97,13 @@ impl<'m, 'a> Region<'m, 'a> {
         for (f, keeps) in self.keeps.iter_mut().enumerate() {
             *keeps = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
+        job.step(0.1, STAGE)?;
         let holes = self.sizes_within(&self.keeps, &self.keeps, job)?;
         for f in 0..self.keeps.len() {
             let is_small_hole = self.keeps[f] && holes[f][0] < SPARE.saturating_mul(min_faces);
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
+        job.step(0.3, STAGE)?;
         self.open()?;
         for _ in 0..MAX_ROUNDS {
             job.step(0.5, STAGE)?;
@@ -111,6 +114,7 @@ impl<'m, 'a> Region<'m, 'a> {
         // How many of each island no other piece shows.
         let is_needed = |f: usize| self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
         let needed = alloc::collect((0..self.keeps.len()).map(is_needed))?;
+        job.step(0.8, STAGE)?;
         let islands = self.sizes_within(&self.keeps, &needed, job)?;
         let mut any = false;
         for f in 0..self.keeps.len() {
@@ -213,6 +217,7 @@ impl<'m, 'a> Region<'m, 'a> {
         let roots = sets.into_roots(job, STAGE)?;
         let mut sums = alloc::filled([0u32; 2], count)?;
         for f in (0..count).filter(|&f| among[f]) {
+            job.part(1.0, 1.0).step_within(f, STAGE)?;
             let sum = &mut sums[roots[f] as usize];
             *sum = [sum[0] + 1, sum[1] + u32::from(counted[f])];
         }
@@ -273,18 +278,19 @@ impl<'m, 'a> Region<'m, 'a> {
         // The faces at each such vertex, and those beside them across the edges that end there.
         let mut corners: Vec<(u32, u32, [u32; 2])> = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            job.part(0.0, 0.0).step_within(f, STAGE)?;
             let beside = self.beside(f);
             for (k, v) in self.mesh.face(f).enumerate().filter(|&(_, v)| touched.contains(v)) {
                 let before = beside[(k + beside.len() - 1) % beside.len()];
                 alloc::push(&mut corners, (v, f as u32, [before, beside[k]]))?;
             }
         }
-        corners.sort_unstable();
+        sort(&mut corners, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
         let (mut any, mut fans, mut sizes) = (false, DisjointSets::new(0)?, Vec::new());
-        job.step(0.5, STAGE)?;
         for round in corners.chunk_by(|x, y| x.0 == y.0) {
             fans.reset(round.len())?;
             for (k, (_, _, beside)) in round.iter().enumerate() {
+                job.part(0.5, 0.5).step_within(k, STAGE)?;
                 for g in beside {
                     if let Ok(j) = round.binary_search_by_key(g, |corner| corner.1) {
                         fans.union(k as u32, j as u32);
@@ -295,6 +301,7 @@ impl<'m, 'a> Region<'m, 'a> {
             (0..round.len() as u32).for_each(|k| sizes[fans.find(k) as usize] += 1);
             let largest = (0..round.len()).fold(0, |best, k| if sizes[k] > sizes[best] { k } else { best });
             for (k, &(_, f, _)) in round.iter().enumerate() {
+                job.part(0.5, 0.5).step_within(k, STAGE)?;
                 if fans.find(k as u32) as usize != largest {
                     any |= self.keeps[f as usize];
                     self.keeps[f as usize] = false;

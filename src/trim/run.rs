@@ -16,6 +16,7 @@ use crate::mesh::MeshView;
 use crate::sort::sort_distinct;
 use std::ops::ControlFlow;
 
+const STAGE: &str = "trimming the pieces";
 /// Surfaces that are no farther apart are one, in mean edges, if the caller says nothing.
 const EDGES: f64 = 4.0;
 /// Surfaces whose normals differ by more are two, in radians, if the caller says nothing.
@@ -100,6 +101,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         if round + 2 < MAX_ROUNDS {
             let mut back = false;
             for k in 0..count {
+                job.step(0.7, STAGE)?;
                 let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
                 let on = alloc::collect((0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept)))?;
                 back |= regions[k].give_back(&on, min_faces, &job.part(0.7, 0.7))?;
@@ -144,6 +146,7 @@ fn keep(
     let (before, rest) = regions.split_at_mut(k);
     let (own, after) = rest.split_at_mut(1);
     let points = &layer.scan.points;
+    job.step(0.0, STAGE)?;
     let mut margins = alloc::collect((0..points.len()).map(|v| {
         let competes = |piece: u32, face: u32| match (piece as usize).checked_sub(k + 1) {
             Some(j) => !after[j].lost[face as usize],
@@ -154,11 +157,12 @@ fn keep(
     own[0].smooth(&mut margins, SMOOTHINGS, job)?;
     let mut rims = [Rims::default(), Rims::default()];
     for (region, other) in before.iter().zip(layers) {
+        job.step(0.0, STAGE)?;
         if layer.scan.bounds.is_within(&other.scan.bounds, GAP * other.scan.spacing) {
             region.rim(&other.scan, &mut rims)?;
         }
     }
-    let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, "trimming the pieces")))?;
+    let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, STAGE)))?;
     let gap = Radius::new((GAP * layer.scan.spacing).max(f64::MIN_POSITIVE));
     let is_near_rim = |v: usize| {
         let bars = |rims: &Rims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
@@ -171,10 +175,11 @@ fn keep(
     };
     let mut barred = alloc::with_capacity(points.len())?;
     for v in 0..points.len() {
-        job.step_every(1 << 14, v, points.len(), "trimming the pieces")?;
+        job.step_every(1 << 14, v, points.len(), STAGE)?;
         let is_kept = |piece: u32, face: u32| before.get(piece as usize).is_some_and(|r| r.keeps[face as usize]);
         barred.push(covers[k].is_on(v, is_kept) || is_near_rim(v));
     }
+    job.step(0.0, STAGE)?;
     let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -BIAS))?;
     let shown = alloc::collect((0..points.len()).map(|v| {
         covers[k].is_on(v, |piece, face| match (piece as usize).checked_sub(k + 1) {
@@ -182,6 +187,7 @@ fn keep(
             None => false,
         })
     }))?;
+    job.step(0.0, STAGE)?;
     own[0].keep_where(&wanted, &barred, &shown, min_faces, job)
 }
 
