@@ -7,6 +7,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, PositionBuffer, check_size};
+use std::ops::Range;
 
 /// Faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
@@ -37,26 +38,35 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     let sources = alloc::collect(splits.iter().map(|split| split.vertex))?;
     positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view())?;
 
+    // A split adds two faces or a corner at the most.
+    let (corners, count) = (mesh.faces().half_edge_count() + 6 * splits.len(), faces + 2 * splits.len());
+    let mut face_offsets = alloc::with_capacity(count + 1)?;
+    face_offsets.push(0);
     let mut done = SplitMesh {
-        mesh: Mesh::new(positions, alloc::filled(0, 1)?, Vec::new()),
-        face_origin: Vec::new(),
-        corner_origins: CornerOrigins::default(),
+        mesh: Mesh::new(positions, face_offsets, alloc::with_capacity(corners)?),
+        face_origin: alloc::with_capacity(count)?,
+        corner_origins: CornerOrigins { corners: alloc::with_capacity(corners)?, on_edges: Vec::new() },
         new_vertices: alloc::collect(splits.iter().map(|split| (edges[split.edge as usize].ends, split.at)))?,
         split_faces: 0,
     };
     let face_of = |k: usize| splits.get(k).map(|split| edges[split.edge as usize].face as usize);
     let (mut next, mut split_face) = (0, SplitFace::default());
-    for f in 0..faces {
-        job.step_every(REPORT_INTERVAL, f, faces, STAGE)?;
+    let (mut f, mut reported) = (0, 0);
+    while f < faces {
+        if f >= reported + REPORT_INTERVAL {
+            job.step(f as f64 / faces as f64, STAGE)?;
+            reported = f;
+        }
+        // Faces that stay as they are, many at once.
+        let until = face_of(next).unwrap_or(faces).min(f + REPORT_INTERVAL);
+        if f < until {
+            done.append(mesh, f..until)?;
+            f = until;
+            continue;
+        }
         let first = next;
         while face_of(next) == Some(f) {
             next += 1;
-        }
-        if first == next {
-            alloc::extend(&mut done.mesh.face_corners, mesh.face(f))?;
-            alloc::extend(&mut done.corner_origins.corners, mesh.faces().range(f).map(|h| h as u32))?;
-            done.end_face(f)?;
-            continue;
         }
         let half_edge = |k: usize| edges[splits[k].edge as usize].half_edge;
         split_face.set(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
@@ -68,11 +78,24 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
             }
             done.end_face(f)
         })?;
+        f += 1;
     }
     Ok(done)
 }
 
 impl SplitMesh {
+    /// Appends some faces, not none, as they are.
+    fn append(&mut self, mesh: &MeshView<'_>, range: Range<usize>) -> Result<()> {
+        let given = mesh.faces();
+        let corners = given.range(range.start).start..given.range(range.end - 1).end;
+        let shift = self.mesh.face_corners.len();
+        let ends = range.clone().map(|f| (given.range(f).end - corners.start + shift) as u32);
+        alloc::extend(&mut self.mesh.face_offsets, ends)?;
+        alloc::extend(&mut self.mesh.face_corners, given.corners(corners.clone()))?;
+        alloc::extend(&mut self.corner_origins.corners, corners.map(|h| h as u32))?;
+        alloc::extend(&mut self.face_origin, range.map(|f| f as u32))
+    }
+
     /// Ends a face that was a part of face `f`.
     fn end_face(&mut self, f: usize) -> Result<()> {
         alloc::push(&mut self.mesh.face_offsets, self.mesh.face_corners.len() as u32)?;

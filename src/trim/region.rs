@@ -117,9 +117,8 @@ impl<'m, 'a> Region<'m, 'a> {
         job.step(0.8, STAGE)?;
         let islands = self.sizes_within(&self.keeps, &needed, job)?;
         let mut any = false;
-        for f in 0..self.keeps.len() {
+        for (f, &[size, needed]) in islands.iter().enumerate() {
             // What others show as well can be spared.
-            let [size, needed] = islands[f];
             let least = if 2 * needed < size { SPARE.saturating_mul(min_faces) } else { min_faces };
             // Small pieces may have nothing larger; beside large components they are debris.
             let is_own = size == self.component[f] && size.saturating_mul(DEBRIS) >= self.largest;
