@@ -100,7 +100,9 @@ impl<'m, 'a> Region<'m, 'a> {
         job.step(0.1, STAGE)?;
         let holes = self.sizes_within(&self.keeps, &self.keeps, job)?;
         for f in 0..self.keeps.len() {
-            let is_small_hole = self.keeps[f] && holes[f][0] < SPARE.saturating_mul(min_faces);
+            // What is most of a component is no hole in it.
+            let is_hole = 2 * holes[f][0] < self.component[f];
+            let is_small_hole = self.keeps[f] && is_hole && holes[f][0] < SPARE.saturating_mul(min_faces);
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
         job.step(0.3, STAGE)?;

@@ -221,4 +221,14 @@ fn what_was_seen_stays_where_nothing_overlaps() {
     let [left, right] = [half(false), half(true)];
     let done = joined(&[left, right], Shape::Sheet);
     assert_eq!((done.trimmed_faces, done.loops_left, done.welded_vertices), (0, 1, 41));
+    // Of a coarse piece on a fine one nothing is kept, whichever comes first.
+    for n in [8, 16, 20, 30] {
+        let coarse = grid(n, n, false, |s, t| sheet_at(0.3 + 0.4 * s, 0.3 + 0.4 * t));
+        let fine = grid(150, 150, false, sheet_at);
+        for views in [[coarse.view(), fine.view()], [fine.view(), coarse.view()]] {
+            let trimmed = trim(&views, &trim::Options::default(), &Job::default()).unwrap();
+            let least = trimmed.kept.iter().map(Vec::len).min();
+            assert_eq!(least, Some(0), "{n}");
+        }
+    }
 }

@@ -361,6 +361,16 @@ fn steps_of_range_images_are_left_out() {
             assert!(all.into_iter().filter(is_flat).eq(left));
             assert_eq!(made.mesh.positions.len(), net.shape().node_count());
         }
+        // Cells that are far longer than wide are no steps, nor are those without any length.
+        for stretch in [DVec3::new(1.0, 4.5, 1.0), DVec3::new(4.5, 1.0, 1.0), DVec3::ZERO] {
+            let topology = Topology::of_sides(shape(12, 14), Sides::SHEET);
+            let flat = |i: usize, j: usize| stretch * DVec3::new(j as f64, i as f64, 0.0);
+            let net = Net::from_fn(topology, Scalar::F64, flat).unwrap();
+            for ratio in [4.0, f64::INFINITY] {
+                let options = MeshOptions { max_edge_ratio: Some(ratio), ..MeshOptions::default() };
+                assert_eq!(net.to_mesh(&options, &job()).unwrap().mesh.face_count(), 11 * 13);
+            }
+        }
         let none = net.to_mesh(&MeshOptions { max_edge_ratio: Some(1e-9), ..MeshOptions::default() }, &job()).unwrap();
         assert_eq!((none.mesh.face_count(), none.mesh.positions.len()), (0, 0));
         for bad in [0.0, -1.0, f64::NAN] {

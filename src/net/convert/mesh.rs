@@ -19,8 +19,8 @@ use std::iter::repeat_n;
 
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
-/// About so many edges tell what length is usual.
-const EDGES_LOOKED_AT: usize = 1 << 16;
+/// The edges of about so many faces tell what length is usual.
+const FACES_LOOKED_AT: usize = 1 << 14;
 const FACES: &str = "cells to faces";
 const NUMBERS: &str = "numbering vertices";
 
@@ -328,16 +328,18 @@ impl<T: Real> FaceBuilder<'_, T> {
         alloc::push(&mut self.cells, cell)
     }
 
-    /// Leaves out faces with an edge of more than `ratio` times the usual length: the median over
-    /// edges taken evenly from the faces. O(faces).
+    /// Leaves out faces with an edge of more than `ratio` times the usual length: the median over the
+    /// edges of faces taken evenly, but for those without a length. O(faces).
     fn leave_out_long(&mut self, ratio: f64, job: &Job<'_>) -> Result<()> {
         let squared = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
-        // One of each face, which may be any but the diagonal.
-        let firsts = self.offsets[..self.cells.len()].iter().step_by(self.cells.len() / EDGES_LOOKED_AT + 1);
-        let [first, second] = if self.reversed { [1, 2] } else { [0, 1] };
-        let firsts =
-            firsts.map(|&start| squared(self.nodes[start as usize + first], self.nodes[start as usize + second]));
-        let mut lengths = alloc::gather(firsts)?;
+        let looked_at = self.offsets.windows(2).step_by(self.cells.len() / FACES_LOOKED_AT + 1);
+        let mut lengths = Vec::new();
+        for ends in looked_at {
+            let face = &self.nodes[ends[0] as usize..ends[1] as usize];
+            let nexts = face.iter().skip(1).chain(face.first());
+            let edges = face.iter().zip(nexts).map(|(&p, &q)| squared(p, q));
+            alloc::extend(&mut lengths, edges.filter(|&length| length > 0.0))?;
+        }
         if lengths.is_empty() {
             return Ok(());
         }

@@ -26,10 +26,10 @@ struct Patch {
 
 impl Patch {
     /// True if its rim goes round most of what it closes, rather than round a gap that trimming
-    /// left or a hole in it, and it cuts that in more than a place or two. A disc of F triangles
-    /// has a rim of some 2.3 sqrt(F) edges, and a square one of 2.8 sqrt(F).
+    /// left or a hole in it. A disc of F triangles has a rim of some 2.3 sqrt(F) edges, and a square
+    /// one of 2.8 sqrt(F).
     fn lies_on_surface(&self) -> bool {
-        2 * self.beside <= self.rim && 4 * self.cuts > self.rim && self.rim * self.rim > self.part
+        2 * self.beside <= self.rim && self.rim * self.rim > 2 * self.part
     }
 }
 

@@ -16,7 +16,11 @@ Pose pose_of(const std::array<double, 7> &numbers) {
 }
 
 void read_conf(const std::string &path, std::vector<InputFile> &files) {
-    const std::string text = load(path);
+    std::string text = load(path);
+    // A mark of the order of bytes is no part of the first word.
+    if (text.rfind("\xef\xbb\xbf", 0) == 0) {
+        text.erase(0, 3);
+    }
     Scanner scanner(path, text, '#');
     const auto folder = std::filesystem::path(path).parent_path();
     const std::size_t before = files.size();
