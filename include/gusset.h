@@ -423,6 +423,7 @@
  * fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
  * scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
  * more.
+ * Pieces that hold each other fast, but could slide together along the rest, pass, too.
  */
 #define GUSSET_ALIGNED_TRUSTED 0
 

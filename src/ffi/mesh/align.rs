@@ -19,6 +19,7 @@ pub const GUSSET_ALIGN_RIMS: u32 = 2;
 /// fits is judged by mean edges: a smooth surface that lies within one of another, as a slightly
 /// scaled one or its mirror image may, passes for it. The rms of its overlaps, and converged, say
 /// more.
+/// Pieces that hold each other fast, but could slide together along the rest, pass, too.
 pub const GUSSET_ALIGNED_TRUSTED: u32 = 0;
 /// It has no faces with an area, or too little of it lies on other pieces.
 pub const GUSSET_ALIGNED_NO_OVERLAP: u32 = 1;

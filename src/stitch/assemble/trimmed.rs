@@ -18,8 +18,6 @@ struct Patch {
     rim: usize,
     /// Those of them that are beside what was trimmed.
     beside: usize,
-    /// Pairs of faces that one of its own is in.
-    cuts: usize,
     /// Faces of the part that it closes.
     part: usize,
 }
@@ -48,13 +46,12 @@ impl Patches {
         holes.sort_unstable_by_key(|hole| (hole.faces.start, hole.rim.start));
         for hole in holes {
             let at = |end: u32| cutting.partition_point(|&f| f < end);
-            let cuts = at(hole.faces.end) - at(hole.faces.start);
-            if cuts == 0 {
+            if at(hole.faces.end) == at(hole.faces.start) {
                 continue;
             }
             // Several loops may have one patch.
             if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
-                alloc::push(&mut patches, Patch { faces: hole.faces.clone(), rim: 0, beside: 0, cuts, part: 0 })?;
+                alloc::push(&mut patches, Patch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
             }
             let last = patches.len() - 1;
             let rim = &done.hole_rims[hole.rim.clone()];
