@@ -3675,8 +3675,7 @@ typedef struct gusset_fill_view {
     /**
      * How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
      * new vertices. They place it at the nearest point of the plain triangulation of the rims,
-     * which it is itself where the hole is flat; elsewhere flips of triangles have bent the patch, and
-     * fairing and creases more so.
+     * which it is itself if its patch was neither faired nor creased, or if the hole is flat.
      */
     const double *weights;
     /**

@@ -11,6 +11,7 @@ use crate::alloc;
 use crate::blend::{self, Limits, Way};
 use crate::error::Result;
 use crate::geom::Aabb;
+use crate::geom::triangle_places::nearest_places;
 use crate::job::Job;
 use crate::remesh::PatchMesh;
 use glam::DVec3;
@@ -152,9 +153,13 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         if !is_near(rim, &made.points) {
             return Ok(None);
         }
-        // Without fairing they have moved along the plain triangles only.
-        let unfaired = if way == Way::UNFAIRED { alloc::copied(&made.points)? } else { made.unfaired };
-        Ok(Some(Patch { points: made.points, unfaired, coarse, triangles: made.triangles }))
+        if way != Way::UNFAIRED {
+            return Ok(Some(Patch { points: made.points, unfaired: made.unfaired, coarse, triangles: made.triangles }));
+        }
+        // Flips and moves cut the corners of a bent triangulation: back to it, so that each vertex
+        // is where the vertices that it comes from say.
+        let points = on_triangles(&rim.points[..rim.count], &coarse, &made.points, &job.part(1.0, 1.0))?;
+        Ok(Some(Patch { unfaired: alloc::copied(&points)?, points, coarse, triangles: made.triangles }))
     }
 
     /// The patch of parts between creases; `None` if none go on, too. `whole`: the first triangulation
@@ -212,6 +217,13 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
 fn limits(limit: u32) -> Limits {
     let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
     Limits { new, at_rim, growth: f64::INFINITY }
+}
+
+/// The places on triangles that are nearest to points.
+fn on_triangles(rim: &[DVec3], triangles: &[[u32; 3]], points: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
+    let places = nearest_places(rim, triangles, points, "refining", job)?;
+    let at = |v: u32| rim[v as usize];
+    alloc::collect(places.iter().map(|&(of, weights)| of.into_iter().zip(weights).map(|(v, w)| w * at(v)).sum()))
 }
 
 fn is_near(rim: &Rim, points: &[DVec3]) -> bool {

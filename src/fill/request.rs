@@ -233,9 +233,9 @@ pub struct Filled {
     pub rims: Vec<u32>,
     /// Of each new vertex, in their order, three vertices of its patch's rims.
     pub parents: Vec<[u32; 3]>,
-    /// How much it has of each of them; at least 0, with sum 1. They place it at the
-    /// nearest point of the plain triangulation of the rims, which it is itself where the hole is flat;
-    /// elsewhere flips of triangles have bent the patch, and fairing and creases more so.
+    /// How much it has of each of them; at least 0, with sum 1. They place it at the nearest point
+    /// of the plain triangulation of the rims, which it is itself if its patch was neither faired nor
+    /// creased, or if the hole is flat.
     pub weights: Vec<[f64; 3]>,
     /// Pairs of faces of the result that cut each other, the larger number first, which is a new
     /// face's; ascending. What they share, a vertex or an edge, is no cut, nor are vertices and edges

@@ -106,17 +106,16 @@ impl<'m, 'a> Region<'m, 'a> {
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
         job.step(0.3, STAGE)?;
-        self.open()?;
+        self.open(job)?;
         for _ in 0..MAX_ROUNDS {
             job.step(0.5, STAGE)?;
-            if !self.take_out_ears()? & !self.take_out_pinches(job)? {
+            if !self.take_out_ears(job)? & !self.take_out_pinches(job)? {
                 break;
             }
         }
         // How many of each island no other piece shows.
         let is_needed = |f: usize| self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
-        let needed = alloc::collect((0..self.keeps.len()).map(is_needed))?;
-        job.step(0.8, STAGE)?;
+        let needed = alloc::collect_cancellable((0..self.keeps.len()).map(is_needed), &job.part(0.8, 0.8), STAGE)?;
         let islands = self.sizes_within(&self.keeps, &needed, job)?;
         let mut any = false;
         for (f, &[size, needed]) in islands.iter().enumerate() {
@@ -145,8 +144,9 @@ impl<'m, 'a> Region<'m, 'a> {
     }
 
     /// Enters the rim of what is kept: where something was taken out beyond, and where nothing was.
-    pub(super) fn rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2]) -> Result<()> {
+    pub(super) fn rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2], job: &Job<'_>) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            job.step_within(f, STAGE)?;
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
                 if !self.is_kept(g) {
                     let [p, q] = [u, v].map(|v| scan.points[v as usize]);
@@ -238,13 +238,14 @@ impl<'m, 'a> Region<'m, 'a> {
     }
 
     /// Takes out what is thinner than two faces: keeps the faces round vertices inside.
-    fn open(&mut self) -> Result<()> {
+    fn open(&mut self, job: &Job<'_>) -> Result<()> {
         let count = self.mesh.positions().len();
         // A vertex is inside if no face round it is gone.
         let mut inside = alloc::filled(true, count)?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
             self.mesh.face(f).for_each(|v| inside[v as usize] = false);
         }
+        job.step(0.4, STAGE)?;
         for f in 0..self.keeps.len() {
             self.keeps[f] = self.keeps[f] && self.mesh.face(f).any(|v| inside[v as usize]);
         }
@@ -253,9 +254,10 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Takes out faces of which all sides but one are free where something was taken out beside
     /// them; true if there were any.
-    fn take_out_ears(&mut self) -> Result<bool> {
+    fn take_out_ears(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut ears = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
+            job.part(0.5, 0.5).step_within(f, STAGE)?;
             let (mut held, mut cut) = (0, 0);
             for &g in self.beside(f) {
                 held += usize::from(self.is_kept(g));
@@ -276,6 +278,7 @@ impl<'m, 'a> Region<'m, 'a> {
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
             self.mesh.face(f).for_each(|v| touched.insert(v));
         }
+        job.step(0.5, STAGE)?;
         // The faces at each such vertex, and those beside them across the edges that end there.
         let mut corners: Vec<(u32, u32, [u32; 2])> = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {

@@ -103,7 +103,8 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
             for k in 0..count {
                 job.step(0.7, STAGE)?;
                 let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
-                let on = alloc::collect((0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept)))?;
+                let on = (0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept));
+                let on = alloc::collect_cancellable(on, &job.part(0.7, 0.7), STAGE)?;
                 back |= regions[k].give_back(&on, min_faces, &job.part(0.7, 0.7))?;
             }
             if back {
@@ -147,19 +148,19 @@ fn keep(
     let (own, after) = rest.split_at_mut(1);
     let points = &layer.scan.points;
     job.step(0.0, STAGE)?;
-    let mut margins = alloc::collect((0..points.len()).map(|v| {
-        let competes = |piece: u32, face: u32| match (piece as usize).checked_sub(k + 1) {
-            Some(j) => !after[j].lost[face as usize],
-            None => false,
-        };
-        covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN)
-    }))?;
+    // What is after it, and not lost.
+    let competes = |piece: u32, face: u32| match (piece as usize).checked_sub(k + 1) {
+        Some(j) => !after[j].lost[face as usize],
+        None => false,
+    };
+    let margin = |v| covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN);
+    let mut margins = alloc::collect_cancellable((0..points.len()).map(margin), job, STAGE)?;
     own[0].smooth(&mut margins, SMOOTHINGS, job)?;
     let mut rims = [Rims::default(), Rims::default()];
     for (region, other) in before.iter().zip(layers) {
         job.step(0.0, STAGE)?;
         if layer.scan.bounds.is_within(&other.scan.bounds, GAP * other.scan.spacing) {
-            region.rim(&other.scan, &mut rims)?;
+            region.rim(&other.scan, &mut rims, job)?;
         }
     }
     let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, STAGE)))?;
@@ -181,12 +182,7 @@ fn keep(
     }
     job.step(0.0, STAGE)?;
     let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -BIAS))?;
-    let shown = alloc::collect((0..points.len()).map(|v| {
-        covers[k].is_on(v, |piece, face| match (piece as usize).checked_sub(k + 1) {
-            Some(j) => !after[j].lost[face as usize],
-            None => false,
-        })
-    }))?;
+    let shown = alloc::collect_cancellable((0..points.len()).map(|v| covers[k].is_on(v, competes)), job, STAGE)?;
     job.step(0.0, STAGE)?;
     own[0].keep_where(&wanted, &barred, &shown, min_faces, job)
 }

@@ -199,8 +199,7 @@ pub struct gusset_fill_view {
     pub parents: gusset_indices,
     /// How much it has of each of them, three numbers a vertex, at least 0 with sum 1; NULL without
     /// new vertices. They place it at the nearest point of the plain triangulation of the rims,
-    /// which it is itself where the hole is flat; elsewhere flips of triangles have bent the patch, and
-    /// fairing and creases more so.
+    /// which it is itself if its patch was neither faired nor creased, or if the hole is flat.
     pub weights: *const f64,
     /// Pairs of faces of the result that cut each other, two numbers a pair, the larger one first,
     /// which is a new face's; ascending. What they share, a vertex or an edge, is no cut, nor are

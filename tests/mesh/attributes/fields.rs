@@ -89,6 +89,11 @@ pub(super) fn cases() -> Vec<Case> {
     let rows = Options { rows: Rows::Count(3), ..Options::default() };
     let quads = Options { cells: Cells::Quads, rows: Rows::Count(2), ..Options::default() };
     let arcs = Options { extent: stitch::Extent::OpenArcs, ..Options::default() };
+    let bent = {
+        let mut soup = cap(40, 8, 0.5, 1.0);
+        soup.points.iter_mut().for_each(|p| p[2] += 0.5 * (p[0] * p[0] - 0.6 * p[1] * p[1] + 0.8 * p[0] * p[0] * p[1]));
+        soup
+    };
     let apart = |y: f64| moved(sheet(5, 2), [0.1, y, 0.2]);
     let refined = fill::Options { refinement: fill::Refinement::RimDensity(10_000), ..fill::Options::default() };
     let all = weld::Options { vertices: weld::Vertices::All, tolerance: Some(1e-6), ..weld::Options::default() };
@@ -127,6 +132,8 @@ pub(super) fn cases() -> Vec<Case> {
         stitched("one mesh", &top.and(&bottom.turned()), None, &rows),
         filled("plain patch", &top, &fill::Options::default()),
         filled("fine patch", &top, &refined),
+        filled("bent patch", &bent, &refined),
+        filled("bent patch far away", &moved(bent.clone(), [100.0, 0.0, 0.0]), &refined),
         filled("inside out", &top.turned(), &fill::Options { outward: orient::Outward::Closed, ..refined }),
         assembled("touching", octants().collect(), &assemble::Options::default()),
         assembled("apart", torn.clone(), &assemble::Options { strip: rows, ..assemble::Options::default() }),
