@@ -17,6 +17,7 @@
 #include <gusset/boundary.hpp>
 #include <gusset/check.hpp>
 #include <gusset/curve.hpp>
+#include <gusset/development.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
 #include <gusset/net.hpp>

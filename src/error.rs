@@ -186,6 +186,18 @@ pub enum Error {
         corner: u32,
         vertex: u32,
     },
+    /// A face passes a vertex twice in a row, and has no shape.
+    #[error("face {face} passes vertex {vertex} twice in a row")]
+    RepeatedCorner { face: u32, vertex: u32 },
+    /// Two vertices that follow one another in a cut are not connected by edges.
+    #[error("cut {cut}, place {place}: no edges connect vertex {vertex} with the one before it")]
+    CutNotConnected {
+        /// Which of the cuts given.
+        cut: u32,
+        /// The place in the cut.
+        place: u32,
+        vertex: u32,
+    },
     /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
     #[error("vertex {vertex} is said to be one with vertex {value}, which does not exist or is one with another")]
     BadMerge { vertex: u32, value: u32 },

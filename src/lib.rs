@@ -33,6 +33,7 @@
 //! | [`repair`] | vertices that lie together made one, orientation made consistent |
 //! | [`stitch`] | a strip of new faces between two loops, and many pieces in one mesh |
 //! | [`fill`] | holes closed by new faces |
+//! | [`develop`] | surfaces laid out in the plane |
 //! | [`outline`] | Bézier curves through given points |
 //! | [`net`] | regular networks of quads, closed to surfaces by gluing; scenes of them |
 //! | [`surface`] | surfaces through nets of curves, and what can be asked of them |
@@ -52,6 +53,7 @@ mod blend;
 pub mod boundary;
 pub mod check;
 mod choice;
+pub mod develop;
 pub mod error;
 mod fair;
 pub mod ffi;

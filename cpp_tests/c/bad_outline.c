@@ -374,6 +374,22 @@ static void frames(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(along, 3, NULL));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(NULL, 3, &measure));
 
+    {
+        const double by[8] = {1, 1, 1, 1, 1, NAN, 1, 1}, one = 0.25;
+        gusset_frame *wider = (gusset_frame *)misaligned();
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_offset_create(context, NULL, &one, 1, 0, &wider));
+        CHECK(wider == NULL);
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_offset_create(context, frame, NULL, 1, 0, &wider));
+        EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_offset_create(context, frame, &one, 1, 0, NULL));
+        EXPECT(GUSSET_ERROR_COUNT_DIFFERS, gusset_frame_offset_create(context, frame, NULL, 0, 0, &wider));
+        EXPECT(GUSSET_ERROR_COUNT_DIFFERS, gusset_frame_offset_create(context, frame, by, 3, 0, &wider));
+        EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_offset_create(context, frame, &one, 1, 2, &wider));
+        EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_offset_create(context, frame, by, 8, 0, &wider));
+        EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+        CHECK(report.element == GUSSET_ELEMENT_NODE && report.index == 5);
+        EXPECT(GUSSET_OK, gusset_frame_offset_create(context, frame, &one, 1, GUSSET_OFFSET_NORMAL, &wider));
+        gusset_frame_destroy(wider);
+    }
     EXPECT(GUSSET_OK, gusset_frame_slice_create(context, frame, middle, up, &section));
     EXPECT(GUSSET_OK, gusset_outline_measure(section, 0, &measure));
     CHECK(fabs(measure.centre[2] - 0.5) < 1e-15);

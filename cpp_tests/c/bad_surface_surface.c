@@ -285,6 +285,19 @@ static void from_frame(void) {
         memset(&parts, 0, sizeof parts), parts.struct_size = sizeof parts;
         EXPECT(GUSSET_OK, gusset_sheet_get_report(sheet, &parts));
         CHECK(parts.closed_u == 0 && parts.closed_v == 1 && parts.is_grid == (kind == GUSSET_FRAME_NODES));
+        {
+            const double by = 0.1, bad[2] = {0.1, INFINITY};
+            double deviation = 9.0;
+            gusset_sheet *offset = NULL;
+            EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_offset_create(context, NULL, &by, 1, &deviation, &offset));
+            EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_offset_create(context, sheet, NULL, 1, &deviation, &offset));
+            EXPECT(GUSSET_ERROR_COUNT_DIFFERS, gusset_sheet_offset_create(context, sheet, &by, 0, &deviation, &offset));
+            EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_sheet_offset_create(context, sheet, bad, 2, &deviation, &offset));
+            EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_sheet_offset_create(context, sheet, &by, 1, misaligned(), &offset));
+            CHECK(offset == NULL);
+            EXPECT(GUSSET_OK, gusset_sheet_offset_create(context, sheet, &by, 1, NULL, &offset));
+            gusset_sheet_destroy(offset);
+        }
         gusset_sheet_destroy(sheet);
     }
     gusset_frame_destroy(frame);

@@ -111,6 +111,11 @@ std::vector<Row> mesh_rows() {
         const MeshView pieces[] = {mesh, mesh};
         return gusset::Trim(pieces, gusset::TrimOptions(), context);
     };
+    const auto develop = [](const MeshView &mesh, const Context &context) {
+        gusset::DevelopmentOptions options;
+        options.max_iterations = 2;
+        return gusset::Development(mesh, options, context);
+    };
     const auto fill = [](const MeshView &mesh, const Context &context) {
         return gusset::Fill(mesh, gusset::FillOptions(), context);
     };
@@ -183,6 +188,13 @@ std::vector<Row> mesh_rows() {
         {"trim_create", "fans", 250, 1000000, 1, 1, 0, on(open_fan, trim), true},
         {"trim_create", "points in one", 64, 10000, 2, 1, 0, on(in_one_point, trim), true},
         {"trim_create", "equal copies", 64, 10000, 2, 1, 0, on(copies, trim), true},
+        {"development_create", "square", 250, 1000000, 1, 1, 0, on(flat, develop)},
+        {"development_create", "rough square", 64, 100000, 2, 1, 0, on(rough, develop), true},
+        {"development_create", "loops", 64, 1000000, 1, 1, 0, on(loose, develop)},
+        {"development_create", "fan", 64, 100000, 2, 1, 0, on(open_fan, develop), true},
+        {"development_create", "triangles at a vertex", 64, 100000, 1, 1, 0, on(bundle, develop)},
+        {"development_create", "points in one", 64, 100000, 1, 1, 0, on(in_one_point, develop), true},
+        {"development_create", "equal copies", 64, 1000000, 1, 1, 0, on(copies, develop)},
         {"fill_create", "loops", 32, 100000, 1, 1, 0, on(loose, fill)},
         {"fill_create", "triangles at a vertex", 32, 100000, 2, 1, 0, on(bundle, fill)},
         {"fill_create", "points in one", 12, 100000, 2, 1, 0, on(in_one_point, fill)},

@@ -136,6 +136,38 @@ static void a_body_and_a_new_section(void) {
 }
 //! [frame]
 
+//! [frame_offset]
+static void room_for_comfort(void) {
+    double points[3 * 8][3];
+    const uint32_t offsets[4] = {0, 8, 16, 24};
+    /* Nothing at the first section, more at the others. */
+    const double room[3] = {0.0, 0.25, 0.5};
+    const gusset_outlines sections = {.struct_size = sizeof sections,
+                                      .points = points,
+                                      .point_count = 24,
+                                      .offsets = offsets,
+                                      .outline_count = 3,
+                                      .dimension = 3,
+                                      .closed = 1};
+    gusset_frame *tube = NULL, *wider = NULL;
+    gusset_frame_view parts = {.struct_size = sizeof parts};
+    size_t k;
+
+    for (k = 0; k < 3; ++k) {
+        circle(points + 8 * k, 8, (int)k);
+    }
+    MUST(gusset_frame_create(NULL, &sections, NULL, &tube));
+    MUST(gusset_frame_offset_create(NULL, tube, room, 3, GUSSET_OFFSET_IN_SECTION, &wider));
+    MUST(gusset_frame_get_view(wider, &parts));
+    for (k = 0; k < parts.rows * parts.columns; ++k) {
+        const double *p = parts.nodes + 3 * k;
+        HOLDS(about(hypot(p[0], p[1]), 1.0 + room[k / parts.columns]) && about(p[2], (double)(k / parts.columns)));
+    }
+    gusset_frame_destroy(wider);
+    gusset_frame_destroy(tube);
+}
+//! [frame_offset]
+
 //! [curve]
 static gusset_curve *an_arch(void) {
     /* Two quadratic segments: control points 0 to 2, and 2 to 4. */
@@ -302,6 +334,7 @@ int main(void) {
     how_the_cycles_went();
     one_section_a_point();
     a_body_and_a_new_section();
+    room_for_comfort();
     what_curves_are(arch);
     places_on_curves(arch, round);
     curves_of_curves(arch);

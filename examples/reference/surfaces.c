@@ -199,6 +199,23 @@ static void body(void) {
     gusset_frame_destroy(frame);
     gusset_sheet_destroy(sheet);
 }
+
+/* A plane, and the one that is 2 above it. */
+static void beside(void) {
+    const double points[9][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                 {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}};
+    const gusset_nodes nodes = {
+        .struct_size = sizeof nodes, .points = points, .scalar = GUSSET_F64, .rows = 3, .columns = 3};
+    const double up = -2.0; /* u runs along y and v along x: the normal points down. */
+    double deviation = 1.0;
+    gusset_sheet *sheet = NULL, *offset = NULL;
+
+    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &sheet));
+    MUST(gusset_sheet_offset_create(NULL, sheet, &up, 1, &deviation, &offset));
+    HOLDS(deviation < 1e-12);
+    gusset_sheet_destroy(offset);
+    gusset_sheet_destroy(sheet);
+}
 //! [sheet_make]
 
 //! [sheet_mesh]
@@ -441,6 +458,7 @@ int main(void) {
     a_rational_spline();
     skin();
     body();
+    beside();
     a_mesh_of_it(round);
     what_a_surface_is(a);
     nearest_points(a);

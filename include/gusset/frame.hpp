@@ -79,6 +79,9 @@ private:
     gusset_frame_options options_ = detail::sized<gusset_frame_options>();
 };
 
+/// Where the nodes of a frame move; see gusset_frame_offset_create.
+enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
+
 /// Nodes, and curves across and along a body through them; see gusset_frame_create.
 class Frame {
 public:
@@ -118,9 +121,21 @@ public:
     Outline slice(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
         return Outline(context.result(gusset_frame_slice_create, frame_.get(), point.data(), normal.data()));
     }
+    /// The frame beside this one: nodes moved outwards by distances, one for all, one for each section,
+    /// or one for each node; see gusset_frame_offset_create.
+    Frame offset(Span<const double> distances, OffsetDirection direction = OffsetDirection::normal,
+                 const Context &context = Context()) const {
+        return Frame(context.result(gusset_frame_offset_create, frame_.get(), distances.data(), distances.size(),
+                                    static_cast<uint32_t>(direction)));
+    }
+    Frame offset(double distance, OffsetDirection direction = OffsetDirection::normal,
+                 const Context &context = Context()) const {
+        return offset({&distance, 1}, direction, context);
+    }
     const gusset_frame *get() const noexcept { return frame_.get(); }
 
 private:
+    explicit Frame(gusset_frame *owned) : frame_(owned) {}
     detail::Handle<gusset_frame, gusset_frame_destroy> frame_;
 };
 

@@ -232,6 +232,15 @@ public:
         return Sheet(context.result(gusset_sheet_from_frame_create, frame.get(), static_cast<uint32_t>(kind)));
     }
 
+    /// The surface beside this one: corners of cells moved along the normals by distances, one for all,
+    /// one for each line along v, or one for each; see gusset_sheet_offset_create.
+    Sheet offset(Span<const double> distances, double *deviation = nullptr, const Context &context = Context()) const {
+        return Sheet(context.result(gusset_sheet_offset_create, get(), distances.data(), distances.size(), deviation));
+    }
+    Sheet offset(double distance, double *deviation = nullptr, const Context &context = Context()) const {
+        return offset({&distance, 1}, deviation, context);
+    }
+
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
     gusset_sheet_report report() const { return detail::lent(gusset_sheet_get_report, get()); }
     /// Of a sheet of a B-spline, the parameters of the borders of its rows, or of its columns, valid

@@ -5,6 +5,7 @@ use super::domain::Counts;
 use super::origins::{Kept, Origins};
 use super::table::{STAGE, Table};
 use crate::alloc;
+use crate::develop::Developed;
 use crate::error::Result;
 use crate::fill::Filled;
 use crate::geom::bit_set::BitSet;
@@ -75,6 +76,20 @@ impl Origins {
         let counts = Counts { vertices, corners, faces };
         let kept = unchanged(mesh, vec![counts], vertices, faces, is_turned, &job.part(0.0, 0.7))?;
         Origins::of_kept(kept)?.with_turned(mesh, is_turned, &job.part(0.7, 1.0))
+    }
+
+    /// Those of a development.
+    ///
+    /// # Errors
+    /// As [`Origins::of_stitch`].
+    pub fn of_developed(done: &Developed, job: &Job<'_>) -> Result<Origins> {
+        let (corners, faces) = (done.mesh.face_corners.len(), done.mesh.face_count());
+        Origins::of_kept(Kept {
+            inputs: vec![Counts { vertices: done.old_vertices, corners, faces }],
+            vertices: Table::of_single(done.vertex_map.iter().copied(), &job.part(0.0, 0.3))?,
+            corners: Table::of_single(0..corners as u32, &job.part(0.3, 0.7))?,
+            faces: Table::of_single(0..faces as u32, &job.part(0.7, 1.0))?,
+        })
     }
 
     /// Those of a mesh with the vertices and faces of the first of some inputs, the vertices elsewhere.

@@ -112,7 +112,7 @@ struct Work<'a> {
 impl Work<'_> {
     fn spend(&mut self, work: f64) -> Result<()> {
         if self.done >= self.reported + REPORT_INTERVAL {
-            self.job.step(self.done / self.whole, "fairing")?;
+            self.job.step(self.done / self.whole, "solving")?;
             self.reported = self.done;
         }
         self.done += work;

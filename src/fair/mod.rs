@@ -45,6 +45,7 @@ mod tree;
 
 pub use continuity::Continuity;
 pub(crate) use curvature::mean_curvature;
+pub(crate) use order::{Coupling, dissect};
 pub(crate) use plate::{Plate, Shape, thin_plate};
 pub(crate) use rings::Weights;
 pub(crate) use sparse::Symmetric;

@@ -25,14 +25,23 @@ const REPORT_INTERVAL: usize = 1 << 14;
 /// coupled if a row of the Laplacian that the energy has holds both, or, if the gradient of the
 /// Laplacian is least, if two neighbouring rows do. O(n log n); extra memory: 5 bytes a vertex
 /// of the patch.
-pub(super) fn dissect(order: &mut [u32], points: &[DVec3], couplings: Couplings<'_>, job: &Job<'_>) -> Result<()> {
+pub(crate) fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl Coupling, job: &Job<'_>) -> Result<()> {
     let n = order.len();
     let stamp = alloc::filled(0u32, points.len())?;
     let whole = n * (n / MAX_LEAF_UNKNOWNS + 1).ilog2() as usize;
     Dissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve(order)
 }
 
-/// Which unknowns the equations couple.
+/// Which unknowns the equations couple: those with a row in common.
+pub(crate) trait Coupling {
+    /// Visits the rows with an entry of an unknown.
+    fn each_row(&self, v: u32, visit: impl FnMut(usize));
+
+    /// True if an unknown is coupled with one that has an entry in a row of which `found` is true.
+    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool;
+}
+
+/// The couplings of a plate.
 pub(super) struct Couplings<'a> {
     pub(super) rings: &'a Rings,
     /// True of the rows of the Laplacian that the energy has.
@@ -40,8 +49,11 @@ pub(super) struct Couplings<'a> {
     pub(super) continuity: Continuity,
 }
 
-impl Couplings<'_> {
-    /// True if what has an entry in one of the rows of which `found` is true is coupled with `v`.
+impl Coupling for Couplings<'_> {
+    fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
+        self.rings.rows().row(v as usize).for_each(|(row, _)| visit(row));
+    }
+
     fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         let found = |row: usize| self.is_row[row] && found(row);
         let mut rows = self.rings.rows().row(v as usize).filter(|&(row, _)| self.is_row[row]);
@@ -52,9 +64,9 @@ impl Couplings<'_> {
     }
 }
 
-struct Dissection<'a> {
+struct Dissection<'a, C> {
     points: &'a [DVec3],
-    couplings: Couplings<'a>,
+    couplings: C,
     /// The last part whose first half the row of this vertex touches.
     stamp: Vec<u32>,
     part: u32,
@@ -65,7 +77,7 @@ struct Dissection<'a> {
     reported: usize,
 }
 
-impl Dissection<'_> {
+impl<C: Coupling> Dissection<'_, C> {
     fn halve(&mut self, order: &mut [u32]) -> Result<()> {
         if order.len() <= MAX_LEAF_UNKNOWNS {
             return Ok(());
@@ -81,9 +93,8 @@ impl Dissection<'_> {
         select(order, middle, |v| points[v as usize][axis]);
 
         self.part += 1;
-        for &v in &order[..middle] {
-            self.couplings.rings.rows().row(v as usize).for_each(|(row, _)| self.stamp[row] = self.part);
-        }
+        let (stamp, part) = (&mut self.stamp, self.part);
+        order[..middle].iter().for_each(|&v| self.couplings.each_row(v, |row| stamp[row] = part));
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {

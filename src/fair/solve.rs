@@ -27,7 +27,7 @@ impl Factor {
             unreported += count;
             if unreported >= REPORT_INTERVAL {
                 unreported = 0;
-                return job.step(done as f64 / whole, "fairing");
+                return job.step(done as f64 / whole, "solving");
             }
             Ok(())
         };

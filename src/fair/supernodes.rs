@@ -147,7 +147,7 @@ impl Supernodes {
             found.clear();
             self.rows_start.push(self.rows.len());
             if looked_at >= REPORT_INTERVAL {
-                job.step(s as f64 / self.len() as f64, "fairing")?;
+                job.step(s as f64 / self.len() as f64, "solving")?;
                 looked_at = 0;
             }
         }

@@ -25,7 +25,7 @@ pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
     // The farthest ancestor known: paths are walked once.
     let mut ancestor = alloc::filled(NONE, n)?;
     for k in 0..n {
-        job.step_every(REPORT_INTERVAL, k + 1, n, "fairing")?;
+        job.step_every(REPORT_INTERVAL, k + 1, n, "solving")?;
         for &(row, _) in matrix.column(k) {
             let mut i = row;
             while i != NONE && i < k as u32 {
@@ -91,7 +91,7 @@ pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &J
         ancestor: alloc::collect(0..n as u32)?,
     };
     for (place, &j) in order.iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, place + 1, n, "fairing")?;
+        job.step_every(REPORT_INTERVAL, place + 1, n, "solving")?;
         let up = parent[j as usize];
         if up != NONE {
             count[up as usize] -= 1;

@@ -64,6 +64,8 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_WINGS = 1008,
     /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
     GUSSET_ERROR_BAD_MERGE = 1009,
+    /// A face passes a vertex twice in a row, where each face needs a shape.
+    GUSSET_ERROR_REPEATED_CORNER = 1010,
     /// There is no boundary loop that can be stitched, or of one mesh there are no two.
     GUSSET_ERROR_NO_LOOP = 1100,
     /// A loop of fewer than three vertices.
@@ -83,6 +85,8 @@ pub enum gusset_status {
     /// The planes through the loops' centres cannot tell which vertices face each other: such loops
     /// are joined whole.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
+    /// Vertices that follow one another in a cut are not connected by edges.
+    GUSSET_ERROR_CUT_NOT_CONNECTED = 1109,
     /// A closed curve does not end where it begins.
     GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
     /// A control point of what must be a plane curve has z other than 0.
@@ -278,6 +282,13 @@ impl From<Error> for Failure {
                 at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner, vertex.into())
             }
             BadMerge { vertex, value } => at(GUSSET_ERROR_BAD_MERGE, GUSSET_ELEMENT_VERTEX, vertex, value.into()),
+            RepeatedCorner { face, vertex } => {
+                at(GUSSET_ERROR_REPEATED_CORNER, GUSSET_ELEMENT_FACE, face, vertex.into())
+            }
+            CutNotConnected { cut, place, vertex } => Failure {
+                input: cut,
+                ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
+            },
             NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
             BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
             InputsDiffer { given, needed } => {

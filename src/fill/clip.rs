@@ -29,7 +29,7 @@ const REPORT_INTERVAL: usize = 1 << 10;
 ///
 /// O(n log n) for n points and the vertices looked at, which are those near each ear; linear
 /// memory, about 150 bytes a point.
-pub(super) fn clip_ears(
+pub(crate) fn clip_ears(
     points: &[DVec3],
     taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,

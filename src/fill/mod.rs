@@ -48,6 +48,7 @@ mod search;
 mod surroundings;
 mod weigh;
 
+pub(crate) use clip::clip_ears;
 pub use holes::fill_holes;
 pub use request::{
     Continuity, Fairing, Filled, Finish, Hole, HoleStatus, Keep, Limits, Measures, Options, Refinement, Selection,

@@ -23,6 +23,7 @@ mod curve_offset;
 mod curve_resample;
 mod curve_svg;
 mod deform;
+mod develop;
 mod displace;
 mod extent;
 mod facing_arcs;
@@ -103,6 +104,7 @@ pub static FILTERS: &[Filter] = &[
     sew::FILTER,
     align::FILTER,
     trim::FILTER,
+    develop::FILTER,
 ];
 
 impl Filter {

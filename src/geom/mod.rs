@@ -6,6 +6,7 @@
 //! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
 //! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
 //! * [`hull_distance`]: how far two convex hulls are apart.
+//! * [`node_normals`]: normals of a surface at a grid of nodes.
 //! * [`oriented_box`]: boxes turned with what they hold.
 //! * [`rotation`]: the rotation that brings points nearest to others.
 //! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
@@ -24,6 +25,7 @@ pub(crate) mod disjoint_sets;
 pub(crate) mod hull_distance;
 pub(crate) mod kd_tree;
 pub(crate) mod linear;
+pub(crate) mod node_normals;
 pub(crate) mod oriented_box;
 pub(crate) mod rotation;
 pub(crate) mod scale;

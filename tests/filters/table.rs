@@ -52,6 +52,7 @@ const IDS: &[&str] = &[
     "sew",
     "align",
     "trim",
+    "develop",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.

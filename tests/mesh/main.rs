@@ -15,6 +15,7 @@ mod concatenate;
 mod continuity;
 mod creases;
 mod cuts;
+mod develop;
 mod errata;
 mod facing;
 mod fill;

@@ -27,6 +27,7 @@ mod minima;
 mod model;
 mod nearest;
 mod nearest_exhaustive;
+mod offset;
 mod oracle;
 mod pairs;
 mod range;

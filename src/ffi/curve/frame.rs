@@ -6,7 +6,9 @@ use crate::ffi::handle::Tagged;
 use crate::ffi::mesh::{self, gusset_indices};
 use crate::ffi::prelude::*;
 use crate::outline::Options;
-use crate::outline::frame::{Axis, Correspondence, Frame, FrameOptions, Measure, NodeGrid, frame, slice};
+use crate::outline::frame::{
+    Axis, Correspondence, Frame, FrameOptions, Measure, NodeGrid, OffsetDirection, frame, slice,
+};
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
@@ -28,12 +30,22 @@ pub struct gusset_frame {
     pub(crate) across: Tagged<gusset_outline>,
     pub(crate) along: Tagged<gusset_outline>,
     options: Options,
+    options_along: Options,
     /// Whether the sections are closed, and whether the last one is followed by the first.
     pub(crate) closed: bool,
     pub(crate) ring: bool,
 }
 
 handle! { gusset_frame }
+
+/// Nodes move along the normals of the body.
+pub const GUSSET_OFFSET_NORMAL: u32 = 0;
+/// Nodes move within the planes of their sections.
+pub const GUSSET_OFFSET_IN_SECTION: u32 = 1;
+
+c_enum! { direction: OffsetDirection {
+    GUSSET_OFFSET_NORMAL => Normal, GUSSET_OFFSET_IN_SECTION => InSection
+} }
 
 /// How a frame is made; all zero is the default: the points themselves are the nodes.
 #[repr(C)]
@@ -205,11 +217,69 @@ pub unsafe extern "C" fn gusset_frame_create(
         let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
         let closed = given.outlines().closed;
         let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
-        Ok(gusset_frame { grid, across, along, options: options.across, closed, ring: options.ring })
+        Ok(gusset_frame {
+            grid,
+            across,
+            along,
+            options: options.across,
+            options_along: options.along,
+            closed,
+            ring: options.ring,
+        })
     })
 }
 
-/// Destroys what gusset_frame_create made; NULL is allowed.
+/// Makes the frame beside a frame: room for comfort round a body, more in some places than in
+/// others.
+///
+/// Each node moves by its distance: outwards, if sections are closed, inwards if it is negative; of
+/// open sections along the derivative from section to section crossed with that along them, or,
+/// within sections, away from the chord between their ends. Directions come from circles through
+/// neighbouring nodes, so that planes, cylinders with columns along their rulings, and spheres
+/// become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
+/// nothing tells a direction stay.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param frame may be destroyed afterwards.
+/// @param distances in the unit of the points, finite.
+/// @param distance_count 1: all nodes move by the same; the number of rows: each section by its own;
+///     rows x columns: each node by its own, row by row.
+/// @param direction GUSSET_OFFSET_NORMAL or GUSSET_OFFSET_IN_SECTION.
+/// @param[out] offset receives the result, for gusset_frame_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+///     COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), those of
+///     gusset_frame_create for the new nodes.
+/// @complexity O(nodes), and that of the curves.
+/// @source Nadopta, introduction, for the aim; the directions are ours.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_frame_offset_create(
+    context: *const gusset_context,
+    frame: *const gusset_frame,
+    distances: *const f64,
+    distance_count: usize,
+    direction: u32,
+    offset: *mut *mut gusset_frame,
+) -> gusset_status {
+    create(context, offset, "offset", |job| {
+        let frame = handle::get(frame, "frame")?;
+        let distances = input::list(distances, distance_count, "distances")?;
+        let options = FrameOptions {
+            across: frame.options,
+            along: frame.options_along,
+            ring: frame.ring,
+            ..FrameOptions::new(Correspondence::Given)
+        };
+        let Frame { grid, across, along } =
+            crate::outline::frame::offset(&frame.grid, frame.closed, &distances, choice(direction)?, &options, job)?;
+        let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
+        let (options, options_along, closed, ring) = (frame.options, frame.options_along, frame.closed, frame.ring);
+        Ok(gusset_frame { grid, across, along, options, options_along, closed, ring })
+    })
+}
+
+/// Destroys what gusset_frame_create or gusset_frame_offset_create made; NULL is allowed.
 ///
 /// @param[in,out] frame the handle; NULL is allowed.
 /// @since 0.1

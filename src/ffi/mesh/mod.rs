@@ -5,6 +5,7 @@ pub mod assembly;
 pub mod attributes;
 pub mod boundary;
 pub mod check;
+pub mod develop;
 pub mod facing;
 pub mod fill;
 pub mod orient;

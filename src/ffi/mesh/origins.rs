@@ -2,6 +2,7 @@
 
 use crate::attributes::{Domain, Origins};
 use crate::ffi::mesh::assembly::gusset_assembly;
+use crate::ffi::mesh::develop::gusset_development;
 use crate::ffi::mesh::fill::gusset_fill;
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::mesh::orient::gusset_orient;
@@ -200,6 +201,27 @@ pub unsafe extern "C" fn gusset_orient_origins_create(
 ) -> gusset_status {
     create(context, origins, "origins", |job| {
         Ok(gusset_origins(Origins::of_oriented(&handle::get(orient, "orient")?.done, job)?))
+    })
+}
+
+/// The origins of a development: each vertex comes from one, corners and faces are those of the
+/// surface.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param development the development.
+/// @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+/// @complexity As gusset_weld_origins_create.
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_development_origins_create(
+    context: *const gusset_context,
+    development: *const gusset_development,
+    origins: *mut *mut gusset_origins,
+) -> gusset_status {
+    create(context, origins, "origins", |job| {
+        Ok(gusset_origins(Origins::of_developed(&handle::get(development, "development")?.done, job)?))
     })
 }
 

@@ -312,6 +312,50 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
     })
 }
 
+/// Makes the surface beside a sheet: through the corners of its cells, each moved along the normal,
+/// the derivative in u crossed with that in v.
+///
+/// Normals at the nodes of a grid are those of circles through neighbouring nodes, exact on planes,
+/// spheres, and cylinders whose rulings are lines of the grid; those of patches are their own.
+/// Places without a normal stay. The result is a grid, smooth between its nodes where a sheet of
+/// patches had creases.
+///
+/// @param context threads, progress, cancellation and error report; NULL for the defaults.
+/// @param sheet may be destroyed afterwards.
+/// @param distances in the unit of the nodes, finite, of either sign.
+/// @param distance_count 1: all corners move by the same; the number of lines of corners along v,
+///     rows + 1 for rows of cells: each line by its own; (rows + 1) x (columns + 1): each corner by
+///     its own, row by row. A line that closes the sheet counts, and moves with the first one.
+/// @param[out] deviation receives how far the result is from where it should be, at most, in the
+///     middles of the cells; NULL if it is not wanted.
+/// @param[out] offset receives the surface, for gusset_sheet_destroy; NULL on failure.
+/// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, COUNT_DIFFERS (distances),
+///     NOT_FINITE (the index is the distance's or the corner's), OUT_OF_MEMORY, CANCELLED.
+/// @complexity O(cells).
+/// @since 0.1
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_offset_create(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    distances: *const f64,
+    distance_count: usize,
+    deviation: *mut f64,
+    offset: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, offset, "offset", |job| {
+        let sheet = handle::get(sheet, "sheet")?;
+        let distances = input::list(distances, distance_count, "distances")?;
+        let deviation = input::optional_output(deviation, 0.0, "deviation")?;
+        let (made, worst) = sheet.0.offset(&distances, job)?;
+        job.memory()?;
+        if let Some(deviation) = deviation {
+            *deviation = worst;
+        }
+        Ok(gusset_sheet(made))
+    })
+}
+
 /// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.

@@ -9,6 +9,7 @@
 //! * align: where closed sections start, and by how much a body is wrung.
 //! * axis: the axis that angles are counted about.
 //! * missing: nodes that sections lack.
+//! * offset: the frame beside a frame.
 //! * corners: the corners of sections, and which of them belong together.
 //! * [`frame`](frame()): the curves through them.
 //! * slice: new sections, and girth and area along the body.
@@ -22,9 +23,12 @@ mod axis;
 mod corners;
 mod correspond;
 mod missing;
+mod offset;
 mod options;
 mod slice;
 
+pub(crate) use offset::by_node;
+pub use offset::{OffsetDirection, offset};
 pub use options::{Axis, Correspondence, FrameOptions};
 pub use slice::{Measure, Slice, slice};
 

@@ -6,8 +6,9 @@
 //! * [`CurveNet`]: curves across and along that meet, or curves across alone; Gordon's surface,
 //!   which contains them.
 //! * [`FrameSurface`]: a frame of outlines, its nodes or its curves.
+//! * [`Sheet::offset`]: the surface beside another one, a grid again.
 //!
-//! All of them give Bézier patches that share their sides to the bit. Patches themselves are never
+//! All others give Bézier patches that share their sides to the bit. Patches themselves are never
 //! rational: quotients have no control nets that the bounds of searches could be taken from.
 
 mod blend;
@@ -16,6 +17,7 @@ mod hermite;
 mod nearest_points;
 mod net;
 mod net_curve;
+mod offset;
 mod rational;
 mod spline;
 mod spline_sheet;

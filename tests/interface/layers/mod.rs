@@ -15,7 +15,7 @@ const LAYERS: [&[&str]; 12] = [
     &["mesh"],
     &["intersect", "fair", "remesh", "blend", "boundary", "winged", "check"],
     &["align", "trim"],
-    &["repair", "fill", "stitch"],
+    &["repair", "fill", "stitch", "develop"],
     &["outline"],
     &["net"],
     &["surface"],

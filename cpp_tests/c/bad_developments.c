@@ -1,0 +1,101 @@
+/* What a host can get wrong with developments. */
+#include "check.h"
+#include <math.h>
+#include <stddef.h>
+
+static gusset_context *context;
+
+static void expect_report(int line, int32_t status, gusset_element element, uint64_t index, uint32_t input) {
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    if (report.status != status || report.element != element || report.index != index || report.input != input) {
+        printf("%s:%d: report says %d %u %lu %u\n", __FILE__, line, (int)report.status, (unsigned)report.element,
+               (unsigned long)report.index, (unsigned)report.input);
+        ++failures;
+    }
+}
+
+#define REPORT(status, element, index, input) expect_report(__LINE__, status, element, index, input)
+
+/* A call that must fail, and leave NULL where its result would have gone. */
+#define FAILS(expected, call)                                                                                          \
+    do {                                                                                                               \
+        done = misaligned();                                                                                           \
+        EXPECT(expected, call);                                                                                        \
+        CHECK(done == NULL);                                                                                           \
+    } while (0)
+
+static const double points[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}, {9, 9, 9}};
+static const uint32_t corners[2][3] = {{0, 1, 2}, {0, 2, 3}};
+
+int main(void) {
+    gusset_mesh_view mesh = {.struct_size = sizeof mesh, .scalar = GUSSET_F64, .face_size = 3};
+    gusset_development_options options = {.struct_size = sizeof options};
+    gusset_development_view view = {.struct_size = sizeof view};
+    gusset_mesh_view flat = {.struct_size = sizeof flat};
+    gusset_development *done = NULL;
+    uint32_t repeated[2][3] = {{0, 1, 2}, {0, 2, 2}};
+    const uint32_t path[3] = {0, 4, 2}, beyond[2] = {0, 7}, offsets[3] = {0, 2, 1}, late[2] = {1, 3};
+    double wild[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, NAN, 0.5}, {0, 1, 0}, {9, 9, 9}};
+
+    if (gusset_context_create(&context) != GUSSET_OK) {
+        return 1;
+    }
+    mesh.positions = points, mesh.vertex_count = 5, mesh.face_corners = corners, mesh.face_count = 2;
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_create(context, &mesh, NULL, NULL));
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_create(context, NULL, NULL, &done));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_development_create(context, misaligned(), NULL, &done));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_development_create(context, &mesh, misaligned(), &done));
+    options.struct_size = 8;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_development_create(context, &mesh, &options, &done));
+    options.struct_size = sizeof options, options.distortion = 3;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, gusset_development_create(context, &mesh, &options, &done));
+    options.distortion = 0, options.reserved = 1;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, gusset_development_create(context, &mesh, &options, &done));
+    options.reserved = 0, options.max_stretch = 1.0;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, gusset_development_create(context, &mesh, &options, &done));
+    options.max_stretch = NAN;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, gusset_development_create(context, &mesh, &options, &done));
+    options.max_stretch = INFINITY;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, gusset_development_create(context, &mesh, &options, &done));
+    options.max_stretch = 0.0;
+
+    options.cuts.count = 2;
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_create(context, &mesh, &options, &done));
+    options.cuts.data = beyond;
+    FAILS(GUSSET_ERROR_INDEX_OUT_OF_RANGE, gusset_development_create(context, &mesh, &options, &done));
+    REPORT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_LOOP_PLACE, 1, 0);
+    options.cuts.data = path, options.cuts.count = 3;
+    FAILS(GUSSET_ERROR_CUT_NOT_CONNECTED, gusset_development_create(context, &mesh, &options, &done));
+    REPORT(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, 1, 0);
+    options.cut_offsets.data = offsets, options.cut_offsets.count = 3;
+    FAILS(GUSSET_ERROR_BAD_OFFSETS, gusset_development_create(context, &mesh, &options, &done));
+    REPORT(GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, 2, 0);
+    options.cut_offsets.data = late, options.cut_offsets.count = 2;
+    FAILS(GUSSET_ERROR_BAD_OFFSETS, gusset_development_create(context, &mesh, &options, &done));
+    REPORT(GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, 0, 0);
+    options.cuts.count = options.cut_offsets.count = 0;
+
+    mesh.face_corners = repeated;
+    FAILS(GUSSET_ERROR_REPEATED_CORNER, gusset_development_create(context, &mesh, &options, &done));
+    REPORT(GUSSET_ERROR_REPEATED_CORNER, GUSSET_ELEMENT_FACE, 1, 0);
+    mesh.face_corners = corners, mesh.positions = wild;
+    FAILS(GUSSET_ERROR_NOT_FINITE, gusset_development_create(context, &mesh, &options, &done));
+    mesh.positions = points;
+
+    EXPECT(GUSSET_OK, gusset_development_create(context, &mesh, &options, &done));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_get_view(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_get_view(done, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_get_mesh(NULL, &flat));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_development_get_mesh(done, NULL));
+    view.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_development_get_view(done, &view));
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_development_get_view(done, &view));
+    CHECK(view.chart_count == 1 && view.vertex_map.count == 4 && view.charts[0].finish == GUSSET_CHART_EXACT);
+    gusset_development_destroy(done);
+    gusset_development_destroy(NULL);
+    gusset_context_destroy(context);
+    return failures != 0;
+}

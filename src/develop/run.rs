@@ -1,0 +1,307 @@
+//! From the mesh to its development.
+
+use super::STAGE;
+use super::chart::ChartMesh;
+use super::cuts::{CutSurface, Graph, Search};
+use super::darts;
+use super::descend::{descend, mean_energy};
+use super::energy::Jacobian;
+use super::opening::open;
+use super::overlap::overlaps;
+use super::request::{Chart, CutKind, Developed, Distortion, Finish, Options};
+use super::split::Split;
+use super::start::{conformal, tutte};
+use super::system::System;
+use super::unfold::{closed_up, turned_down};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::geom::bit_set::BitSet;
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use crate::mesh::{Mesh, MeshView, PositionBuffer};
+use glam::DVec2;
+
+/// Steps of the descent, if the caller says nothing.
+const MAX_ITERATIONS: u32 = 200;
+/// Charts are so far apart, in their greatest width.
+const GAP: f64 = 0.05;
+
+/// Borders of an exact chart touch, and do not overlap, if they are no deeper in one another, in the
+/// root of its area.
+const MAX_TOUCH: f64 = 1e-8;
+
+/// A chart in the plane.
+struct Flat {
+    /// In the unit.
+    x: Vec<DVec2>,
+    finish: Finish,
+    iterations: u32,
+    /// Of each face of the chart.
+    stretches: Vec<[f64; 2]>,
+    energy: f64,
+    overlaps: u32,
+    folds: u32,
+    area: f64,
+    flat_area: f64,
+    /// Where a dart should end, if it was looked for.
+    tip: Option<u32>,
+}
+
+impl Flat {
+    /// The largest factor by which a length changes.
+    fn worst(&self) -> f64 {
+        let of = |&[most, least]: &[f64; 2]| most.max(1.0 / least.max(f64::MIN_POSITIVE));
+        self.stretches.iter().map(of).fold(1.0, f64::max)
+    }
+}
+
+/// Lays a surface out in the plane with the least distortion.
+///
+/// It is cut along the paths given, and where a component is no disc then, along the shortest
+/// further ones. A chart that can be unfolded about its edges keeps every length; another one
+/// descends to the least distortion, without folding a triangle or overlapping itself. Edges of
+/// three or more faces, and those whose faces disagree in orientation, are cuts.
+///
+/// O(H log H) for charts that are unfolded; each step of a descent O(n^1.5) for the n vertices of
+/// its chart. Memory: linear but for the factor, O(n log n).
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1,
+/// [`Error::RepeatedCorner`], [`Error::BadOffsets`] of the cuts, [`Error::LoopIndexOutOfRange`] for
+/// a vertex of a cut that does not exist, [`Error::CutNotConnected`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Result<Developed> {
+    if let Some(stretch) = options.max_stretch {
+        Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch)?;
+    }
+    job.step(0.0, STAGE)?;
+    let corners = 0..mesh.faces().half_edge_count() as u32;
+    let points = alloc::collect(corners.map(|h| mesh.positions().get(mesh.faces().corner(h))))?;
+    let unit = common_unit(&points);
+    drop(points);
+    let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
+    surface.cut_along(&options.cuts, &job.part(0.05, 0.05))?;
+    let mut split = Split::new(&surface, &job.part(0.05, 0.06))?;
+    if open(&mut surface, &split, &job.part(0.06, 0.08))? {
+        split = Split::new(&surface, &job.part(0.08, 0.1))?;
+    }
+    let count = split.vertices.len();
+    let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
+    flats.resize_with(count, || None);
+    let (mut made, rounds) = (0, options.max_darts as usize + 1);
+    for round in 0..rounds {
+        let job = job.part(0.1, 0.95).share(round.min(rounds - 1), rounds);
+        let looks = options.max_darts > made;
+        for (chart, flat) in flats.iter_mut().enumerate().filter(|(_, flat)| flat.is_none()) {
+            *flat = Some(flatten(&surface, &split, chart, unit, options, looks, &job.share(chart, count))?);
+        }
+        let Some((chart, tip)) = worst(&flats, options).filter(|_| looks) else {
+            break;
+        };
+        dart(&mut surface, &split, chart, tip, &job.part(1.0, 1.0))?;
+        split = Split::new(&surface, &job.part(1.0, 1.0))?;
+        (flats[chart], made) = (None, made + 1);
+    }
+    let flats = alloc::gather(flats.into_iter().flatten())?;
+    result(mesh, surface, split, flats, unit, made, &job.part(0.95, 1.0))
+}
+
+/// The chart that needs a dart most, and where it should end.
+fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> {
+    let limit = options.max_stretch.unwrap_or(1.0);
+    let needs = flats.iter().enumerate().filter_map(|(k, flat)| {
+        let flat = flat.as_ref()?;
+        (flat.worst() > limit).then_some((flat.worst(), k, flat.tip?))
+    });
+    needs
+        .fold(None, |best: Option<(f64, usize, u32)>, found| match best {
+            Some(best) if best.0 >= found.0 => Some(best),
+            _ => Some(found),
+        })
+        .map(|(_, chart, tip)| (chart, tip))
+}
+
+/// Cuts from a vertex inside a chart along the shortest path to its border.
+fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<()> {
+    let faces = *surface.mesh.faces();
+    let mut on_border = BitSet::new(split.vertex_map.len())?;
+    for &f in split.faces.get(chart) {
+        for h in faces.range(f as usize).map(|h| h as u32) {
+            if surface.across(h) == crate::mesh::NONE {
+                [h, faces.next(h)].iter().for_each(|&h| on_border.insert(split.corners[h as usize]));
+            }
+        }
+    }
+    let count = split.vertex_map.len();
+    let graph = Graph::new(surface, count, |h| split.corners[h as usize])?;
+    let mut search = Search::new(count)?;
+    if let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? {
+        for h in search.path(end)? {
+            surface.cut(h, CutKind::Dart)?;
+        }
+    }
+    Ok(())
+}
+
+fn flatten(
+    surface: &CutSurface<'_, '_>,
+    split: &Split,
+    number: usize,
+    unit: f64,
+    options: &Options<'_>,
+    looks_for_tip: bool,
+    job: &Job<'_>,
+) -> Result<Flat> {
+    let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
+    let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
+    let turned = turned_down(&chart, &job.part(0.1, 0.1))?;
+    if let Some(x) = closed_up(&chart, &mut system, turned, &job.part(0.1, 0.12))? {
+        return measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    }
+    let mut x = conformal(&chart, &mut system, &job.part(0.12, 0.15))?;
+    if let Some(x) = closed_up(&chart, &mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
+        return measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    }
+    let tip = match looks_for_tip {
+        true => darts::tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
+        false => None,
+    };
+    let is_map =
+        |x: &[DVec2]| Ok(chart.folds(x) == 0 && overlaps(&chart.border, x, 0.0, 1, &job.part(0.25, 0.25))? == 0);
+    let is_conformal = is_map(&x)?;
+    if is_conformal && options.distortion == Distortion::Conformal {
+        return measured(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
+    }
+    if !is_conformal {
+        x = tutte(&chart, &mut system, &job.part(0.25, 0.3))?;
+        if !is_map(&x)? {
+            return measured(&chart, x, Finish::Folded, 0, tip, &job.part(0.95, 1.0));
+        }
+    }
+    let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
+    let (first, second) = match options.distortion {
+        // What is as rigid as possible may fold, and is looked for from a map that does not.
+        Distortion::Rigid => (job.part(0.3, 0.6), Some(job.part(0.6, 0.95))),
+        Distortion::Symmetric | Distortion::Conformal => (job.part(0.3, 0.95), None),
+    };
+    let mut done = descend(&chart, &mut system, Distortion::Symmetric, x, limit, &first)?;
+    if let Some(job) = second {
+        let before = done.iterations;
+        done = descend(&chart, &mut system, options.distortion, done.x, limit, &job)?;
+        done.iterations += before;
+    }
+    let finish = match (done.converged, options.distortion) {
+        (_, Distortion::Conformal) => Finish::NotConformal,
+        (true, _) => Finish::Converged,
+        (false, _) => Finish::IterationLimit,
+    };
+    measured(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
+}
+
+/// The chart with its measures, turned so that it is longest along x.
+fn measured(
+    chart: &ChartMesh,
+    mut x: Vec<DVec2>,
+    finish: Finish,
+    iterations: u32,
+    tip: Option<u32>,
+    job: &Job<'_>,
+) -> Result<Flat> {
+    lay_along_x(&chart.border, &mut x);
+    let slack = MAX_TOUCH * chart.area().sqrt();
+    let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
+    let mut stretches = alloc::filled([0.0f64, f64::INFINITY], faces)?;
+    for ((triangle, shape), &f) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces) {
+        let [most, least] = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
+        let stretch = &mut stretches[f as usize];
+        *stretch = [stretch[0].max(most), stretch[1].min(least)];
+    }
+    Ok(Flat {
+        finish,
+        iterations,
+        stretches,
+        energy: mean_energy(chart, Distortion::Symmetric, &x),
+        // Sides of slits in what is flat lie on one another.
+        overlaps: overlaps(&chart.border, &x, if finish == Finish::Exact { slack } else { 0.0 }, u32::MAX, job)?,
+        folds: if finish == Finish::Exact { 0 } else { chart.folds(&x) },
+        area: chart.area(),
+        flat_area: (0..chart.triangles.len()).map(|t| chart.double_area(t, &x) / 2.0).sum(),
+        tip,
+        x,
+    })
+}
+
+/// Turns a map so that its border is longest along x, and puts its lower left corner at the origin.
+fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
+    let count = border.len() as f64;
+    let mean = border.iter().map(|&[v, _]| x[v as usize]).sum::<DVec2>() / count;
+    let (mut difference, mut mixed) = (0.0, 0.0);
+    for &[v, _] in border {
+        let p = x[v as usize] - mean;
+        difference += p.x * p.x - p.y * p.y;
+        mixed += 2.0 * p.x * p.y;
+    }
+    // The axis is at half the angle of (difference, mixed).
+    let length = f64::sqrt(difference * difference + mixed * mixed);
+    let cosine = if length > 0.0 { difference / length } else { 1.0 };
+    let axis =
+        DVec2::new(((1.0 + cosine) / 2.0).max(0.0).sqrt(), mixed.signum() * ((1.0 - cosine) / 2.0).max(0.0).sqrt());
+    x.iter_mut().for_each(|p| *p = DVec2::new(axis.dot(*p), axis.perp_dot(*p)));
+    let low = x.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+    x.iter_mut().for_each(|p| *p -= low);
+}
+
+fn result(
+    mesh: &MeshView<'_>,
+    surface: CutSurface<'_, '_>,
+    split: Split,
+    flats: Vec<Flat>,
+    unit: f64,
+    darts: u32,
+    job: &Job<'_>,
+) -> Result<Developed> {
+    job.step(0.0, STAGE)?;
+    let width = |flat: &Flat| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
+    let gap = GAP * flats.iter().map(width).fold(0.0, f64::max);
+    let mut points = alloc::with_capacity(split.vertex_map.len())?;
+    let mut stretches = alloc::filled([1.0; 2], mesh.faces().len())?;
+    let (mut charts, mut left) = (alloc::with_capacity(flats.len())?, 0.0);
+    for (k, flat) in flats.iter().enumerate() {
+        job.part(0.0, 0.5).step_within(k, STAGE)?;
+        points.extend(flat.x.iter().map(|&p| unit * (p + DVec2::new(left, 0.0))));
+        left += width(flat) + gap;
+        for (&f, &stretch) in split.faces.get(k).iter().zip(&flat.stretches) {
+            stretches[f as usize] = stretch;
+        }
+        let all = flat.stretches.iter().fold([0.0f64, f64::INFINITY], |all, s| [all[0].max(s[0]), all[1].min(s[1])]);
+        charts.push(Chart {
+            vertices: split.vertices[k].clone(),
+            faces: split.faces.get(k).len() as u32,
+            finish: flat.finish,
+            iterations: flat.iterations,
+            overlaps: flat.overlaps,
+            folds: flat.folds,
+            energy: flat.energy,
+            stretch: all,
+            area: unit * flat.area * unit,
+            flat_area: unit * flat.flat_area * unit,
+        });
+    }
+    job.step(0.5, STAGE)?;
+    let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), points.len())?;
+    positions.extend(points.iter().map(|p: &DVec2| p.extend(0.0)))?;
+    let mut offsets = alloc::with_capacity(mesh.faces().len() + 1)?;
+    offsets.push(0);
+    offsets.extend((0..mesh.faces().len()).map(|f| mesh.faces().range(f).end as u32));
+    Ok(Developed {
+        mesh: Mesh::new(positions, offsets, split.corners),
+        points,
+        vertex_map: split.vertex_map,
+        old_vertices: mesh.positions().len(),
+        face_charts: split.face_charts,
+        stretches,
+        charts,
+        cut_edges: surface.cut_edges,
+        darts,
+    })
+}

@@ -1,0 +1,125 @@
+//! Exact development: places in the plane at which every edge has its length.
+//!
+//! Triangles are turned about their edges into the plane, one after the other. Round-off grows on
+//! the way, so that large charts begin with their conformal map, which is the same for what can be
+//! unfolded. Gauss and Newton's steps towards the lengths of all edges take the rest out: a
+//! triangulated disc is rigid in the plane.
+
+use super::STAGE;
+use super::chart::ChartMesh;
+use super::system::System;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::NONE;
+use glam::{DMat2, DVec2, DVec3};
+use std::collections::VecDeque;
+
+/// Edges may miss their lengths by this part of them, and of [`SHORT`] mean edges.
+const MAX_LENGTH_ERROR: f64 = 1e-10;
+const SHORT: f64 = 1e-3;
+/// Surfaces that miss by more are curved.
+const MAX_CLOSING_ERROR: f64 = 1e-3;
+/// By so much the mean edge's square may exceed what a triangle lacks in area.
+const MAX_AREA_ERROR: f64 = 1e-6;
+const MAX_STEPS: usize = 3;
+/// A weight that holds vertices, beside 1 for each edge: the plane has no place of its own.
+const HOLD: f64 = 1e-9;
+
+/// The places near `x` at which every edge of the chart has its length; `None` if there are none.
+/// O(T) for T triangles, and up to three factors where `x` is near but not there.
+pub(super) fn closed_up(
+    chart: &ChartMesh,
+    system: &mut System,
+    mut x: Vec<DVec2>,
+    job: &Job<'_>,
+) -> Result<Option<Vec<DVec2>>> {
+    let edges = || chart.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let mean = edges().map(|(u, v)| chart.length(u, v)).sum::<f64>() / (3 * chart.triangles.len()) as f64;
+    let error = |x: &[DVec2]| {
+        let of = |(u, v): (u32, u32)| {
+            let wanted = chart.length(u, v);
+            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT * mean)
+        };
+        edges().map(of).fold(0.0, |worst: f64, error| if error > worst || error.is_nan() { error } else { worst })
+    };
+    let mut reached = error(&x);
+    for step in 0..MAX_STEPS {
+        if reached <= MAX_LENGTH_ERROR || reached.is_nan() || reached > MAX_CLOSING_ERROR {
+            break;
+        }
+        x = closer(chart, system, &x, &job.share(step, MAX_STEPS))?;
+        reached = error(&x);
+    }
+    // Triangles without height may come to lie either way.
+    let stands = |t: usize| {
+        let [a, b, c] = chart.triangles[t].map(|v| chart.points[v as usize]);
+        chart.double_area(t, &x) >= (b - a).cross(c - a).length() - MAX_AREA_ERROR * mean * mean
+    };
+    let is_exact = reached <= MAX_LENGTH_ERROR && (0..chart.triangles.len()).all(stands);
+    Ok(is_exact.then_some(x))
+}
+
+/// Turns triangles into the plane, neighbours after each other, from the largest on. O(T).
+pub(super) fn turned_down(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>> {
+    let count = chart.triangles.len();
+    let mut x = alloc::filled(DVec2::NAN, chart.points.len())?;
+    let mut seen = alloc::filled(false, count)?;
+    let mut waiting = VecDeque::new();
+    waiting.try_reserve(count).map_err(|_| Error::OutOfMemory { bytes: 8 * count as u64 })?;
+    let larger = |best: usize, t: usize| if chart.shapes[t].area > chart.shapes[best].area { t } else { best };
+    let largest = (0..count).fold(0, larger);
+    let [a, b, _] = chart.triangles[largest];
+    (x[a as usize], x[b as usize]) = (DVec2::ZERO, DVec2::new(chart.length(a, b), 0.0));
+    seen[largest] = true;
+    waiting.push_back(largest);
+    let mut done = 0;
+    while let Some(t) = waiting.pop_front() {
+        job.step_within(done, STAGE)?;
+        done += 1;
+        for k in 0..3 {
+            let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| chart.triangles[t][k]);
+            if x[c as usize].is_nan() && !x[a as usize].is_nan() && !x[b as usize].is_nan() {
+                x[c as usize] = third([x[a as usize], x[b as usize]], [a, b, c].map(|v| chart.points[v as usize]));
+            }
+        }
+        for &next in chart.across[t].iter().filter(|&&next| next != NONE) {
+            if !std::mem::replace(&mut seen[next as usize], true) {
+                waiting.push_back(next as usize);
+            }
+        }
+    }
+    Ok(x)
+}
+
+/// The third corner to the left of a side in the plane.
+fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
+    let side = b - a;
+    let square = side.length_squared().max(f64::MIN_POSITIVE);
+    let along = (c - a).dot(side) / square;
+    let height = side.cross(c - a).length() / square;
+    p + along * (q - p) + height * (q - p).perp()
+}
+
+/// The places at which, to first order, the sum of the squared differences of lengths is least.
+fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
+    let still = alloc::filled(DVec2::ZERO, x.len())?;
+    system.clear();
+    for (k, triangle) in chart.triangles.iter().enumerate() {
+        job.part(0.0, 0.0).step_within(k, STAGE)?;
+        for i in 0..3 {
+            let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
+            let side = x[v as usize] - x[u as usize];
+            let along = side.normalize_or_zero();
+            let block = DMat2::from_cols(along.x * along, along.y * along);
+            system.add(u, v, -block, &still);
+            let pull = (chart.length(u, v) - side.length()) * along;
+            for (v, pull) in [(u, -pull), (v, pull)] {
+                system.add_diagonal(v, block + DMat2::from_diagonal(DVec2::splat(HOLD)));
+                system.add_right(v, pull);
+            }
+        }
+    }
+    let by = system.solve(&still, job)?;
+    alloc::collect(x.iter().zip(by).map(|(&x, by)| x + by))
+}

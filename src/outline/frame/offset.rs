@@ -1,0 +1,96 @@
+//! Frames beside frames: room for comfort.
+//!
+//! Nadopta's aim: the body of a shoe is that of the foot, and room for comfort round it, more in
+//! some places than in others. Each node moves by an amount of its own, and curves are drawn through
+//! the new nodes. Directions come from circles through neighbouring nodes
+//! ([`node_normals`](crate::geom::node_normals)), so that frames of planes, cylinders and spheres
+//! become such.
+
+use super::{Correspondence, Frame, FrameOptions, NodeGrid, frame};
+use crate::alloc;
+use crate::error::{Element, Error, Result};
+use crate::geom::node_normals::{node_normals, tangent};
+use crate::job::Job;
+use crate::outline::identify::{Outlines, Points};
+use glam::DVec3;
+
+/// Where nodes move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum OffsetDirection {
+    /// Along the normals of the body.
+    #[default]
+    Normal,
+    /// Within the planes of their sections.
+    InSection,
+}
+
+/// The frame whose nodes are so far from those of another: outwards, if its sections are closed,
+/// negative distances inwards; of open sections along the derivative from section to section
+/// crossed with that along them, or, within sections, away from the chord between their ends. Nodes
+/// where nothing tells a direction stay.
+///
+/// `distances`: one for all nodes, one for each section, or one for each node. `options`: those of
+/// the curves; nodes correspond as they are.
+///
+/// # Errors
+/// [`Error::ValuesDiffer`] for another number of distances, [`Error::BadValue`] for one that is not
+/// finite, and those of [`frame`].
+pub fn offset(
+    grid: &NodeGrid,
+    closed: bool,
+    distances: &[f64],
+    direction: OffsetDirection,
+    options: &FrameOptions<'_>,
+    job: &Job<'_>,
+) -> Result<Frame> {
+    let (rows, columns) = (grid.rows, grid.columns);
+    let distance = by_node(distances, [rows, columns])?;
+    let nodes = &grid.nodes;
+    let inside = alloc::collect((0..rows * columns).map(|k| {
+        let row = &nodes[k / columns * columns..][..columns];
+        tangent(columns, closed, k % columns, |j| row[j]).cross(area_vector(row)).normalize_or_zero()
+    }))?;
+    let directions = match direction {
+        OffsetDirection::InSection => inside,
+        OffsetDirection::Normal => {
+            let mut normals = node_normals(nodes, [rows, columns], [options.ring, closed])?;
+            // The side on which the sections have their outside.
+            let outwards: f64 = normals.iter().zip(&inside).map(|(n, out)| n.dot(*out)).sum();
+            if closed && outwards < 0.0 {
+                normals.iter_mut().for_each(|n| *n = -*n);
+            }
+            normals
+        }
+    };
+    let moved = alloc::collect((0..rows * columns).map(|k| (nodes[k] + distance(k) * directions[k]).to_array()))?;
+    let offsets = alloc::collect((0..rows + 1).map(|k| (k * columns) as u32))?;
+    let sections = Outlines { points: Points::from(&moved[..]), offsets: Some(&offsets), closed, constraints: &[] };
+    let options = FrameOptions {
+        correspondence: Correspondence::Given,
+        smooth_corners: grid.corners.is_empty(),
+        missing: &[],
+        ..*options
+    };
+    frame(&sections, &options, job)
+}
+
+/// The distance of each node of a grid, from one for all, one for each row, or one for each node.
+pub(crate) fn by_node(distances: &[f64], [rows, columns]: [usize; 2]) -> Result<impl Fn(usize) -> f64> {
+    let count = rows * columns;
+    if let Some((k, &value)) = distances.iter().enumerate().find(|(_, value)| !value.is_finite()) {
+        return Err(Error::BadValue { element: Element::Node, index: k as u64, input: 0, value });
+    }
+    let share = match distances.len() {
+        1 => count,
+        n if n == count => 1,
+        n if n == rows => columns,
+        n => return Err(Error::ValuesDiffer { input: 0, given: n as u64, needed: count as u64 }),
+    };
+    Ok(move |k: usize| distances[k / share])
+}
+
+/// The area of a section as a vector square to its plane, about which it runs counterclockwise.
+fn area_vector(row: &[DVec3]) -> DVec3 {
+    let turn = |pair: &[DVec3]| (pair[0] - row[0]).cross(pair[1] - row[0]);
+    row.windows(2).map(turn).sum()
+}
