@@ -22,11 +22,11 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let stretch = values.real("stretch");
+    let stretch = values.number("stretch");
     let options = Options {
         distortion: values.choice("distortion", Distortion::CHOICES),
         cuts: Cuts::default(),
-        max_darts: values.int("darts") as u32,
+        max_darts: values.number("darts") as u32,
         max_stretch: (stretch > 1.0).then_some(stretch),
         max_iterations: 0,
     };
