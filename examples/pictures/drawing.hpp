@@ -38,6 +38,21 @@ public:
     /// The place in the picture where the origin of space is from now on.
     void place(double x, double y) { x_ = x, y_ = y; }
 
+    /// Seen from elsewhere from now on, in front of what was drawn.
+    void look(const Point3 &eye, double scale) {
+        flush();
+        eye_ = unit(eye), right_ = unit(cross({0, 0, 1}, eye_)), up_ = cross(eye_, right_), scale_ = scale;
+    }
+
+    /// Where a point of space is in the picture.
+    std::array<double, 2> at(const Point3 &p) const { return {x_ + scale_ * dot(p, right_), y_ - scale_ * dot(p, up_)}; }
+
+    /// An element of SVG, in front of what was drawn.
+    void add(const std::string &element) {
+        flush();
+        body_ += element;
+    }
+
     /// A mesh, face f in the colour that `colour_of(f)` says.
     template <class ColourOf>
     void mesh(const gusset::MeshView &mesh, ColourOf &&colour_of) {
@@ -203,8 +218,8 @@ private:
     std::string path(const std::vector<Point3> &points) const {
         std::ostringstream text;
         for (std::size_t k = 0; k < points.size(); ++k) {
-            const long x = std::lround(10 * (x_ + scale_ * dot(points[k], right_)));
-            const long y = std::lround(10 * (y_ - scale_ * dot(points[k], up_)));
+            const auto spot = at(points[k]);
+            const long x = std::lround(10 * spot[0]), y = std::lround(10 * spot[1]);
             text << (k == 0 ? 'M' : 'L') << 0.1 * static_cast<double>(x) << ' ' << 0.1 * static_cast<double>(y);
         }
         return text.str();

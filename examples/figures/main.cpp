@@ -1,0 +1,27 @@
+// Draws the figures of the four papers, each by the calls of the library that do what it shows, into a folder:
+//   figures FOLDER
+// and says of each what its numbers are. The same bytes each time.
+#include "figure.hpp"
+
+#include <iostream>
+
+int main(int argc, char **argv) {
+    if (argc != 2) {
+        std::cerr << "usage: figures FOLDER\n";
+        return 2;
+    }
+    using namespace figures;
+    try {
+        for (const auto &paper : {nesterenko(), deryagin(), deryagin_gluing(), leus(), nadopta()}) {
+            for (const Entry &figure : paper) {
+                std::cout << figure.name << ": " << figure.draw(std::string(argv[1]) + "/" + figure.name + ".svg") << '\n';
+            }
+        }
+        return 0;
+    } catch (const gusset::Error &error) {
+        std::cerr << error.what() << " (status " << error.status() << ")\n";
+    } catch (const std::exception &error) {
+        std::cerr << error.what() << '\n';
+    }
+    return 1;
+}
