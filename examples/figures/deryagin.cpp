@@ -24,7 +24,7 @@ std::string tin(const std::string &file) {
     figure.mesh(mesh, [](std::size_t) { return pictures::blue; });
     // Round the patch that faces the eye.
     const Point3 middle = pictures::unit({0.45, -1, 0.55});
-    const auto near = [&](std::size_t f) { return pictures::dot(mesh.position(mesh.face(f)[0]), middle) > 0.9; };
+    const auto near = [&](std::size_t f) { return pictures::dot(mesh.position(mesh.face(f)[0]), middle) > 0.88; };
     pictures::Mesh fragment;
     std::size_t new_faces = 0;
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -39,15 +39,17 @@ std::string tin(const std::string &file) {
             colours.push_back(patch ? pictures::green : pictures::blue);
         }
     }
-    figure.look(middle, 420);
-    figure.place(690, 200 + figure.at(middle)[1] - figure.at(middle)[1]);
-    figure.place(690, 200 - (figure.at(middle)[1] - 200));
+    // Seen from the middle, which is at the origin of the picture then.
+    figure.look(middle, 340);
+    figure.place(690, 200);
     figure.mesh(fragment.view(), [&](std::size_t f) { return colours[f]; });
     figure.label({220, 405}, "a TIN");
     figure.label({690, 405}, "a fragment of its net");
     figure.save(file);
-    const auto odd = std::count_if(valence.begin(), valence.end(), [](uint32_t n) { return n != 6; });
-    return std::to_string(mesh.vertex_count()) + " vertices, " + std::to_string(mesh.face_count()) + " faces, " +
+    // What was in the holes before has no face.
+    const auto unused = std::count(valence.begin(), valence.end(), 0u);
+    const auto odd = std::count_if(valence.begin(), valence.end(), [](uint32_t n) { return n != 0 && n != 6; });
+    return std::to_string(mesh.vertex_count() - static_cast<std::size_t>(unused)) + " vertices, " + std::to_string(mesh.face_count()) + " faces, " +
            std::to_string(new_faces) + " of them of patches; " + std::to_string(odd) + " vertices whose valence is not 6; " +
            std::to_string(12 * mesh.face_count()) + " bytes of indices, which a net has not";
 }
@@ -87,9 +89,11 @@ std::string indices(const std::string &file) {
 /// Fig. 3: a sheet rolls to a tube, and on to a sphere or to a torus; the gluing is found where sides have met.
 std::string forming(const std::string &file) {
     const double pi = 3.141592653589793;
-    Figure figure(960, 440, {0.55, -1, 0.5}, 60);
+    Figure figure(960, 430);
     std::string text;
-    const auto row = [&](double y, const char *name, const gusset::Net &sheet, const gusset::Field &field, double scale, const char *letters) {
+    // What is still long is drawn smaller.
+    const auto row = [&](double y, const char *name, const gusset::Net &sheet, const gusset::Field &field, const std::array<double, 5> &scales,
+                         const char *letter) {
         text += (text.empty() ? "" : "; ") + std::string(name) + " chi";
         const std::array<double, 5> parts{0, 0.3, 0.5, 0.75, 1};
         for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -105,8 +109,7 @@ std::string forming(const std::string &file) {
                 }
             }
             net.transform(gusset::Operation::translate({-middle[0], -middle[1], -middle[2]}));
-            // Sheets are wide: they are drawn smaller.
-            figure.look({0.55, -1, 0.5}, k == 0 ? 0.55 * scale : k == 1 ? 0.75 * scale : scale);
+            figure.look({0.55, -1, 0.5}, scales[k]);
             figure.place(105 + 188 * static_cast<double>(k), y);
             const gusset::NetMesh mesh(net);
             figure.mesh(mesh.mesh(), [&](std::size_t) { return Colour{150, 180, 210}; });
@@ -114,14 +117,14 @@ std::string forming(const std::string &file) {
                          "t = " + places(parts[k], 2) + ", χ = " + std::to_string(euler), "middle", 13);
             text += " " + std::to_string(euler);
         }
-        figure.label({28, y - 78}, letters, "middle", 16);
+        figure.label({28, y - 70}, letter, "middle", 16);
     };
     // The arc of the field is along x, the meridians along y and the height z, so that axes follow z.
     gusset::Net globe = gusset::Net::from_primitive(gusset::Primitive::plane(2 * pi, pi).with(13, 25));
     globe.transform(gusset::Operation::translate({pi, 0, 0}));
-    row(105, "sphere", globe, gusset::Field::wrap_sphere(gusset::Axis::z, 1), 62, "а");
+    row(105, "sphere", globe, gusset::Field::wrap_sphere(gusset::Axis::z, 1), {25, 31, 40, 47, 60}, "а");
     gusset::Net ring = gusset::Net::from_primitive(gusset::Primitive::plane(2 * pi, 2 * pi * 0.4).with(13, 25));
-    row(320, "torus", ring, gusset::Field::wrap_torus(gusset::Axis::z, 1, 0.4), 58, "б");
+    row(320, "torus", ring, gusset::Field::wrap_torus(gusset::Axis::z, 1, 0.4), {25, 26, 27, 34, 52}, "б");
     figure.save(file);
     return text;
 }
@@ -173,7 +176,10 @@ gusset::Net wavy(std::size_t rows, std::size_t columns, double x, double phase) 
             points.push_back({u, v, 0.35 * std::sin(1.1 * u + phase) + 0.15 * std::cos(1.5 * v)});
         }
     }
-    return gusset::Net::from_points(rows, columns, points);
+    // Rows run away from the first one, so that its upper side would be the back.
+    gusset::Gluing turned;
+    turned.reversed = true;
+    return gusset::Net::from_points(rows, columns, points, turned);
 }
 
 /// Fig. 8: two nets side by side become one; the smaller one is enlarged before.
@@ -183,11 +189,11 @@ std::string joining(const std::string &file) {
     const gusset::Bridge bridge = joined.bridge(0);
     Figure figure(960, 500, {0.15, -1, 0.9}, 42);
     const auto colour_of = [&](std::size_t column) { return column + 1 < bridge.at ? pictures::blue : column + 1 == bridge.at ? pictures::green : pictures::ochre; };
-    figure.place(250, 400);
+    figure.place(262, 385);
     const gusset::NetMesh a(first), b(second), c(joined);
     figure.mesh(a.mesh(), [&](std::size_t) { return pictures::blue; });
     figure.mesh(b.mesh(), [&](std::size_t) { return pictures::ochre; });
-    figure.place(760, 400);
+    figure.place(760, 385);
     figure.mesh(c.mesh(), [&](std::size_t f) { return colour_of(c.cell_of_face()[f] % (joined.columns() - 1)); });
     for (const auto &[net, x, colour] : {std::tuple(&first, 130.0, blue), std::tuple(&second, 350.0, ochre)}) {
         const Grid grid(net->rows(), net->columns(), {x, 150}, 42);
@@ -202,7 +208,7 @@ std::string joining(const std::string &file) {
     const std::size_t ones = grid.contracted(figure, joined);
     grid.dots(figure, [&](std::size_t, std::size_t j) { return j < bridge.at ? blue : ochre; });
     figure.label({240, 485}, "а: two nets");
-    figure.label({740, 485}, "б: one net; the bridge in green, what made the sides equal in red");
+    figure.label({740, 485}, "б: one net: a bridge (green), a row repeated (red)");
     figure.save(file);
     const auto [left, right] = joined.split(0);
     return std::to_string(first.rows()) + " x " + std::to_string(first.columns()) + " and " + std::to_string(second.rows()) + " x " +
