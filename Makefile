@@ -41,8 +41,9 @@ cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages)
+figures_packages := $(host_packages)
 
-.PHONY: help build scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -59,6 +60,7 @@ help:
 	@echo 'make fuzz [TARGET=sew] [SECONDS=60]  the fuzzers, each for so many seconds; what they find is left in build/fuzz'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ and the page of showcases anew'
+	@echo 'make figures                      draws the figures of the papers anew, into docs/figures'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make cli                          the program gusset, its manual and its completions, into build/cli'
@@ -185,6 +187,9 @@ docs:
 
 pictures: stage
 	@scripts/pictures.sh '$(stage)' $(pictures_packages)
+
+figures: stage
+	@scripts/figures.sh '$(stage)' $(figures_packages)
 
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)

@@ -266,7 +266,8 @@ std::string bridges(const std::string &file) {
 } // namespace
 
 std::vector<Entry> deryagin() {
-    return {{"deryagin_1", tin},          {"deryagin_2", indices}, {"deryagin_3", forming},
+    return {{"deryagin_1", tin},     {"deryagin_2", indices}, {"deryagin_3", forming},
+            {"deryagin_4", gluings}, {"deryagin_5", closures}, {"deryagin_6", cube},
             {"deryagin_7", reformatting}, {"deryagin_8", joining}, {"deryagin_9", bridges}};
 }
 } // namespace figures

@@ -15,6 +15,7 @@ std::string letters(const gusset::GluingOccurrence &found) {
     const std::string b = found.b == UINT32_MAX ? "" : "," + std::to_string(found.b);
     return (found.on_cell != 0 ? "c(" : "n(") + std::to_string(found.a) + b + ")";
 }
+} // namespace
 
 /// Fig. 4: the 18 local gluings in the paper's eight groups; above the net with its glued links, below what it becomes.
 std::string gluings(const std::string &file) {
@@ -205,7 +206,4 @@ std::string cube(const std::string &file) {
            std::to_string(mesh.mesh().face_count()) + " of " + std::to_string((net.rows() - 1) * (net.columns() - 1)) + " cells, chi " +
            std::to_string(complex.euler());
 }
-} // namespace
-
-std::vector<Entry> deryagin_gluing() { return {{"deryagin_4", gluings}, {"deryagin_5", closures}, {"deryagin_6", cube}}; }
 } // namespace figures

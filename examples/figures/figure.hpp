@@ -49,7 +49,7 @@ public:
 
     void line(const std::vector<Spot> &spots, const Pen &pen = {}, bool closed = false) { add(shape(spots, pen, closed, "none")); }
     void area(const std::vector<Spot> &spots, const Colour &fill, double opacity = 1, const Pen &pen = {ink, 0, ""}) {
-        add(shape(spots, pen, true, rgb(fill) + "' fill-opacity='" + tenths(opacity)));
+        add(shape(spots, pen, true, rgb(fill) + (opacity < 1 ? "' fill-opacity='" + tenths(opacity) : "")));
     }
     /// A line with a head at its end.
     void arrow(const Spot &from, const Spot &to, const Pen &pen = {}, double head = 9) {
@@ -80,12 +80,25 @@ public:
     /// A matrix of bits, cells of `size`, those that are 1 filled; the spot is its upper left corner.
     void bits(const Spot &at, std::size_t rows, std::size_t columns, double size, const std::function<bool(std::size_t, std::size_t)> &one,
               const std::function<Colour(std::size_t, std::size_t)> &colour_of) {
+        const double width = size * static_cast<double>(columns), height = size * static_cast<double>(rows);
+        const auto cell = [&](double x, double y, double w, double h) {
+            return std::vector<Spot>{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
+        };
+        area(cell(at[0], at[1], width, height), {255, 255, 255});
         for (std::size_t i = 0; i < rows; ++i) {
             for (std::size_t j = 0; j < columns; ++j) {
-                const double x = at[0] + size * static_cast<double>(j), y = at[1] + size * static_cast<double>(i);
-                area({{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}, one(i, j) ? colour_of(i, j) : Colour{255, 255, 255}, 1,
-                     {faint, 0.6, ""});
+                if (one(i, j)) {
+                    area(cell(at[0] + size * static_cast<double>(j), at[1] + size * static_cast<double>(i), size, size), colour_of(i, j));
+                }
             }
+        }
+        for (std::size_t i = 0; i <= rows; ++i) {
+            const double y = at[1] + size * static_cast<double>(i);
+            line({{at[0], y}, {at[0] + width, y}}, {faint, 0.6, ""});
+        }
+        for (std::size_t j = 0; j <= columns; ++j) {
+            const double x = at[0] + size * static_cast<double>(j);
+            line({{x, at[1]}, {x, at[1] + height}}, {faint, 0.6, ""});
         }
     }
     /// Writes the file, or throws.
@@ -138,7 +151,6 @@ struct Entry {
 };
 std::vector<Entry> nesterenko();
 std::vector<Entry> deryagin();
-std::vector<Entry> deryagin_gluing();
 std::vector<Entry> leus();
 std::vector<Entry> nadopta();
 } // namespace figures

@@ -50,8 +50,8 @@ void carcass(Figure &figure, const Sheet &sheet, uint32_t parts, const std::func
     figure.mesh(gusset::MeshView::uniform(points, corners, 4), [&](std::size_t f) { return colours[f]; });
     const auto draw = [&](SheetDirection along, std::size_t count) {
         for (std::size_t k = 0; curves && k <= count; ++k) {
-            const auto sampled = sheet.curve(along, static_cast<double>(k)).sample(gusset::SampleRule::count, 60);
-            figure.curve({sampled.points().begin(), sampled.points().end()}, false, ink, 1.3, 0.08);
+            const auto sampled = sheet.curve(along, static_cast<double>(k)).sample(gusset::SampleRule::count, 30);
+            figure.curve({sampled.points().begin(), sampled.points().end()}, false, ink, 1.3, 0.25);
         }
     };
     draw(SheetDirection::rows, sheet.rows());
@@ -125,12 +125,12 @@ std::string sections(const std::string &file) {
         }
     }
 
-    Figure figure(960, 400, {0.25, -1, 0.3}, 300);
+    Figure figure(960, 340, {0.25, -1, 0.5}, 300);
     const auto end = [&](double s) { return Point3{on[0] + s * along[0], on[1] + s * along[1], 0}; };
     const auto middle = [](std::size_t i, std::size_t j) { return i == 1 && j == 1 ? &pale : nullptr; };
-    figure.place(165, 605);
+    figure.place(165, 515);
     carcass(figure, sheet, 6, middle, false);
-    plane(figure, end(-0.52), end(0.52), 1.2, 1.65);
+    plane(figure, end(-0.52), end(0.52), 1.15, 1.65);
     for (const double k : {1.0, 2.0}) {
         for (const auto direction : {SheetDirection::rows, SheetDirection::columns}) {
             const gusset::Curve side = sheet.curve(direction, k).part(gusset::place(1, 0), gusset::place(1, 1));
@@ -145,10 +145,10 @@ std::string sections(const std::string &file) {
         figure.label({figure.at(p)[0] + (p[0] < 0 ? -14 : 14), figure.at(p)[1] + 18}, name, "middle", 16, red);
     }
     figure.label({figure.at(end(0.52))[0] - 12, figure.at({end(0.52)[0], end(0.52)[1], 1.65})[1] + 20}, "P", "middle", 16, violet);
-    figure.label({160, 385}, "а: chord and section");
+    figure.label({160, 322}, "а: chord and section");
 
-    figure.look({0.25, -1, 0.3}, 125);
-    figure.place(485, 345);
+    figure.look({0.25, -1, 0.5}, 125);
+    figure.place(485, 255);
     carcass(figure, sheet, 4, [](std::size_t i, std::size_t j) { return i == 1 && j == 1 ? &taken : &pale; });
     figure.line(seen(figure, section[0].points), {blue, 2.5, ""});
     figure.line(seen(figure, cubic[0].points), {green, 2.5, "2 5"});
@@ -156,7 +156,7 @@ std::string sections(const std::string &file) {
     for (const Point3 &p : four) {
         figure.dot(figure.at(p), 4, paper, red, 1.5);
     }
-    figure.label({485, 385}, "б: by neighbouring curves");
+    figure.label({485, 322}, "б: by neighbouring curves");
 
     // Two planes across each other through the middle of the cell, parallel to its normal.
     const gusset::SurfacePlace place = gusset::surface_place(0, 1, 1, 0.6, 0.45);
@@ -166,7 +166,7 @@ std::string sections(const std::string &file) {
     const double sign = pictures::dot(found, true_normal) < 0 ? -1 : 1;
     const Point3 across = pictures::unit(pictures::cross(true_normal, {0.3, 1, 0})), other = pictures::cross(true_normal, across);
     figure.look({0.25, -1, 0.45}, 290);
-    figure.place(805, 610);
+    figure.place(805, 550);
     carcass(figure, sheet, 6, middle, false);
     for (const auto &[cut, name] : {std::pair(across, "P_1"), std::pair(other, "P_2")}) {
         const auto two = surface.section(at, cut);
@@ -185,7 +185,7 @@ std::string sections(const std::string &file) {
     }
     figure.arrow(figure.at(at), figure.at({at[0] + 0.35 * sign * found[0], at[1] + 0.35 * sign * found[1], at[2] + 0.35 * sign * found[2]}), {red, 2.5, ""}, 12);
     figure.dot(figure.at(at), 4, paper, red, 1.5);
-    figure.label({810, 385}, "в: a normal by two sections");
+    figure.label({810, 322}, "в: a normal by two sections");
     figure.save(file);
     const double cosine = std::min(1.0, sign * pictures::dot(found, true_normal));
     return "the chord is " + places(off(surface, chord), 4) + " off, the curve through four crossings " + places(off(surface, better), 4) +

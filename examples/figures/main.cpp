@@ -12,7 +12,7 @@ int main(int argc, char **argv) {
     }
     using namespace figures;
     try {
-        for (const auto &paper : {nesterenko(), deryagin(), deryagin_gluing(), leus(), nadopta()}) {
+        for (const auto &paper : {nesterenko(), deryagin(), leus(), nadopta()}) {
             for (const Entry &figure : paper) {
                 std::cout << figure.name << ": " << figure.draw(std::string(argv[1]) + "/" + figure.name + ".svg") << '\n';
             }

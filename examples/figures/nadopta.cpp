@@ -29,7 +29,7 @@ std::vector<Spot> drawn(const Curve &curve, const std::function<Spot(const Point
 
 /// Fig. 1: quadratics of different control points and parameters that pass the same point.
 std::string one_point(const std::string &file) {
-    const std::vector<Plane> points{{0, 0}, {2.6, 2.6}, {9, 0.4}};
+    const std::vector<Plane> points{{0, 0}, {2.6, 1.6}, {9, 0.4}};
     Figure figure(960, 420);
     const auto spot = [](double x, double y) { return Spot{110 + 80 * x, 370 - 76 * y}; };
     const auto at = [&](const Point3 &p) { return spot(p[0], p[1]); };
@@ -40,10 +40,11 @@ std::string one_point(const std::string &file) {
     for (const Method &method : methods) {
         styles.push_back({method, 0.5});
     }
-    // Between the median and the bisector, and beyond: the paper's question has one answer for each parameter.
+    // Each method is a rule for the parameter; with the parameter the control point is had.
     styles.push_back({{"symmedian", "Y", SectionMethod::symmedian, violet}, 0.5});
-    styles.push_back({{"centripetal", "A", SectionMethod::alpha, ochre}, 0.25});
-    for (const auto &[style, alpha] : styles) {
+    styles.push_back({{"alpha", "A", SectionMethod::alpha, ochre}, 0.25});
+    for (std::size_t k = 0; k < styles.size(); ++k) {
+        const auto &[style, alpha] = styles[k];
         const gusset::Sections sections(gusset::Outlines(points, false), style.method, alpha);
         const Point3 control = sections.controls()[1];
         const double t = sections.parameters()[1];
@@ -54,18 +55,11 @@ std::string one_point(const std::string &file) {
         figure.line({spot(points[0][0], points[0][1]), at(control), spot(points[2][0], points[2][1])}, {style.colour, 0.8, "3 4"});
         figure.line(drawn(curve, at), {style.colour, 2.2, ""});
         figure.dot(at(control), 4.5, paper, style.colour, 1.8);
-        text += (text.empty() ? "t " : ", ") + std::string(style.method == SectionMethod::alpha ? "alpha 0.25" : style.name) + " " + places(t, 3);
-        // A legend, since control points lie close together.
-        const double y = 45 + 26 * static_cast<double>(&style == &styles[0].first ? 0 : 0);
-        static_cast<void>(y);
-    }
-    for (std::size_t k = 0; k < styles.size(); ++k) {
-        const Method &style = styles[k].first;
-        const gusset::Sections sections(gusset::Outlines(points, false), style.method, styles[k].second);
+        const std::string name = style.method == SectionMethod::alpha ? "alpha 0.25" : style.name;
+        text += (k == 0 ? "t by " : ", ") + name + " " + places(t, 3);
         const double y = 50 + 26 * static_cast<double>(k);
         figure.line({{690, y - 5}, {720, y - 5}}, {style.colour, 2.5, ""});
-        figure.label({732, y}, std::string(style.method == SectionMethod::alpha ? "α = 0.25" : style.name) + ", t = " + places(sections.parameters()[1], 3),
-                     "start", 15);
+        figure.label({732, y}, name + ", t = " + places(t, 3), "start", 15);
     }
     const std::array<std::tuple<const char *, double, double>, 3> names{{{"P_i-1", -30, 6}, {"P_i", -20, -8}, {"P_i+1", 30, 6}}};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -89,8 +83,8 @@ std::string chords(const std::string &file) {
     const std::vector<Plane> points{{0, 0}, {1.6, 3}, {6.4, 3.6}, {9, 0.3}};
     Figure figure(960, 400);
     std::string text;
-    const auto left = [](double x, double y) { return Spot{50 + 42 * x, 290 - 50 * y}; };
-    const auto right = [](double x, double y) { return Spot{540 + 42 * x, 290 - 50 * y}; };
+    const auto left = [](double x, double y) { return Spot{50 + 42 * x, 290 - 41 * y}; };
+    const auto right = [](double x, double y) { return Spot{540 + 42 * x, 290 - 41 * y}; };
     const auto of = [](const auto &spot, const Plane &p) { return spot(p[0], p[1]); };
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         figure.line({of(left, points[k]), of(left, points[k + 1])}, {faint, 1.2, ""});
@@ -109,7 +103,7 @@ std::string chords(const std::string &file) {
             figure.dot(of(left, at), 3.5, method.colour, method.colour);
             figure.dot(left(control[0], control[1]), 4, paper, method.colour, 1.8);
         }
-        const double y = 340 + 22 * 0;
+        const double y = 340;
         figure.line({{70 + 130 * static_cast<double>(m), y - 5}, {95 + 130 * static_cast<double>(m), y - 5}}, {method.colour, 2.2, ""});
         figure.label({102 + 130 * static_cast<double>(m), y}, method.name, "start", 14);
     }
@@ -148,17 +142,17 @@ std::string chords(const std::string &file) {
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Spot at = spot(points[k][0], points[k][1]);
             figure.dot(at, 4.5, ink);
-            figure.label({at[0] + (k < 2 ? -18 : 18), at[1] + 6}, "B_" + std::to_string(k), "middle", 15);
+            figure.label({at[0] + (k < 2 ? -20 : 20), at[1] + 8}, "B_" + std::to_string(k), "middle", 15);
         }
     }
     figure.label({240, 382}, "chords, guides, feet, and control points");
-    figure.label({730, 382}, "control points by cycles, and the curve");
+    figure.label({730, 382}, "control points by cycles (normal), and the curve");
     figure.save(file);
     text += "; moves of cycles";
-    for (std::size_t k = 0; k < history.size(); ++k) {
+    for (std::size_t k = 0; k < std::min<std::size_t>(history.size(), 5); ++k) {
         text += " " + places(history[k].moved, 6);
     }
-    return text + ", " + std::to_string(history[history.size() - 1].steps) + " steps";
+    return text + " of " + std::to_string(history.size()) + " cycles, " + std::to_string(history[history.size() - 1].steps) + " steps";
 }
 
 /// Fig. 3: the weights of the three control points of a quadratic, as the heights of curves that have 1 there and 0 elsewhere.

@@ -82,4 +82,9 @@ private:
     std::size_t rows_, columns_;
     std::vector<Spot> spots_;
 };
+
+/// Figures 4 to 6 of Deryagin's paper, what is glued, in deryagin_gluing.cpp.
+std::string gluings(const std::string &file);
+std::string closures(const std::string &file);
+std::string cube(const std::string &file);
 } // namespace figures
