@@ -102,8 +102,8 @@ add_executable(figures ${figures}/main.cpp ${figures}/nesterenko.cpp ${figures}/
 target_compile_options(figures PRIVATE ${strict} -Wconversion -Wshadow)
 target_link_libraries(figures PRIVATE PkgConfig::gusset)
 foreach(time first second)
-  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/figures/${time})
-  add_test(NAME figures/${time} COMMAND figures ${CMAKE_BINARY_DIR}/figures/${time})
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/papers/${time})
+  add_test(NAME figures/${time} COMMAND figures ${CMAKE_BINARY_DIR}/papers/${time})
   set_tests_properties(figures/${time} PROPERTIES FIXTURES_SETUP figures PASS_REGULAR_EXPRESSION
                        "H 1000 0100 0100 0010 0010 0001 0001.*13 quads, 2 triangles.*sphere chi 1 1 0 0 2; torus chi 1 1 0 0 0\
 .*18 local gluings.*two poles 33 ones, chi 2; .*torus 22 ones, chi 0.*2 of 1, 2 of 2, 2 of 9, 2 of 10.*integer diameter 5\
@@ -115,8 +115,8 @@ foreach(paper nesterenko:5 deryagin:9 leus:4 nadopta:3)
   list(GET paper 1 count)
   foreach(number RANGE 1 ${count})
     set(name ${author}_${number})
-    add_test(NAME figures/${name} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_BINARY_DIR}/figures/first/${name}.svg
-             ${CMAKE_BINARY_DIR}/figures/second/${name}.svg)
+    add_test(NAME figures/${name} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_BINARY_DIR}/papers/first/${name}.svg
+             ${CMAKE_BINARY_DIR}/papers/second/${name}.svg)
     set_tests_properties(figures/${name} PROPERTIES FIXTURES_REQUIRED figures)
   endforeach()
 endforeach()

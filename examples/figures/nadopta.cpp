@@ -80,10 +80,10 @@ Plane foot(const Plane &from, const Plane &to, const Plane &point, const Point3 
 
 /// Fig. 2: chords, guides by three methods with their feet; control points cycle by cycle by the paper's stepping.
 std::string chords(const std::string &file) {
-    const std::vector<Plane> points{{0, 0}, {1.6, 3}, {6.4, 3.6}, {9, 0.3}};
+    const std::vector<Plane> points{{0, 0}, {1, 3}, {7.2, 3.4}, {9, 0.3}};
     Figure figure(960, 400);
     std::string text;
-    const auto left = [](double x, double y) { return Spot{50 + 42 * x, 290 - 41 * y}; };
+    const auto left = [](double x, double y) { return Spot{105 + 37 * x, 290 - 41 * y}; };
     const auto right = [](double x, double y) { return Spot{540 + 42 * x, 290 - 41 * y}; };
     const auto of = [](const auto &spot, const Plane &p) { return spot(p[0], p[1]); };
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
@@ -102,10 +102,11 @@ std::string chords(const std::string &file) {
             figure.line({of(left, at), left(control[0], control[1])}, {method.colour, 1.8, ""});
             figure.dot(of(left, at), 3.5, method.colour, method.colour);
             figure.dot(left(control[0], control[1]), 4, paper, method.colour, 1.8);
+            figure.label({of(left, at)[0] + (k == 1 ? 5 : m == 0 ? 4 : -8), of(left, at)[1] + 20}, std::string("S_") + method.letter, "middle", 12, method.colour);
         }
         const double y = 340;
-        figure.line({{70 + 130 * static_cast<double>(m), y - 5}, {95 + 130 * static_cast<double>(m), y - 5}}, {method.colour, 2.2, ""});
-        figure.label({102 + 130 * static_cast<double>(m), y}, method.name, "start", 14);
+        figure.line({{85 + 130 * static_cast<double>(m), y - 5}, {110 + 130 * static_cast<double>(m), y - 5}}, {method.colour, 2.2, ""});
+        figure.label({117 + 130 * static_cast<double>(m), y}, method.name, "start", 14);
     }
     // Control points of one cubic through all, after so many cycles.
     gusset::OutlineOptions options;
@@ -145,7 +146,7 @@ std::string chords(const std::string &file) {
             figure.label({at[0] + (k < 2 ? -20 : 20), at[1] + 8}, "B_" + std::to_string(k), "middle", 15);
         }
     }
-    figure.label({240, 382}, "chords, guides, feet, and control points");
+    figure.label({262, 382}, "chords, guides, feet, and control points");
     figure.label({730, 382}, "control points by cycles (normal), and the curve");
     figure.save(file);
     text += "; moves of cycles";
