@@ -1,4 +1,4 @@
-// Deryagin, "Modelling of 3D objects and scenes by tetragonal regular networks": figures 1 to 3 and 7 to 9, nets themselves.
+// Deryagin, "Modelling of 3D objects and scenes by tetragonal regular networks": figures 1 to 3 and 7 to 9.
 #include "net_drawing.hpp"
 
 #include "../pictures/shapes.hpp"
@@ -49,9 +49,10 @@ std::string tin(const std::string &file) {
     // What was in the holes before has no face.
     const auto unused = std::count(valence.begin(), valence.end(), 0u);
     const auto odd = std::count_if(valence.begin(), valence.end(), [](uint32_t n) { return n != 0 && n != 6; });
-    return std::to_string(mesh.vertex_count() - static_cast<std::size_t>(unused)) + " vertices, " + std::to_string(mesh.face_count()) + " faces, " +
-           std::to_string(new_faces) + " of them of patches; " + std::to_string(odd) + " vertices whose valence is not 6; " +
-           std::to_string(12 * mesh.face_count()) + " bytes of indices, which a net has not";
+    return std::to_string(mesh.vertex_count() - static_cast<std::size_t>(unused)) + " vertices, " +
+           std::to_string(mesh.face_count()) + " faces, " + std::to_string(new_faces) + " of them of patches; " +
+           std::to_string(odd) + " vertices whose valence is not 6; " + std::to_string(12 * mesh.face_count()) +
+           " bytes of indices, which a net has not";
 }
 
 /// Fig. 2: the indices of the nodes of a net, and of its cells, counted from 1 as in the paper.
@@ -83,7 +84,8 @@ std::string indices(const std::string &file) {
     figure.label({235, 322}, "а: indices of nodes");
     figure.label({725, 322}, "б: indices of cells");
     figure.save(file);
-    return std::to_string(net.rows()) + " x " + std::to_string(net.columns()) + " nodes, " + std::to_string(mesh.mesh().face_count()) + " cells";
+    return std::to_string(net.rows()) + " x " + std::to_string(net.columns()) + " nodes, " +
+           std::to_string(mesh.mesh().face_count()) + " cells";
 }
 
 /// Fig. 3: a sheet rolls to a tube, and on to a sphere or to a torus; the gluing is found where sides have met.
@@ -92,8 +94,8 @@ std::string forming(const std::string &file) {
     Figure figure(960, 430);
     std::string text;
     // What is still long is drawn smaller.
-    const auto row = [&](double y, const char *name, const gusset::Net &sheet, const gusset::Field &field, const std::array<double, 5> &scales,
-                         const char *letter) {
+    const auto row = [&](double y, const char *name, const gusset::Net &sheet, const gusset::Field &field,
+                         const std::array<double, 5> &scales, const char *letter) {
         text += (text.empty() ? "" : "; ") + std::string(name) + " chi";
         const std::array<double, 5> parts{0, 0.3, 0.5, 0.75, 1};
         for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -162,9 +164,10 @@ std::string reformatting(const std::string &file) {
     figure.label({680, 380}, "б: reformatted; contracted links in red");
     figure.save(file);
     const gusset::Net back = large.compacted();
-    return std::to_string(large.rows()) + " x " + std::to_string(large.columns()) + " of " + std::to_string(net.rows()) + " x " +
-           std::to_string(net.columns()) + ", " + std::to_string(ones) + " links contracted; compacted to " + std::to_string(back.rows()) +
-           " x " + std::to_string(back.columns()) + ", area " + places(large.measure().area, 3) + " of " + places(net.measure().area, 3);
+    return std::to_string(large.rows()) + " x " + std::to_string(large.columns()) + " of " +
+           std::to_string(net.rows()) + " x " + std::to_string(net.columns()) + ", " + std::to_string(ones) +
+           " links contracted; compacted to " + std::to_string(back.rows()) + " x " + std::to_string(back.columns()) +
+           ", area " + places(large.measure().area, 3) + " of " + places(net.measure().area, 3);
 }
 
 /// A rectangle of nodes with a wave.
@@ -172,7 +175,8 @@ gusset::Net wavy(std::size_t rows, std::size_t columns, double x, double phase) 
     std::vector<Point3> points;
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns; ++j) {
-            const double u = x + static_cast<double>(j), v = 1.6 * (1 - 2 * static_cast<double>(i) / static_cast<double>(rows - 1));
+            const double u = x + static_cast<double>(j),
+                         v = 1.6 * (1 - 2 * static_cast<double>(i) / static_cast<double>(rows - 1));
             points.push_back({u, v, 0.35 * std::sin(1.1 * u + phase) + 0.15 * std::cos(1.5 * v)});
         }
     }
@@ -188,7 +192,9 @@ std::string joining(const std::string &file) {
     const gusset::Net joined = gusset::concatenate(first, second);
     const gusset::Bridge bridge = joined.bridge(0);
     Figure figure(960, 500, {0.15, -1, 0.9}, 42);
-    const auto colour_of = [&](std::size_t column) { return column + 1 < bridge.at ? pictures::blue : column + 1 == bridge.at ? pictures::green : pictures::ochre; };
+    const auto colour_of = [&](std::size_t column) {
+        return column + 1 < bridge.at ? pictures::blue : column + 1 == bridge.at ? pictures::green : pictures::ochre;
+    };
     figure.place(262, 385);
     const gusset::NetMesh a(first), b(second), c(joined);
     figure.mesh(a.mesh(), [&](std::size_t) { return pictures::blue; });
@@ -211,9 +217,10 @@ std::string joining(const std::string &file) {
     figure.label({740, 485}, "б: one net: a bridge (green), a row repeated (red)");
     figure.save(file);
     const auto [left, right] = joined.split(0);
-    return std::to_string(first.rows()) + " x " + std::to_string(first.columns()) + " and " + std::to_string(second.rows()) + " x " +
-           std::to_string(second.columns()) + " make " + std::to_string(joined.rows()) + " x " + std::to_string(joined.columns()) + ", " +
-           std::to_string(ones) + " links contracted; split again " + std::to_string(left.rows()) + " x " + std::to_string(left.columns()) +
+    return std::to_string(first.rows()) + " x " + std::to_string(first.columns()) + " and " +
+           std::to_string(second.rows()) + " x " + std::to_string(second.columns()) + " make " +
+           std::to_string(joined.rows()) + " x " + std::to_string(joined.columns()) + ", " + std::to_string(ones) +
+           " links contracted; split again " + std::to_string(left.rows()) + " x " + std::to_string(left.columns()) +
            " and " + std::to_string(right.rows()) + " x " + std::to_string(right.columns());
 }
 
@@ -237,7 +244,8 @@ std::string bridges(const std::string &file) {
         });
         // A thread has no faces: it is the edges of none.
         for (std::size_t k = 0; k + 1 < mesh.wires().size(); k += 2) {
-            figure.curve({mesh.mesh().position(mesh.wires()[k]), mesh.mesh().position(mesh.wires()[k + 1])}, false, green, 4, 0.05);
+            figure.curve({mesh.mesh().position(mesh.wires()[k]), mesh.mesh().position(mesh.wires()[k + 1])}, false,
+                         green, 4, 0.05);
         }
         figure.label({x, 388}, name + ": " + how);
         text += (text.empty() ? "" : "; ") + name + " chi " + std::to_string(gusset::NetComplex(net).euler()) + ", " +
@@ -261,13 +269,14 @@ std::string bridges(const std::string &file) {
     const gusset_settle_report rest = tube.settle();
     draw(810, 72, tube, "rim to rim, a film at rest");
     figure.save(file);
-    return text + ", at rest " + (rest.converged != 0 ? "after " : "not after ") + std::to_string(rest.iterations) + " steps";
+    return text + ", at rest " + (rest.converged != 0 ? "after " : "not after ") + std::to_string(rest.iterations) +
+           " steps";
 }
 } // namespace
 
 std::vector<Entry> deryagin() {
-    return {{"deryagin_1", tin},     {"deryagin_2", indices}, {"deryagin_3", forming},
-            {"deryagin_4", gluings}, {"deryagin_5", closures}, {"deryagin_6", cube},
-            {"deryagin_7", reformatting}, {"deryagin_8", joining}, {"deryagin_9", bridges}};
+    return {{"deryagin_1", tin},          {"deryagin_2", indices},  {"deryagin_3", forming},
+            {"deryagin_4", gluings},      {"deryagin_5", closures}, {"deryagin_6", cube},
+            {"deryagin_7", reformatting}, {"deryagin_8", joining},  {"deryagin_9", bridges}};
 }
 } // namespace figures

@@ -55,13 +55,15 @@ std::string gluings(const std::string &file) {
                 }
             }
             const double x = left + 85 + 106 * static_cast<double>(t), step = of_cell ? 27 : 40;
-            const Grid before(side, side, {x, top + 85}, step), after = Grid(side, side, {x, top + 190}, step).gathered(net, 1);
+            const Grid before(side, side, {x, top + 85}, step),
+                after = Grid(side, side, {x, top + 190}, step).gathered(net, 1);
             before.lines(figure, {blue, 1.2, ""});
             before.contracted(figure, net);
             if (type >= GluingType::falling) {
                 // Opposite corners are no link: the pair is a seam.
                 for (const gusset::Seam &seam : net.seams()) {
-                    figure.line({before.spot(seam.row_a, seam.column_a), before.spot(seam.row_b, seam.column_b)}, {red, 3, "5 4"});
+                    figure.line({before.spot(seam.row_a, seam.column_a), before.spot(seam.row_b, seam.column_b)},
+                                {red, 3, "5 4"});
                 }
             }
             after.lines(figure, {blue, 1.2, ""});
@@ -83,11 +85,15 @@ std::string gluings(const std::string &file) {
                 name += cell == on_cell ? (name.empty() ? "" : ", ") + one : "";
             }
         }
-        const std::string orders = "node order " + std::to_string(node_order) + (link_order > 1 ? ", link order " + std::to_string(link_order) : "");
+        const std::string orders = "node order " + std::to_string(node_order) +
+                                   (link_order > 1 ? ", link order " + std::to_string(link_order) : "");
         const std::size_t kinds = panels[k].types.size();
-        figure.label({left + 28, top + 28}, std::string(panels[k].letter) + ":  " + name + ";  " + orders + ";  " + std::to_string(kinds) + (kinds == 1 ? " kind" : " kinds"),
+        figure.label({left + 28, top + 28},
+                     std::string(panels[k].letter) + ":  " + name + ";  " + orders + ";  " + std::to_string(kinds) +
+                         (kinds == 1 ? " kind" : " kinds"),
                      "start", 14);
-        text += name + " " + std::to_string(node_order) + "/" + std::to_string(link_order) + " x " + std::to_string(kinds) + "; ";
+        text += name + " " + std::to_string(node_order) + "/" + std::to_string(link_order) + " x " +
+                std::to_string(kinds) + "; ";
     }
     figure.save(file);
     return text + std::to_string(count) + " local gluings";
@@ -117,15 +123,18 @@ std::string closures(const std::string &file) {
         const gusset::NetComplex complex(net);
         figure.place(x, 95);
         figure.mesh(mesh.mesh(), [](std::size_t) { return Colour{150, 180, 210}; });
-        figure.label({x, 202}, std::string(all[k].letter) + ": " + all[k].name + ", χ = " + std::to_string(complex.euler()), "middle", 14);
+        figure.label({x, 202},
+                     std::string(all[k].letter) + ": " + all[k].name + ", χ = " + std::to_string(complex.euler()),
+                     "middle", 14);
         // Rows of horizontal and of vertical links by turns.
-        figure.bits({x - 0.5 * size * static_cast<double>(w), 225}, 2 * h, w, size,
-                    [&](std::size_t i, std::size_t j) { return matrix[i * w + j] != 0; },
-                    [](std::size_t i, std::size_t) { return i % 2 == 0 ? red : blue; });
+        figure.bits(
+            {x - 0.5 * size * static_cast<double>(w), 225}, 2 * h, w, size,
+            [&](std::size_t i, std::size_t j) { return matrix[i * w + j] != 0; },
+            [](std::size_t i, std::size_t) { return i % 2 == 0 ? red : blue; });
         const auto ones = std::count(matrix.begin(), matrix.end(), uint8_t{1});
         figure.label({x, 430}, std::to_string(ones) + " ones", "middle", 14);
-        text += (k == 0 ? "" : "; ") + std::string(all[k].name) + " " + std::to_string(ones) + " ones, chi " + std::to_string(complex.euler()) +
-                (complex.is_closed() ? "" : ", open");
+        text += (k == 0 ? "" : "; ") + std::string(all[k].name) + " " + std::to_string(ones) + " ones, chi " +
+                std::to_string(complex.euler()) + (complex.is_closed() ? "" : ", open");
     }
     figure.label({480, 458}, "links that are contracted: horizontal ones in red, vertical ones in blue", "middle", 13);
     figure.save(file);
@@ -151,7 +160,8 @@ std::string cube(const std::string &file) {
     const Grid grid(net.rows(), net.columns(), {285, 200}, 29);
     for (const uint32_t cell : mesh.cell_of_face()) {
         const std::size_t i = cell / (net.columns() - 1), j = cell % (net.columns() - 1);
-        figure.area({grid.spot(i, j), grid.spot(i, j + 1), grid.spot(i + 1, j + 1), grid.spot(i + 1, j)}, {205, 219, 234});
+        figure.area({grid.spot(i, j), grid.spot(i, j + 1), grid.spot(i + 1, j + 1), grid.spot(i + 1, j)},
+                    {205, 219, 234});
     }
     grid.lines(figure, {faint, 1, ""});
     const std::size_t ones = grid.contracted(figure, net, 2.5);
@@ -160,9 +170,11 @@ std::string cube(const std::string &file) {
         pairs += seam.count;
         const auto run = [&](uint32_t row, uint32_t column, int32_t row_step, int32_t column_step) {
             const auto end = [&](uint32_t start, int32_t step) {
-                return static_cast<std::size_t>(static_cast<int64_t>(start) + static_cast<int64_t>(seam.count - 1) * step);
+                return static_cast<std::size_t>(static_cast<int64_t>(start) +
+                                                static_cast<int64_t>(seam.count - 1) * step);
             };
-            figure.line({grid.spot(row, column), grid.spot(end(row, row_step), end(column, column_step))}, {violet, 4, ""});
+            figure.line({grid.spot(row, column), grid.spot(end(row, row_step), end(column, column_step))},
+                        {violet, 4, ""});
         };
         run(seam.row_a, seam.column_a, seam.row_step_a, seam.column_step_a);
         run(seam.row_b, seam.column_b, seam.row_step_b, seam.column_step_b);
@@ -192,7 +204,8 @@ std::string cube(const std::string &file) {
             const Spot at = figure.at(p);
             figure.dot(at, 4, paper, red, 1.5);
             const double x = at[0] - 780, y = at[1] - 195, length = std::hypot(x, y);
-            figure.label({at[0] + 19 * x / length, at[1] + 19 * y / length + 5}, std::to_string(order[classes[node]]), "middle", 16, red);
+            figure.label({at[0] + 19 * x / length, at[1] + 19 * y / length + 5}, std::to_string(order[classes[node]]),
+                         "middle", 16, red);
         }
     }
     figure.label({285, 412}, "the net: cells that stay, contracted links, seams (violet)");
@@ -200,10 +213,11 @@ std::string cube(const std::string &file) {
     figure.save(file);
     std::string text;
     for (const auto &[size, corners] : kinds) {
-        text += corners != 0 ? (text.empty() ? "" : ", ") + std::to_string(corners) + " of " + std::to_string(size) : "";
+        text +=
+            corners != 0 ? (text.empty() ? "" : ", ") + std::to_string(corners) + " of " + std::to_string(size) : "";
     }
-    return "corners by nodes: " + text + "; " + std::to_string(ones) + " ones, " + std::to_string(pairs) + " pairs of seams, " +
-           std::to_string(mesh.mesh().face_count()) + " of " + std::to_string((net.rows() - 1) * (net.columns() - 1)) + " cells, chi " +
-           std::to_string(complex.euler());
+    return "corners by nodes: " + text + "; " + std::to_string(ones) + " ones, " + std::to_string(pairs) +
+           " pairs of seams, " + std::to_string(mesh.mesh().face_count()) + " of " +
+           std::to_string((net.rows() - 1) * (net.columns() - 1)) + " cells, chi " + std::to_string(complex.euler());
 }
 } // namespace figures

@@ -1,4 +1,4 @@
-// A figure of a paper: a picture in space, as of the gallery, and over it points, lines, letters and matrices in the plane.
+// A figure of a paper: a picture in space, as of the gallery, and over it lines, letters and matrices in the plane.
 #pragma once
 
 #include "../pictures/drawing.hpp"
@@ -13,8 +13,8 @@ using pictures::Colour;
 /// A place in the picture, y downwards.
 using Spot = std::array<double, 2>;
 
-inline constexpr Colour ink{51, 51, 51}, faint{200, 197, 188}, paper{251, 250, 247}, red{178, 62, 40}, blue{70, 118, 168},
-    green{66, 130, 76}, ochre{205, 152, 72}, violet{138, 95, 176};
+inline constexpr Colour ink{51, 51, 51}, faint{200, 197, 188}, paper{251, 250, 247}, red{178, 62, 40},
+    blue{70, 118, 168}, green{66, 130, 76}, ochre{205, 152, 72}, violet{138, 95, 176};
 
 /// Tenths, which read the same everywhere.
 inline std::string tenths(double value) {
@@ -33,7 +33,9 @@ inline std::string places(double value, int digits) {
     text << value;
     return text.str();
 }
-inline Spot between(const Spot &a, const Spot &b, double t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
+inline Spot between(const Spot &a, const Spot &b, double t) {
+    return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+}
 
 /// How a line is drawn.
 struct Pen {
@@ -45,9 +47,12 @@ struct Pen {
 
 class Figure : public pictures::Drawing {
 public:
-    Figure(int width, int height, const Point3 &eye = {0.5, -1, 0.7}, double scale = 100) : Drawing(width, height, eye, scale) {}
+    Figure(int width, int height, const Point3 &eye = {0.5, -1, 0.7}, double scale = 100)
+        : Drawing(width, height, eye, scale) {}
 
-    void line(const std::vector<Spot> &spots, const Pen &pen = {}, bool closed = false) { add(shape(spots, pen, closed, "none")); }
+    void line(const std::vector<Spot> &spots, const Pen &pen = {}, bool closed = false) {
+        add(shape(spots, pen, closed, "none"));
+    }
     void area(const std::vector<Spot> &spots, const Colour &fill, double opacity = 1, const Pen &pen = {ink, 0, ""}) {
         add(shape(spots, pen, true, rgb(fill) + (opacity < 1 ? "' fill-opacity='" + tenths(opacity) : "")));
     }
@@ -58,27 +63,32 @@ public:
         const Spot neck{to[0] - head * along[0], to[1] - head * along[1]};
         const double half = 0.4 * head;
         line({from, neck}, pen);
-        area({to, {neck[0] - half * along[1], neck[1] + half * along[0]}, {neck[0] + half * along[1], neck[1] - half * along[0]}},
+        area({to,
+              {neck[0] - half * along[1], neck[1] + half * along[0]},
+              {neck[0] + half * along[1], neck[1] - half * along[0]}},
              pen.colour);
     }
     void dot(const Spot &at, double radius, const Colour &fill, const Colour &rim = ink, double rim_width = 1) {
-        add("<circle cx='" + tenths(at[0]) + "' cy='" + tenths(at[1]) + "' r='" + tenths(radius) + "' fill='" + rgb(fill) +
-            "' stroke='" + rgb(rim) + "' stroke-width='" + tenths(rim_width) + "'/>\n");
+        add("<circle cx='" + tenths(at[0]) + "' cy='" + tenths(at[1]) + "' r='" + tenths(radius) + "' fill='" +
+            rgb(fill) + "' stroke='" + rgb(rim) + "' stroke-width='" + tenths(rim_width) + "'/>\n");
     }
     void circle(const Spot &at, double radius, const Pen &pen, const Colour &fill, double opacity) {
-        add("<circle cx='" + tenths(at[0]) + "' cy='" + tenths(at[1]) + "' r='" + tenths(radius) + "' fill='" + rgb(fill) +
-            "' fill-opacity='" + tenths(opacity) + "'" + strokes(pen) + "/>\n");
+        add("<circle cx='" + tenths(at[0]) + "' cy='" + tenths(at[1]) + "' r='" + tenths(radius) + "' fill='" +
+            rgb(fill) + "' fill-opacity='" + tenths(opacity) + "'" + strokes(pen) + "/>\n");
     }
-    /// Letters on a ground of their own, so that lines may pass behind. A part after '_' up to a space or another '_' is lowered.
-    void label(const Spot &at, const std::string &text, const char *anchor = "middle", double size = 15, const Colour &colour = ink) {
-        const std::string head = "<text x='" + tenths(at[0]) + "' y='" + tenths(at[1]) + "' text-anchor='" + anchor + "' font-size='" +
-                                 tenths(size) + "' ";
+    /// Letters on a ground of their own, so that lines may pass behind. What follows a '_' is lowered, up to a space
+    /// or another '_'.
+    void label(const Spot &at, const std::string &text, const char *anchor = "middle", double size = 15,
+               const Colour &colour = ink) {
+        const std::string head = "<text x='" + tenths(at[0]) + "' y='" + tenths(at[1]) + "' text-anchor='" + anchor +
+                                 "' font-size='" + tenths(size) + "' ";
         const std::string inside = lowered(text, size) + "</text>\n";
         add(head + "stroke-width='3' stroke='" + rgb(paper) + "' fill='" + rgb(paper) + "'>" + inside);
         add(head + "stroke='none' fill='" + rgb(colour) + "'>" + inside);
     }
     /// A matrix of bits, cells of `size`, those that are 1 filled; the spot is its upper left corner.
-    void bits(const Spot &at, std::size_t rows, std::size_t columns, double size, const std::function<bool(std::size_t, std::size_t)> &one,
+    void bits(const Spot &at, std::size_t rows, std::size_t columns, double size,
+              const std::function<bool(std::size_t, std::size_t)> &one,
               const std::function<Colour(std::size_t, std::size_t)> &colour_of) {
         const double width = size * static_cast<double>(columns), height = size * static_cast<double>(rows);
         const auto cell = [&](double x, double y, double w, double h) {
@@ -88,7 +98,8 @@ public:
         for (std::size_t i = 0; i < rows; ++i) {
             for (std::size_t j = 0; j < columns; ++j) {
                 if (one(i, j)) {
-                    area(cell(at[0] + size * static_cast<double>(j), at[1] + size * static_cast<double>(i), size, size), colour_of(i, j));
+                    area(cell(at[0] + size * static_cast<double>(j), at[1] + size * static_cast<double>(i), size, size),
+                         colour_of(i, j));
                 }
             }
         }

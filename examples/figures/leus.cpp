@@ -13,7 +13,8 @@ using gusset::Surface;
 constexpr Colour pale{214, 222, 230}, taken{240, 214, 160};
 
 /// A sheet through heights over a rectangle: u runs along x and v along y, so that normals point up.
-Sheet sheet_of(std::size_t rows, std::size_t columns, double width, double depth, const std::function<double(double, double)> &height) {
+Sheet sheet_of(std::size_t rows, std::size_t columns, double width, double depth,
+               const std::function<double(double, double)> &height) {
     std::vector<Point3> nodes;
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns; ++j) {
@@ -26,8 +27,8 @@ Sheet sheet_of(std::size_t rows, std::size_t columns, double width, double depth
 }
 
 /// The cells of a sheet, each in the colour that it is given, or left out; and the curves of the carcass.
-void carcass(Figure &figure, const Sheet &sheet, uint32_t parts, const std::function<const Colour *(std::size_t, std::size_t)> &colour_of,
-             bool curves = true) {
+void carcass(Figure &figure, const Sheet &sheet, uint32_t parts,
+             const std::function<const Colour *(std::size_t, std::size_t)> &colour_of, bool curves = true) {
     gusset::SheetMeshOptions options;
     options.min_u = options.min_v = parts;
     const gusset::SheetMesh mesh(sheet, options);
@@ -40,7 +41,8 @@ void carcass(Figure &figure, const Sheet &sheet, uint32_t parts, const std::func
     for (std::size_t f = 0; f < mesh.mesh().face_count(); ++f) {
         double u = 0, v = 0;
         for (const uint32_t c : mesh.mesh().face(f)) {
-            u += (mesh.places()[c].row + mesh.places()[c].u) / 4, v += (mesh.places()[c].column + mesh.places()[c].v) / 4;
+            u += (mesh.places()[c].row + mesh.places()[c].u) / 4,
+                v += (mesh.places()[c].column + mesh.places()[c].v) / 4;
         }
         if (const Colour *colour = colour_of(static_cast<std::size_t>(u), static_cast<std::size_t>(v))) {
             corners.insert(corners.end(), mesh.mesh().face(f).begin(), mesh.mesh().face(f).end());
@@ -105,7 +107,8 @@ std::string sections(const std::string &file) {
     const Sheet sheet = Sheet::from_nodes(4, 4, nodes);
     const Surface surface(sheet);
     const Point3 on{0, 0.06, 0}, along{1, 0.12, 0}, normal{-0.12, 1, 0};
-    const auto section = surface.section(on, normal), crossings = surface.section(on, normal, gusset::PointSpacing::cell_edges()),
+    const auto section = surface.section(on, normal),
+               crossings = surface.section(on, normal, gusset::PointSpacing::cell_edges()),
                cubic = surface.section(on, normal, gusset::PointSpacing::leus(9));
     const gusset::Points four = crossings[0].points;
     // A and B are where the plane enters and leaves the cell in the middle.
@@ -144,7 +147,8 @@ std::string sections(const std::string &file) {
         figure.dot(figure.at(p), 4, paper, red, 1.5);
         figure.label({figure.at(p)[0] + (p[0] < 0 ? -14 : 14), figure.at(p)[1] + 18}, name, "middle", 16, red);
     }
-    figure.label({figure.at(end(0.52))[0] - 12, figure.at({end(0.52)[0], end(0.52)[1], 1.65})[1] + 20}, "P", "middle", 16, violet);
+    figure.label({figure.at(end(0.52))[0] - 12, figure.at({end(0.52)[0], end(0.52)[1], 1.65})[1] + 20}, "P", "middle",
+                 16, violet);
     figure.label({160, 322}, "а: chord and section");
 
     figure.look({0.25, -1, 0.5}, 125);
@@ -161,10 +165,12 @@ std::string sections(const std::string &file) {
     // Two planes across each other through the middle of the cell, parallel to its normal.
     const gusset::SurfacePlace place = gusset::surface_place(0, 1, 1, 0.6, 0.45);
     const gusset::SurfacePoint exact = surface.evaluate(place);
-    const Point3 at{exact.point[0], exact.point[1], exact.point[2]}, true_normal{exact.normal[0], exact.normal[1], exact.normal[2]};
+    const Point3 at{exact.point[0], exact.point[1], exact.point[2]},
+        true_normal{exact.normal[0], exact.normal[1], exact.normal[2]};
     const Point3 found = sheet.normals_by_sections({&place, 1})[0];
     const double sign = pictures::dot(found, true_normal) < 0 ? -1 : 1;
-    const Point3 across = pictures::unit(pictures::cross(true_normal, {0.3, 1, 0})), other = pictures::cross(true_normal, across);
+    const Point3 across = pictures::unit(pictures::cross(true_normal, {0.3, 1, 0})),
+                 other = pictures::cross(true_normal, across);
     figure.look({0.25, -1, 0.45}, 290);
     figure.place(805, 550);
     carcass(figure, sheet, 6, middle, false);
@@ -178,26 +184,35 @@ std::string sections(const std::string &file) {
         }
         figure.line(seen(figure, near), {blue, 2.2, ""});
         const Point3 tangent = pictures::cross(true_normal, cut);
-        const auto tip = [&](double s) { return Point3{at[0] + s * tangent[0], at[1] + s * tangent[1], at[2] + s * tangent[2]}; };
+        const auto tip = [&](double s) {
+            return Point3{at[0] + s * tangent[0], at[1] + s * tangent[1], at[2] + s * tangent[2]};
+        };
         figure.arrow(figure.at(at), figure.at(tip(0.25)), {green, 2, ""});
-        const Spot spot = figure.at(near.front()[0] + near.front()[1] < near.back()[0] + near.back()[1] ? near.front() : near.back());
+        const Spot spot =
+            figure.at(near.front()[0] + near.front()[1] < near.back()[0] + near.back()[1] ? near.front() : near.back());
         figure.label({spot[0], spot[1] + 22}, name, "middle", 15, blue);
     }
-    figure.arrow(figure.at(at), figure.at({at[0] + 0.35 * sign * found[0], at[1] + 0.35 * sign * found[1], at[2] + 0.35 * sign * found[2]}), {red, 2.5, ""}, 12);
+    figure.arrow(
+        figure.at(at),
+        figure.at({at[0] + 0.35 * sign * found[0], at[1] + 0.35 * sign * found[1], at[2] + 0.35 * sign * found[2]}),
+        {red, 2.5, ""}, 12);
     figure.dot(figure.at(at), 4, paper, red, 1.5);
     figure.label({810, 322}, "в: a normal by two sections");
     figure.save(file);
     const double cosine = std::min(1.0, sign * pictures::dot(found, true_normal));
-    return "the chord is " + places(off(surface, chord), 4) + " off, the curve through four crossings " + places(off(surface, better), 4) +
-           "; the normal " + places(std::acos(cosine) * 180 / 3.141592653589793, 3) + " degrees";
+    return "the chord is " + places(off(surface, chord), 4) + " off, the curve through four crossings " +
+           places(off(surface, better), 4) + "; the normal " + places(std::acos(cosine) * 180 / 3.141592653589793, 3) +
+           " degrees";
 }
 
 /// Fig. 2: a carcass of m x n cells and a region of cells, hatched; the longest of its shortest chains is dotted.
 std::string regions(const std::string &file) {
-    const Sheet sheet = sheet_of(8, 6, 5, 3.2, [](double x, double y) { return 0.5 * std::sin(0.9 * x + 0.5) + 0.3 * std::cos(1.3 * y); });
+    const Sheet sheet = sheet_of(
+        8, 6, 5, 3.2, [](double x, double y) { return 0.5 * std::sin(0.9 * x + 0.5) + 0.3 * std::cos(1.3 * y); });
     const Surface surface(sheet);
     CellMask region = CellMask::none(sheet.rows(), sheet.columns());
-    const std::vector<std::array<std::size_t, 2>> cells{{1, 1}, {2, 1}, {1, 2}, {2, 2}, {3, 2}, {4, 2}, {3, 3}, {4, 3}, {5, 3}, {4, 1}};
+    const std::vector<std::array<std::size_t, 2>> cells{{1, 1}, {2, 1}, {1, 2}, {2, 2}, {3, 2},
+                                                        {4, 2}, {3, 3}, {4, 3}, {5, 3}, {4, 1}};
     for (const auto &[i, j] : cells) {
         region.set(i, j, true);
     }
@@ -246,21 +261,30 @@ std::string regions(const std::string &file) {
     const double m = static_cast<double>(sheet.rows()), n = static_cast<double>(sheet.columns());
     for (std::size_t k = 0; k <= sheet.rows(); ++k) {
         const Spot at = node(static_cast<double>(k), 0);
-        figure.label({at[0], at[1] + 24}, k == 0 ? "u_0" : k == sheet.rows() ? "u_m" : "u_" + std::to_string(k), "middle", 14);
+        figure.label({at[0], at[1] + 24},
+                     k == 0              ? "u_0"
+                     : k == sheet.rows() ? "u_m"
+                                         : "u_" + std::to_string(k),
+                     "middle", 14);
     }
     for (std::size_t k = 0; k <= sheet.columns(); ++k) {
         const Spot at = node(0, static_cast<double>(k));
-        figure.label({at[0] - 12, at[1] + 5}, k == 0 ? "v_0" : k == sheet.columns() ? "v_n" : "v_" + std::to_string(k), "end", 14);
+        figure.label({at[0] - 12, at[1] + 5},
+                     k == 0                 ? "v_0"
+                     : k == sheet.columns() ? "v_n"
+                                            : "v_" + std::to_string(k),
+                     "end", 14);
     }
     figure.save(file);
-    return places(m, 0) + " x " + places(n, 0) + " cells, " + std::to_string(report.cells) + " in the region, Euler characteristic " +
-           std::to_string(report.euler) + ", integer diameter " + std::to_string(report.integer_diameter) + ", diameter at most " +
-           places(report.diameter, 3);
+    return places(m, 0) + " x " + places(n, 0) + " cells, " + std::to_string(report.cells) +
+           " in the region, Euler characteristic " + std::to_string(report.euler) + ", integer diameter " +
+           std::to_string(report.integer_diameter) + ", diameter at most " + places(report.diameter, 3);
 }
 
 /// Fig. 3: two cells with a common curve: points in one of them, and one in each.
 std::string two_cells(const std::string &file) {
-    const Sheet sheet = sheet_of(3, 2, 3, 1.5, [](double x, double y) { return 0.9 * std::cos(0.8 * x) - 0.3 * y * y + 0.15 * x * y; });
+    const Sheet sheet =
+        sheet_of(3, 2, 3, 1.5, [](double x, double y) { return 0.9 * std::cos(0.8 * x) - 0.3 * y * y + 0.15 * x * y; });
     const Surface surface(sheet);
     const gusset::CellDiameters d = sheet.diameters();
     const auto node = [&](double u, double v) {
@@ -297,7 +321,8 @@ std::string two_cells(const std::string &file) {
         };
         if (k == 1) {
             // C is where the path meets the curve between the cells, x = 0.
-            const auto c = std::min_element(ab.begin(), ab.end(), [](const Point3 &p, const Point3 &q) { return std::abs(p[0]) < std::abs(q[0]); });
+            const auto c = std::min_element(
+                ab.begin(), ab.end(), [](const Point3 &p, const Point3 &q) { return std::abs(p[0]) < std::abs(q[0]); });
             parts[0] = length_of({ab.data(), static_cast<std::size_t>(c - ab.begin()) + 1});
             parts[1] = lengths[1] - parts[0];
             named(*c, "C", 14, 20);
@@ -310,24 +335,29 @@ std::string two_cells(const std::string &file) {
     figure.label({245, 345}, "а: both in one cell");
     figure.label({715, 345}, "б: one in each");
     figure.save(file);
-    return "d1 " + places(d.intrinsic[0], 3) + ", d2 " + places(d.intrinsic[1], 3) + "; in one cell " + places(lengths[0], 3) + "; in two " +
-           places(parts[0], 3) + " + " + places(parts[1], 3) + " = " + places(lengths[1], 3) + " <= " + places(d.intrinsic[0] + d.intrinsic[1], 3);
+    return "d1 " + places(d.intrinsic[0], 3) + ", d2 " + places(d.intrinsic[1], 3) + "; in one cell " +
+           places(lengths[0], 3) + "; in two " + places(parts[0], 3) + " + " + places(parts[1], 3) + " = " +
+           places(lengths[1], 3) + " <= " + places(d.intrinsic[0] + d.intrinsic[1], 3);
 }
 
 /// Fig. 4: the cells round a node that the paper's rule excludes, and the scale after the whole search.
 std::string block(const std::string &file) {
     const std::size_t size = 14;
-    const Sheet sheet = sheet_of(size + 1, size + 1, 5.6, 5.6, [](double x, double y) { return 0.35 * std::sin(1.3 * x) * std::cos(y) + 0.1 * x; });
+    const Sheet sheet = sheet_of(size + 1, size + 1, 5.6, 5.6,
+                                 [](double x, double y) { return 0.35 * std::sin(1.3 * x) * std::cos(y) + 0.1 * x; });
     const Surface surface(sheet);
     const double d = sheet.diameters().max_euclidean;
     const Point3 on{2, 0, 0}, normal{1, 0.25, 0};
     // The node, its distance r from the plane, and the largest J with J d < r.
     const std::size_t row = 5, column = 7;
-    const gusset::SurfacePoint node = surface.evaluate(surface.locate(0, static_cast<double>(row), static_cast<double>(column)));
+    const gusset::SurfacePoint node =
+        surface.evaluate(surface.locate(0, static_cast<double>(row), static_cast<double>(column)));
     const Point3 a{node.point[0], node.point[1], node.point[2]};
     const double r = std::abs(pictures::dot(pictures::minus(a, on), pictures::unit(normal)));
     const auto j = static_cast<std::size_t>(std::ceil(r / d)) - 1;
-    const auto inside = [&](std::size_t i, std::size_t k) { return i + j >= row && i < row + j && k + j >= column && k < column + j; };
+    const auto inside = [&](std::size_t i, std::size_t k) {
+        return i + j >= row && i < row + j && k + j >= column && k < column + j;
+    };
     gusset::ReferenceTask task = gusset::ReferenceTask::plane(on, normal).up_to(0);
     task.by_rows = 1;
     const gusset::ReferenceMask search = sheet.reference_mask(task);
@@ -337,10 +367,16 @@ std::string block(const std::string &file) {
     carcass(figure, sheet, 2, [&](std::size_t i, std::size_t k) { return inside(i, k) ? &taken : &pale; });
     figure.circle(figure.at(a), 58 * static_cast<double>(j) * d, {red, 1.5, "6 4"}, red, 0.1);
     plane(figure, {on[0] + 0.25 * 3, on[1] - 3, 0}, {on[0] - 0.25 * 3, on[1] + 3, 0}, -0.7, 0.9);
-    for (const gusset::SurfacePath path : surface.section(on, normal)) {
+    std::size_t missed = 0;
+    const gusset::SurfacePaths met = surface.section(on, normal);
+    for (const gusset::SurfacePath path : met) {
+        missed += static_cast<std::size_t>(
+            std::count_if(path.places.begin(), path.places.end(),
+                          [&](const gusset::SurfacePlace &at) { return !search.mask(at.row, at.column); }));
         figure.line(seen(figure, path.points), {violet, 2.5, ""});
     }
-    const Spot spot = figure.at(a), rim{spot[0] - 58 * static_cast<double>(j) * d * 0.8, spot[1] - 58 * static_cast<double>(j) * d * 0.6};
+    const Spot spot = figure.at(a),
+               rim{spot[0] - 58 * static_cast<double>(j) * d * 0.8, spot[1] - 58 * static_cast<double>(j) * d * 0.6};
     figure.line({spot, rim}, {red, 1.2, ""});
     figure.dot(spot, 4.5, paper, red, 1.5);
     figure.label({spot[0] + 12, spot[1] + 20}, "A", "middle", 17, red);
@@ -349,17 +385,25 @@ std::string block(const std::string &file) {
     const double side = 25;
     const auto high = static_cast<double>(size);
     // u to the right and v up, as in the view on the left.
-    figure.bits({730 - 0.5 * side * high, 30}, size, size, side, [&](std::size_t i, std::size_t k) { return search.mask(k, size - 1 - i); },
-                [](std::size_t, std::size_t) { return violet; });
-    figure.dot({730 + side * (static_cast<double>(row) - 0.5 * high), 30 + side * (high - static_cast<double>(column))}, 4.5, paper, red, 1.5);
-    figure.label({730, 418}, "the scale after the search: " + std::to_string(search.report.cells) + " of " + std::to_string(size * size) + " cells");
+    figure.bits(
+        {730 - 0.5 * side * high, 30}, size, size, side,
+        [&](std::size_t i, std::size_t k) { return search.mask(k, size - 1 - i); },
+        [](std::size_t, std::size_t) { return violet; });
+    figure.dot({730 + side * (static_cast<double>(row) - 0.5 * high), 30 + side * (high - static_cast<double>(column))},
+               4.5, paper, red, 1.5);
+    figure.label({730, 418}, "the scale after the search: " + std::to_string(search.report.cells) + " of " +
+                                 std::to_string(size * size) + " cells");
     figure.save(file);
-    return "d " + places(d, 3) + ", r " + places(r, 3) + ", J " + std::to_string(j) + ", J d " + places(static_cast<double>(j) * d, 3) + "; " +
-           std::to_string(search.report.cells) + " of " + std::to_string(size * size) + " cells left, " +
-           std::to_string(search.report.evaluations) + " of " + std::to_string((size + 1) * (size + 1)) + " nodes looked at, " +
-           std::to_string(search.report.blocks) + " blocks, " + std::to_string(search.report.dropped) + " lines left out";
+    return "d " + places(d, 3) + ", r " + places(r, 3) + ", J " + std::to_string(j) + ", J d " +
+           places(static_cast<double>(j) * d, 3) + "; " + std::to_string(search.report.cells) + " of " +
+           std::to_string(size * size) + " cells left, " + std::to_string(missed) +
+           " points of the section outside them, " + std::to_string(search.report.evaluations) + " of " +
+           std::to_string((size + 1) * (size + 1)) + " nodes looked at, " + std::to_string(search.report.blocks) +
+           " blocks, " + std::to_string(search.report.dropped) + " lines left out";
 }
 } // namespace
 
-std::vector<Entry> leus() { return {{"leus_1", sections}, {"leus_2", regions}, {"leus_3", two_cells}, {"leus_4", block}}; }
+std::vector<Entry> leus() {
+    return {{"leus_1", sections}, {"leus_2", regions}, {"leus_3", two_cells}, {"leus_4", block}};
+}
 } // namespace figures

@@ -14,7 +14,8 @@ int main(int argc, char **argv) {
     try {
         for (const auto &paper : {nesterenko(), deryagin(), leus(), nadopta()}) {
             for (const Entry &figure : paper) {
-                std::cout << figure.name << ": " << figure.draw(std::string(argv[1]) + "/" + figure.name + ".svg") << '\n';
+                const std::string numbers = figure.draw(std::string(argv[1]) + "/" + figure.name + ".svg");
+                std::cout << figure.name << ": " << numbers << std::endl;
             }
         }
         return 0;

@@ -52,7 +52,8 @@ std::string one_point(const std::string &file) {
         const Curve curve = Curve::from_points(quadratic, one_quadratic, false);
         const Point3 given{points[1][0], points[1][1], 0};
         off = std::max(off, curve.nearest({&given, 1})[0].distance);
-        figure.line({spot(points[0][0], points[0][1]), at(control), spot(points[2][0], points[2][1])}, {style.colour, 0.8, "3 4"});
+        figure.line({spot(points[0][0], points[0][1]), at(control), spot(points[2][0], points[2][1])},
+                    {style.colour, 0.8, "3 4"});
         figure.line(drawn(curve, at), {style.colour, 2.2, ""});
         figure.dot(at(control), 4.5, paper, style.colour, 1.8);
         const std::string name = style.method == SectionMethod::alpha ? "alpha 0.25" : style.name;
@@ -61,7 +62,8 @@ std::string one_point(const std::string &file) {
         figure.line({{690, y - 5}, {720, y - 5}}, {style.colour, 2.5, ""});
         figure.label({732, y}, name + ", t = " + places(t, 3), "start", 15);
     }
-    const std::array<std::tuple<const char *, double, double>, 3> names{{{"P_i-1", -30, 6}, {"P_i", -20, -8}, {"P_i+1", 30, 6}}};
+    const std::array<std::tuple<const char *, double, double>, 3> names{
+        {{"P_i-1", -30, 6}, {"P_i", -20, -8}, {"P_i+1", 30, 6}}};
     for (std::size_t k = 0; k < 3; ++k) {
         const Spot s = spot(points[k][0], points[k][1]);
         figure.dot(s, 5, ink);
@@ -102,10 +104,15 @@ std::string chords(const std::string &file) {
             figure.line({of(left, at), left(control[0], control[1])}, {method.colour, 1.8, ""});
             figure.dot(of(left, at), 3.5, method.colour, method.colour);
             figure.dot(left(control[0], control[1]), 4, paper, method.colour, 1.8);
-            figure.label({of(left, at)[0] + (k == 1 ? 5 : m == 0 ? 4 : -8), of(left, at)[1] + 20}, std::string("S_") + method.letter, "middle", 12, method.colour);
+            figure.label({of(left, at)[0] + (k == 1   ? 5
+                                             : m == 0 ? 4
+                                                      : -8),
+                          of(left, at)[1] + 20},
+                         std::string("S_") + method.letter, "middle", 12, method.colour);
         }
         const double y = 340;
-        figure.line({{85 + 130 * static_cast<double>(m), y - 5}, {110 + 130 * static_cast<double>(m), y - 5}}, {method.colour, 2.2, ""});
+        figure.line({{85 + 130 * static_cast<double>(m), y - 5}, {110 + 130 * static_cast<double>(m), y - 5}},
+                    {method.colour, 2.2, ""});
         figure.label({117 + 130 * static_cast<double>(m), y}, method.name, "start", 14);
     }
     // Control points of one cubic through all, after so many cycles.
@@ -153,10 +160,11 @@ std::string chords(const std::string &file) {
     for (std::size_t k = 0; k < std::min<std::size_t>(history.size(), 5); ++k) {
         text += " " + places(history[k].moved, 6);
     }
-    return text + " of " + std::to_string(history.size()) + " cycles, " + std::to_string(history[history.size() - 1].steps) + " steps";
+    return text + " of " + std::to_string(history.size()) + " cycles, " +
+           std::to_string(history[history.size() - 1].steps) + " steps";
 }
 
-/// Fig. 3: the weights of the three control points of a quadratic, as the heights of curves that have 1 there and 0 elsewhere.
+/// Fig. 3: the weights of the three control points of a quadratic, as heights of curves: 1 there and 0 elsewhere.
 std::string weights(const std::string &file) {
     Figure figure(960, 400);
     const auto spot = [](double t, double j) { return Spot{240 + 480 * t, 345 - 300 * j}; };

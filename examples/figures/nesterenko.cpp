@@ -9,17 +9,19 @@ constexpr uint32_t null = UINT32_MAX;
 
 std::string index(uint32_t element) { return element == null ? "NULL" : std::to_string(element); }
 
-/// Fig. 1: an edge a of a small mesh from M to N, the faces L and R on its sides, the edges b, c, d, e beside it in them.
+/// Fig. 1: an edge a of a small mesh from M to N, the faces L and R on its sides, the edges b, c, d, e of them.
 std::string winged_edge(const std::string &file) {
-    const std::vector<Point3> points{{0, 0, 0},     {2.1, -0.3, 0}, {4.2, 0.2, 0},  {-0.5, 1.6, 0}, {1.2, 1.5, 0},
+    const std::vector<Point3> points{{0, 0, 0},      {2.1, -0.3, 0}, {4.2, 0.2, 0}, {-0.5, 1.6, 0}, {1.2, 1.5, 0},
                                      {3.2, 1.75, 0}, {5, 1.7, 0},    {0.1, 3.1, 0}, {2.2, 3.4, 0},  {4.3, 3.1, 0}};
-    const std::vector<uint32_t> offsets{0, 4, 8, 11, 15, 19}, corners{0, 1, 4, 3, 1, 2, 5, 4, 2, 6, 5, 3, 4, 8, 7, 4, 5, 9, 8};
+    const std::vector<uint32_t> offsets{0, 4, 8, 11, 15, 19},
+        corners{0, 1, 4, 3, 1, 2, 5, 4, 2, 6, 5, 3, 4, 8, 7, 4, 5, 9, 8};
     const auto mesh = gusset::MeshView::polygons(points, offsets, corners);
     const gusset::Winged table(mesh);
     const auto edges = table.edges();
     // The first edge that has neighbours all round.
     uint32_t a = 0;
-    while (edges[a].b == null || edges[a].c == null || edges[a].d == null || edges[a].e == null || edges[a].left == null || edges[a].right == null) {
+    while (edges[a].b == null || edges[a].c == null || edges[a].d == null || edges[a].e == null ||
+           edges[a].left == null || edges[a].right == null) {
         ++a;
     }
     const gusset_winged_edge &edge = edges[a];
@@ -36,13 +38,17 @@ std::string winged_edge(const std::string &file) {
             middle[1] += outline.back()[1] / static_cast<double>(mesh.face(f).size());
         }
         const bool on_left = f == edge.left, on_right = f == edge.right;
-        figure.area(outline, on_left ? Colour{222, 231, 240} : on_right ? Colour{245, 232, 208} : Colour{240, 238, 231}, 1, {faint, 1.5, ""});
+        figure.area(outline,
+                    on_left    ? Colour{222, 231, 240}
+                    : on_right ? Colour{245, 232, 208}
+                               : Colour{240, 238, 231},
+                    1, {faint, 1.5, ""});
         if (on_left || on_right) {
             figure.label({middle[0], middle[1] + 6}, on_left ? "L" : "R", "middle", 22, on_left ? blue : ochre);
         }
     }
-    for (const auto &[name, e, colour] : {std::tuple("b", edge.b, ochre), std::tuple("c", edge.c, blue), std::tuple("d", edge.d, ochre),
-                                          std::tuple("e", edge.e, blue)}) {
+    for (const auto &[name, e, colour] : {std::tuple("b", edge.b, ochre), std::tuple("c", edge.c, blue),
+                                          std::tuple("d", edge.d, ochre), std::tuple("e", edge.e, blue)}) {
         const Spot from = vertex(edges[e].m), to = vertex(edges[e].n);
         figure.arrow(between(from, to, 0.06), between(from, to, 0.94), {colour, 2.5, ""});
         const Spot middle = between(from, to, 0.5);
@@ -56,8 +62,15 @@ std::string winged_edge(const std::string &file) {
     }
     figure.label({m[0] - 16, m[1] - 10}, "M", "middle", 18, red);
     figure.label({n[0] + 16, n[1] - 10}, "N", "middle", 18, red);
-    const std::array<std::pair<const char *, uint32_t>, 9> record{{{"a", a}, {"M", edge.m}, {"N", edge.n}, {"b", edge.b}, {"c", edge.c},
-                                                                   {"d", edge.d}, {"e", edge.e}, {"L", edge.left}, {"R", edge.right}}};
+    const std::array<std::pair<const char *, uint32_t>, 9> record{{{"a", a},
+                                                                   {"M", edge.m},
+                                                                   {"N", edge.n},
+                                                                   {"b", edge.b},
+                                                                   {"c", edge.c},
+                                                                   {"d", edge.d},
+                                                                   {"e", edge.e},
+                                                                   {"L", edge.left},
+                                                                   {"R", edge.right}}};
     figure.label({760, 60}, "the record of edge a", "middle");
     for (std::size_t k = 0; k < record.size(); ++k) {
         const double y = 95 + 30 * static_cast<double>(k);
@@ -94,8 +107,9 @@ std::string open_mesh(const std::string &file) {
         figure.label({at[0], at[1] + 24}, "V_" + std::to_string(k), "middle", 16, red);
     }
     figure.save(file);
-    return std::to_string(boundary.size()) + " free boundary of " + std::to_string(points.size()) + " vertices, from vertex " +
-           std::to_string(rim.vertices[0]) + ", " + places(rim.length, 3) + " long; " + std::to_string(shell.view().face_count()) + " faces";
+    return std::to_string(boundary.size()) + " free boundary of " + std::to_string(points.size()) +
+           " vertices, from vertex " + std::to_string(rim.vertices[0]) + ", " + places(rim.length, 3) + " long; " +
+           std::to_string(shell.view().face_count()) + " faces";
 }
 
 /// Fig. 3: two contours; white: the vertices that face the other, beyond the plane through their own centre.
@@ -120,7 +134,8 @@ std::string facing(const std::string &file) {
     for (std::size_t k = 0; k < 2; ++k) {
         const double *c = view.centre[k], *n = view.normal[k], size = 1.35 / std::hypot(n[0], n[1]);
         centre[k] = spot(c[0], c[1]);
-        const Spot above = spot(c[0] - size * n[1], c[1] + size * n[0]), below = spot(c[0] + size * n[1], c[1] - size * n[0]);
+        const Spot above = spot(c[0] - size * n[1], c[1] + size * n[0]),
+                   below = spot(c[0] + size * n[1], c[1] - size * n[0]);
         figure.line({above, below}, {ink, 1.2, "7 5"});
         const Spot high = above[1] < below[1] ? above : below;
         figure.label({high[0] + 20, high[1] + 14}, k == 0 ? "Π_1" : "Π_2");
@@ -140,10 +155,11 @@ std::string facing(const std::string &file) {
             figure.dot(outline[i], 6, faces ? Colour{255, 255, 255} : ink, ink, 1.5);
         }
         figure.dot(centre[k], 4, red, red);
-        figure.label({centre[k][0] + (k == 0 ? -20 : 20), centre[k][1] + 20}, k == 0 ? "C_1" : "C_2", "middle", 16, red);
+        figure.label({centre[k][0] + (k == 0 ? -20 : 20), centre[k][1] + 20}, k == 0 ? "C_1" : "C_2", "middle", 16,
+                     red);
         const gusset::LoopArc arc = found.arc(static_cast<int>(k));
-        text += (k == 0 ? "" : "; ") + std::to_string(white) + " of " + std::to_string(outline.size()) + " face, an arc of " +
-                std::to_string(arc.count) + " from " + std::to_string(arc.first);
+        text += (k == 0 ? "" : "; ") + std::to_string(white) + " of " + std::to_string(outline.size()) +
+                " face, an arc of " + std::to_string(arc.count) + " from " + std::to_string(arc.first);
     }
     const Spot middle = between(centre[0], centre[1], 0.5);
     figure.label({middle[0] - 45, middle[1] - 12}, "a_1");
@@ -192,7 +208,8 @@ std::string meridians(const std::string &file) {
     figure.place(190, 190);
     figure.mesh(strip.mesh(), [](std::size_t) { return Colour{190, 208, 226}; });
     figure.flush();
-    const auto drawn = [&](const std::vector<Point3> &points, const Colour &colour, const std::string &letter, double up) {
+    const auto drawn = [&](const std::vector<Point3> &points, const Colour &colour, const std::string &letter,
+                           double up) {
         std::vector<Spot> spots;
         for (const Point3 &p : points) {
             spots.push_back(figure.at(p));
@@ -235,8 +252,9 @@ std::string meridians(const std::string &file) {
     // H: a row for each point of A.
     std::string text = "H";
     const double size = 26;
-    figure.bits({800, 90}, n, m, size, [&](std::size_t i, std::size_t j) { return to[i] == j; },
-                [](std::size_t, std::size_t) { return Colour{178, 62, 40}; });
+    figure.bits(
+        {800, 90}, n, m, size, [&](std::size_t i, std::size_t j) { return to[i] == j; },
+        [](std::size_t, std::size_t) { return Colour{178, 62, 40}; });
     for (std::size_t i = 0; i < n; ++i) {
         text += ' ';
         figure.label({785, 108 + size * static_cast<double>(i)}, "A_" + std::to_string(i + 1), "middle", 12, blue);
@@ -247,7 +265,8 @@ std::string meridians(const std::string &file) {
     }
     figure.label({852, 365}, "the matrix H");
     figure.save(file);
-    return text + "; N " + std::to_string(n) + ", M " + std::to_string(m) + ", " + std::to_string(pairs.size() / 2) + " meridians";
+    return text + "; N " + std::to_string(n) + ", M " + std::to_string(m) + ", " + std::to_string(pairs.size() / 2) +
+           " meridians";
 }
 
 /// Fig. 5: the matrix P of a strip between six points and four, with two rows of new vertices.
@@ -265,7 +284,8 @@ std::string matrix_p(const std::string &file) {
 
     Figure figure(960, 380, {0.2, -1, 0.35}, 125);
     figure.place(260, 200);
-    figure.mesh(mesh, [&](std::size_t f) { return mesh.face(f).size() == 4 ? Colour{190, 208, 226} : Colour{238, 214, 170}; });
+    figure.mesh(
+        mesh, [&](std::size_t f) { return mesh.face(f).size() == 4 ? Colour{190, 208, 226} : Colour{238, 214, 170}; });
     figure.flush();
     const auto spot = [&](std::size_t r, std::size_t k) { return figure.at(mesh.position(p[r * columns + k])); };
     for (std::size_t r = 0; r < rows; ++r) {

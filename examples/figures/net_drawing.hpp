@@ -53,7 +53,7 @@ public:
             }
         }
     }
-    /// The links that the matrix of the net contracts, and how many of them there are; those that close the net get a stub.
+    /// The links that the matrix of the net contracts, and their number; those that close the net get a stub.
     std::size_t contracted(Figure &figure, const gusset::Net &net, double width = 4) const {
         const std::vector<uint8_t> matrix = net.matrix();
         std::size_t ones = 0;
@@ -64,13 +64,16 @@ public:
             ++ones;
             const std::size_t i = k / columns_ / 2, j = k % columns_;
             const bool vertical = k / columns_ % 2 != 0, last = vertical ? i + 1 == rows_ : j + 1 == columns_;
-            const Spot from = spot(i, j), to = last ? vertical ? Spot{from[0], from[1] + 14} : Spot{from[0] + 14, from[1]}
-                                                    : vertical ? spot(i + 1, j) : spot(i, j + 1);
+            const Spot from = spot(i, j),
+                       to = last       ? vertical ? Spot{from[0], from[1] + 14} : Spot{from[0] + 14, from[1]}
+                            : vertical ? spot(i + 1, j)
+                                       : spot(i, j + 1);
             figure.line({from, to}, {red, width, ""});
         }
         return ones;
     }
-    void dots(Figure &figure, const std::function<Colour(std::size_t, std::size_t)> &colour_of, double radius = 3.5) const {
+    void dots(Figure &figure, const std::function<Colour(std::size_t, std::size_t)> &colour_of,
+              double radius = 3.5) const {
         for (std::size_t i = 0; i < rows_; ++i) {
             for (std::size_t j = 0; j < columns_; ++j) {
                 figure.dot(spot(i, j), radius, colour_of(i, j), colour_of(i, j));
