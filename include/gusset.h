@@ -64,6 +64,16 @@
 #define GUSSET_CORRESPONDENCE_LANDMARKS 3
 
 /**
+ * Nodes move along the normals of the body.
+ */
+#define GUSSET_OFFSET_NORMAL 0
+
+/**
+ * Nodes move within the planes of their sections.
+ */
+#define GUSSET_OFFSET_IN_SECTION 1
+
+/**
  * gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
  */
 #define GUSSET_SAMPLE_COUNT 0
@@ -692,6 +702,66 @@
  * Faces can be turned over so that it becomes oriented.
  */
 #define GUSSET_MESH_ORIENTABLE 8
+
+/**
+ * Lengths and areas: stretch and compression count alike, by the symmetric Dirichlet energy.
+ */
+#define GUSSET_DISTORTION_SYMMETRIC 0
+
+/**
+ * Lengths: as rigid as possible.
+ */
+#define GUSSET_DISTORTION_RIGID 1
+
+/**
+ * Angles: a least squares conformal map, which may stretch areas.
+ */
+#define GUSSET_DISTORTION_CONFORMAL 2
+
+/**
+ * By unfolding about edges: every edge has its length.
+ */
+#define GUSSET_CHART_EXACT 0
+
+/**
+ * By descent until nothing was gained.
+ */
+#define GUSSET_CHART_CONVERGED 1
+
+/**
+ * By descent, ended by the number of steps.
+ */
+#define GUSSET_CHART_ITERATION_LIMIT 2
+
+/**
+ * The conformal map that was asked for.
+ */
+#define GUSSET_CHART_CONFORMAL 3
+
+/**
+ * The conformal map folds or overlaps: the chart has the least symmetric distortion instead.
+ */
+#define GUSSET_CHART_NOT_CONFORMAL 4
+
+/**
+ * No map without folds was found: some triangles are turned over.
+ */
+#define GUSSET_CHART_FOLDED 5
+
+/**
+ * On a path that was given.
+ */
+#define GUSSET_CUT_GIVEN 0
+
+/**
+ * To make a disc of a chart.
+ */
+#define GUSSET_CUT_OPENING 1
+
+/**
+ * For a dart.
+ */
+#define GUSSET_CUT_DART 2
 
 /**
  * The best continuation of the surface round the hole: the least sum of 2 sin(t / 2) over all edges,
@@ -1358,6 +1428,10 @@ enum gusset_status
      */
     GUSSET_ERROR_BAD_MERGE = 1009,
     /**
+     * A face passes a vertex twice in a row, where each face needs a shape.
+     */
+    GUSSET_ERROR_REPEATED_CORNER = 1010,
+    /**
      * There is no boundary loop that can be stitched, or of one mesh there are no two.
      */
     GUSSET_ERROR_NO_LOOP = 1100,
@@ -1394,6 +1468,10 @@ enum gusset_status
      * are joined whole.
      */
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
+    /**
+     * Vertices that follow one another in a cut are not connected by edges.
+     */
+    GUSSET_ERROR_CUT_NOT_CONNECTED = 1109,
     /**
      * A closed curve does not end where it begins.
      */
@@ -1528,6 +1606,11 @@ typedef struct gusset_curve gusset_curve;
  * A curve in another form. Opaque and immutable; it keeps nothing of the curve.
  */
 typedef struct gusset_curve_form gusset_curve_form;
+
+/**
+ * A surface in the plane. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_development gusset_development;
 
 /**
  * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the
@@ -3581,6 +3664,158 @@ typedef struct gusset_check_view {
      */
     struct gusset_indices unused_vertices;
 } gusset_check_view;
+
+/**
+ * How a surface is developed; all zero is the default.
+ */
+typedef struct gusset_development_options {
+    /**
+     * sizeof(gusset_development_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Which distortion is least: GUSSET_DISTORTION_...
+     */
+    uint32_t distortion;
+    /**
+     * Darts at the most: cuts from the border of a chart to where its curvature is.
+     */
+    uint32_t max_darts;
+    /**
+     * Vertices of the mesh, path after path, along which it is cut. Vertices that follow one
+     * another and have no edge in common are connected by the shortest path along edges.
+     */
+    struct gusset_indices cuts;
+    /**
+     * Where each path begins among them, and the end of the last; empty for one path of all.
+     */
+    struct gusset_indices cut_offsets;
+    /**
+     * No more darts are made once no length changes by a larger factor; above 1, or 0: all darts
+     * are made.
+     */
+    double max_stretch;
+    /**
+     * Steps of the descent for each chart at the most; 0: 200.
+     */
+    uint32_t max_iterations;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_development_options;
+
+/**
+ * A chart: a connected component of the development.
+ */
+typedef struct gusset_chart {
+    /**
+     * Its first vertex among those of the result.
+     */
+    uint32_t first_vertex;
+    /**
+     * How many follow one another.
+     */
+    uint32_t vertex_count;
+    /**
+     * The number of its faces; see face_charts.
+     */
+    uint32_t face_count;
+    /**
+     * How it came about: GUSSET_CHART_...
+     */
+    uint32_t finish;
+    /**
+     * Steps of the descent.
+     */
+    uint32_t iterations;
+    /**
+     * Pairs of edges of its border that meet in the plane, neighbours apart; 0 of a map that is one
+     * to one. Only EXACT and FOLDED charts can have some.
+     */
+    uint32_t overlaps;
+    /**
+     * Triangles that are turned over; 0 but for FOLDED.
+     */
+    uint32_t folds;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The symmetric Dirichlet energy: the mean over the area of the sum of s^2 + 1 / s^2 over both
+     * singular values s of the map to the plane; 4 for an isometry, which has the least.
+     */
+    double energy;
+    /**
+     * The largest factor by which a length grows.
+     */
+    double max_stretch;
+    /**
+     * The least.
+     */
+    double min_stretch;
+    /**
+     * The area of the surface, in the squared unit of the positions.
+     */
+    double area;
+    /**
+     * The area in the plane.
+     */
+    double flat_area;
+} gusset_chart;
+
+/**
+ * A development. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_development_view {
+    /**
+     * sizeof(gusset_development_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * x, y of each vertex in the plane, in the unit of the positions, in double precision whatever
+     * their type.
+     */
+    const double *points;
+    /**
+     * Of each vertex, that of the surface that it is; vertices on cuts are several.
+     */
+    struct gusset_indices vertex_map;
+    /**
+     * Of each face its chart.
+     */
+    struct gusset_indices face_charts;
+    /**
+     * Of each face two numbers: the largest factor by which lengths in it grow, and the least.
+     */
+    const double *stretches;
+    /**
+     * Charts, in the order of their first faces. They lie beside one another along x.
+     */
+    const struct gusset_chart *charts;
+    /**
+     * How many.
+     */
+    size_t chart_count;
+    /**
+     * Edges of the surface that were cut, two vertices an edge; first those given, then those that
+     * open, then darts.
+     */
+    struct gusset_indices cut_edges;
+    /**
+     * Of each of them GUSSET_CUT_...
+     */
+    struct gusset_indices cut_kinds;
+    /**
+     * The number of darts.
+     */
+    uint32_t darts;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_development_view;
 
 /**
  * How facing vertices are found; all zero is the default.
@@ -8275,7 +8510,41 @@ gusset_status gusset_frame_create(const struct gusset_context *context,
                                   struct gusset_frame **frame);
 
 /**
- * Destroys what gusset_frame_create made; NULL is allowed.
+ * Makes the frame beside a frame: room for comfort round a body, more in some places than in
+ * others.
+ *
+ * Each node moves by its distance: outwards, if sections are closed, inwards if it is negative; of
+ * open sections along the derivative from section to section crossed with that along them, or,
+ * within sections, away from the chord between their ends. Directions come from circles through
+ * neighbouring nodes, so that planes, cylinders with columns along their rulings, and spheres
+ * become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
+ * nothing tells a direction stay.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param frame may be destroyed afterwards.
+ * @param distances in the unit of the points, finite.
+ * @param distance_count 1: all nodes move by the same; the number of rows: each section by its own;
+ *     rows x columns: each node by its own, row by row.
+ * @param direction GUSSET_OFFSET_NORMAL or GUSSET_OFFSET_IN_SECTION.
+ * @param[out] offset receives the result, for gusset_frame_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ *     COUNT_DIFFERS (distances), NOT_FINITE (the index is the distance's), those of
+ *     gusset_frame_create for the new nodes.
+ * @complexity O(nodes), and that of the curves.
+ * @source Nadopta, introduction, for the aim; the directions are ours.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_offset_create(const struct gusset_context *context,
+                                         const struct gusset_frame *frame,
+                                         const double *distances,
+                                         size_t distance_count,
+                                         uint32_t direction,
+                                         struct gusset_frame **offset);
+
+/**
+ * Destroys what gusset_frame_create or gusset_frame_offset_create made; NULL is allowed.
  *
  * @param[in,out] frame the handle; NULL is allowed.
  * @since 0.1
@@ -9181,6 +9450,86 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
                                     struct gusset_check_view *report);
 
 /**
+ * Lays a surface out in the plane with the least distortion: the pattern to cut it from.
+ *
+ * The surface is cut along the paths given. What is no disc then, as a tube, a closed surface, one
+ * with holes or handles, is opened along short paths. Each connected component of the rest is a
+ * chart. One that can be unfolded about its edges, as cylinders, cones and tangent developables in
+ * plane strips can, keeps the length of every edge to 1e-10 of it. Any other one descends to the
+ * least distortion; no triangle is turned over, and the border does not meet itself, so that the map
+ * is one to one. Darts lower the distortion: each is a cut from the border to the vertex whose
+ * scale in a conformal map would be the worst.
+ *
+ * The result has the faces of the mesh in their order, each from its own first corner and all
+ * counterclockwise in the plane. Charts are turned so that they are longest along x. A vertex on a
+ * cut becomes several. Edges of three or more faces, and those whose two faces disagree in
+ * orientation, are borders. Polygons are measured by triangles they are cut into; a triangle
+ * flatter than 1e-7 of its longest side counts as that high.
+ *
+ * Nets and sheets are developed by their meshes; see gusset_net_mesh_create and
+ * gusset_sheet_mesh_create.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param mesh the surface.
+ * @param options NULL for the defaults.
+ * @param[out] development receives the result, for gusset_development_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE
+ *     (max_stretch), BAD_OFFSETS (cut_offsets), INDEX_OUT_OF_RANGE (a vertex of a cut; the
+ *     report's input is the cut, the index the place in it), CUT_NOT_CONNECTED (the same),
+ *     REPEATED_CORNER (a face), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(H log H) for H half-edges if charts unfold; else, for each step of the descent and
+ *     each dart, O(n^1.5) for n vertices of the chart. Memory O(n log n).
+ * @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B.
+ *     Levy et al., Least squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal
+ *     homotopy and homology generators (2005), for the cuts that open; M. Ben-Chen et al.,
+ *     Conformal flattening by curvature prescription and metric scaling (2008), for darts.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_development_create(const struct gusset_context *context,
+                                        const struct gusset_mesh_view *mesh,
+                                        const struct gusset_development_options *options,
+                                        struct gusset_development **development);
+
+/**
+ * Destroys a development; NULL is allowed.
+ *
+ * @param[in,out] development the handle; NULL is allowed.
+ * @since 0.1
+ */
+GUSSET_API void gusset_development_destroy(struct gusset_development *development);
+
+/**
+ * Lends the flat mesh, in the scalar type of the surface, with z = 0, valid until the development
+ * is destroyed.
+ *
+ * @param development the development.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_development_get_mesh(const struct gusset_development *development,
+                                          struct gusset_mesh_view *view);
+
+/**
+ * Lends the places in the plane, where they come from, and the account of each chart.
+ *
+ * @param development the development.
+ * @param[out] view receives the view; struct_size is set by the caller.
+ * @return GUSSET_OK, or an error: those of gusset_development_get_mesh.
+ * @complexity O(1).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_development_get_view(const struct gusset_development *development,
+                                          struct gusset_development_view *view);
+
+/**
  * Finds which vertices of two loops face each other.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -9534,6 +9883,23 @@ GUSSET_MUST_USE
 gusset_status gusset_orient_origins_create(const struct gusset_context *context,
                                            const struct gusset_orient *orient,
                                            struct gusset_origins **origins);
+
+/**
+ * The origins of a development: each vertex comes from one, corners and faces are those of the
+ * surface.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param development the development.
+ * @param[out] origins receives the result, for gusset_origins_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: those of gusset_stitch_origins_create.
+ * @complexity As gusset_weld_origins_create.
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_development_origins_create(const struct gusset_context *context,
+                                                const struct gusset_development *development,
+                                                struct gusset_origins **origins);
 
 /**
  * Destroys origins; NULL is allowed.
@@ -13192,6 +13558,38 @@ GUSSET_MUST_USE
 gusset_status gusset_sheet_from_curves_create(const struct gusset_context *context,
                                               const struct gusset_curve_net *net,
                                               struct gusset_sheet **sheet);
+
+/**
+ * Makes the surface beside a sheet: through the corners of its cells, each moved along the normal,
+ * the derivative in u crossed with that in v.
+ *
+ * Normals at the nodes of a grid are those of circles through neighbouring nodes, exact on planes,
+ * spheres, and cylinders whose rulings are lines of the grid; those of patches are their own.
+ * Places without a normal stay. The result is a grid, smooth between its nodes where a sheet of
+ * patches had creases.
+ *
+ * @param context threads, progress, cancellation and error report; NULL for the defaults.
+ * @param sheet may be destroyed afterwards.
+ * @param distances in the unit of the nodes, finite, of either sign.
+ * @param distance_count 1: all corners move by the same; the number of lines of corners along v,
+ *     rows + 1 for rows of cells: each line by its own; (rows + 1) x (columns + 1): each corner by
+ *     its own, row by row. A line that closes the sheet counts, and moves with the first one.
+ * @param[out] deviation receives how far the result is from where it should be, at most, in the
+ *     middles of the cells; NULL if it is not wanted.
+ * @param[out] offset receives the surface, for gusset_sheet_destroy; NULL on failure.
+ * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, COUNT_DIFFERS (distances),
+ *     NOT_FINITE (the index is the distance's or the corner's), OUT_OF_MEMORY, CANCELLED.
+ * @complexity O(cells).
+ * @since 0.1
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_offset_create(const struct gusset_context *context,
+                                         const struct gusset_sheet *sheet,
+                                         const double *distances,
+                                         size_t distance_count,
+                                         double *deviation,
+                                         struct gusset_sheet **offset);
 
 /**
  * Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.

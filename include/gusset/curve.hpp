@@ -127,7 +127,7 @@ public:
                           (sizeof(Point) == 16 || sizeof(Point) == 24),
                       "two or three doubles");
         const auto *numbers = reinterpret_cast<const double *>(std::data(points));
-        return Curve(context.result(gusset_curve_create, numbers, std::size(points), sizeof(Point) / 8, ends.data(),
+        return Curve(context.result(gusset_curve_create, numbers, std::size(points), static_cast<uint32_t>(sizeof(Point) / 8), ends.data(),
                                     ends.size(), closed));
     }
 

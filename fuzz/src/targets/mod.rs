@@ -6,6 +6,7 @@ mod boundary_check;
 mod curve_meet;
 mod curve_net;
 mod curve_ops;
+mod develop;
 mod fill;
 mod filters;
 mod frame;
@@ -34,6 +35,7 @@ pub const TARGETS: &[Target] = &[
     ("curve_meet", curve_meet::run),
     ("curve_net", curve_net::run),
     ("curve_ops", curve_ops::run),
+    ("develop", develop::run),
     ("fill", fill::run),
     ("filters", filters::run),
     ("frame", frame::run),
