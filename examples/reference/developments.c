@@ -62,7 +62,7 @@ static void a_lampshade_from_paper(void) {
     /* Values of the surface are carried over by where its parts went. */
     MUST(gusset_development_origins_create(NULL, development, &origins));
     MUST(gusset_origins_get_view(origins, GUSSET_DOMAIN_VERTICES, &from));
-    HOLDS(from.offsets.count == flat.vertex_count + 1 && from.sources[0] == laid.vertex_map.data[0]);
+    HOLDS(from.offsets.count == flat.vertex_count + 1 && from.sources.data[0] == laid.vertex_map.data[0]);
     gusset_origins_destroy(origins);
     gusset_development_destroy(development);
 }

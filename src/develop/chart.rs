@@ -55,7 +55,7 @@ impl ChartMesh {
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         let (mut corners, mut sides) = (Vec::new(), Vec::<Side>::new());
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
-            job.step_within(k as usize, STAGE)?;
+            job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
             corners.clear();
             let range = mesh.faces().range(f as usize);
             let (start, size) = (range.start as u32, range.len() as u32);
@@ -77,7 +77,9 @@ impl ChartMesh {
             }
         }
         let shapes = alloc::collect(triangles.iter().map(|t| shape(t.map(|v| points[v as usize]))))?;
-        let across = neighbours(sides, job)?;
+        job.step(1.0, STAGE)?;
+        let across = neighbours(sides, &job.part(1.0, 1.0))?;
+        job.step(1.0, STAGE)?;
         let sides = triangles.iter().zip(&across).flat_map(|(triangle, across)| {
             (0..3).filter(|&k| across[k] == NONE).map(|k| [triangle[k], triangle[(k + 1) % 3]])
         });

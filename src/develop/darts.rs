@@ -5,9 +5,9 @@
 //! there to the border lets the curvature go (M. Ben-Chen, C. Gotsman, G. Bunin, *Conformal
 //! flattening by curvature prescription and metric scaling*, 2008, who place cones so).
 
-use super::STAGE;
 use super::chart::ChartMesh;
 use super::system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::bit_set::BitSet;
@@ -26,7 +26,7 @@ pub(super) fn tip(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Resu
     system.clear();
     chart.border.iter().for_each(|&[v, _]| system.fix(v));
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
-        job.step_within(k, STAGE)?;
+        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {
             let [g, next] = [i, (i + 1) % 3].map(|k| shape.gradients[k]);
             let value = shape.area * g.dot(next);
@@ -40,7 +40,7 @@ pub(super) fn tip(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Resu
     for (v, &defect) in (0..n as u32).zip(&defects) {
         system.add_right(v, DVec2::new(defect, 0.0));
     }
-    let scale = system.solve(&zero, job)?;
+    let scale = system.solve(&zero, &job.part(0.1, 1.0))?;
     let inside = (0..n as u32).filter(|&v| !on_border.contains(v));
     let best = inside.fold(None, |best: Option<(f64, u32)>, v| {
         let size = scale[v as usize].x.abs();

@@ -4,12 +4,12 @@
 //! al., section 3). Its minimum gives a direction; one goes along it at most as far as no triangle
 //! folds, and back until the energy falls and the border does not meet itself.
 
-use super::STAGE;
 use super::chart::ChartMesh;
 use super::energy::{Jacobian, energy, weights};
 use super::overlap::overlaps;
 use super::request::Distortion;
 use super::system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -101,7 +101,7 @@ fn assemble(
     let mut trace = 0.0;
     system.clear();
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
-        job.step_within(k, STAGE)?;
+        job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
         let share = shape.area / whole;
         let matrix = share * map.of_stretches(weights(distortion, map.stretch));

@@ -49,3 +49,5 @@ pub use run::develop;
 
 /// The stage of progress.
 const STAGE: &str = "developing";
+/// Triangles that are entered into equations between two progress reports.
+const TRIANGLES_PER_REPORT: usize = 1 << 16;

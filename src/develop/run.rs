@@ -103,6 +103,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         (flats[chart], made) = (None, made + 1);
     }
     let flats = alloc::gather(flats.into_iter().flatten())?;
+    job.step(0.95, STAGE)?;
     result(mesh, surface, split, flats, unit, made, &job.part(0.95, 1.0))
 }
 
@@ -207,6 +208,7 @@ fn measured(
     tip: Option<u32>,
     job: &Job<'_>,
 ) -> Result<Flat> {
+    job.step(0.0, STAGE)?;
     lay_along_x(&chart.border, &mut x);
     let slack = MAX_TOUCH * chart.area().sqrt();
     let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
@@ -216,6 +218,7 @@ fn measured(
         let stretch = &mut stretches[f as usize];
         *stretch = [stretch[0].max(most), stretch[1].min(least)];
     }
+    job.step(0.0, STAGE)?;
     Ok(Flat {
         finish,
         iterations,
@@ -263,11 +266,12 @@ fn result(
     job.step(0.0, STAGE)?;
     let width = |flat: &Flat| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
     let gap = GAP * flats.iter().map(width).fold(0.0, f64::max);
+    job.step(0.0, STAGE)?;
     let mut points = alloc::with_capacity(split.vertex_map.len())?;
     let mut stretches = alloc::filled([1.0; 2], mesh.faces().len())?;
     let (mut charts, mut left) = (alloc::with_capacity(flats.len())?, 0.0);
     for (k, flat) in flats.iter().enumerate() {
-        job.part(0.0, 0.5).step_within(k, STAGE)?;
+        job.part(0.0, 0.5).step_every(1 << 15, k, flats.len(), STAGE)?;
         points.extend(flat.x.iter().map(|&p| unit * (p + DVec2::new(left, 0.0))));
         left += width(flat) + gap;
         for (&f, &stretch) in split.faces.get(k).iter().zip(&flat.stretches) {
@@ -290,9 +294,11 @@ fn result(
     job.step(0.5, STAGE)?;
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), points.len())?;
     positions.extend(points.iter().map(|p: &DVec2| p.extend(0.0)))?;
+    job.step(0.7, STAGE)?;
     let mut offsets = alloc::with_capacity(mesh.faces().len() + 1)?;
     offsets.push(0);
     offsets.extend((0..mesh.faces().len()).map(|f| mesh.faces().range(f).end as u32));
+    job.step(0.9, STAGE)?;
     Ok(Developed {
         mesh: Mesh::new(positions, offsets, split.corners),
         points,

@@ -1,8 +1,8 @@
 //! Maps to begin with: least squares conformal ones, and Tutte's, which never folds.
 
-use super::STAGE;
 use super::chart::ChartMesh;
 use super::system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -26,7 +26,7 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
     system.fix(first);
     system.fix(second);
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
-        job.step_within(k, STAGE)?;
+        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let g = shape.gradients;
         for i in 0..3 {
             let j = (i + 1) % 3;
@@ -37,7 +37,8 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
             system.add_diagonal(triangle[i], DMat2::from_diagonal(DVec2::splat(shape.area * g[i].length_squared())));
         }
     }
-    let mut x = system.solve(&x, job)?;
+    let mut x = system.solve(&x, &job.part(0.1, 1.0))?;
+    job.step(1.0, STAGE)?;
     scale(chart, &mut x);
     Ok(x)
 }
@@ -62,14 +63,15 @@ pub(super) fn tutte(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Re
         v = next[v as usize];
     }
     for (k, triangle) in chart.triangles.iter().enumerate() {
-        job.step_within(k, STAGE)?;
+        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {
             let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
             system.add(u, v, -DMat2::IDENTITY, &x);
             [u, v].iter().for_each(|&v| system.add_diagonal(v, DMat2::IDENTITY));
         }
     }
-    let mut x = system.solve(&x, job)?;
+    let mut x = system.solve(&x, &job.part(0.1, 1.0))?;
+    job.step(1.0, STAGE)?;
     scale(chart, &mut x);
     Ok(x)
 }

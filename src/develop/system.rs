@@ -10,6 +10,9 @@ use crate::job::Job;
 use crate::sort::Buckets;
 use glam::{DMat2, DVec2, DVec3};
 
+/// Vertices between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 16;
+
 /// A symmetric matrix of 2 x 2 blocks, one for each vertex and each edge, and a right-hand side.
 pub(super) struct System {
     /// Of each vertex its place in the order of elimination.
@@ -42,25 +45,28 @@ impl System {
         let sides = chart.triangles.iter().flat_map(|&[a, b, c]| {
             [(a, b), (b, c), (c, a)].into_iter().flat_map(|(u, v)| [(u as usize, v), (v as usize, u)])
         });
+        job.step(0.0, STAGE)?;
         let neighbours = Buckets::new(n, 0u32, sides)?;
         let mut order = alloc::collect(0..n as u32)?;
-        dissect(&mut order, &chart.points, Edges(&neighbours), job)?;
+        dissect(&mut order, &chart.points, Edges(&neighbours), &job.part(0.1, 0.6))?;
         let mut place = alloc::filled(0, n)?;
         order.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
         let mut pairs = Vec::new();
         for (k, &v) in order.iter().enumerate() {
-            job.part(1.0, 1.0).step_within(k, STAGE)?;
+            job.part(0.6, 0.8).step_every(REPORT_INTERVAL, k, n, STAGE)?;
             let first = pairs.len();
             let earlier = neighbours.get(v as usize).iter().map(|&w| place[w as usize]);
             alloc::extend(&mut pairs, earlier.filter(|&w| (w as usize) < k).map(|w| (k, w)))?;
             pairs[first..].sort_unstable();
         }
+        job.step(0.8, STAGE)?;
         pairs.dedup();
         let earlier = Buckets::new(n, 0u32, pairs.iter().copied())?;
         // Column 2 k has the rows of both coordinates of the earlier ones, and column 2 k + 1 one more.
         let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
         start.push(0);
         for k in 0..n {
+            job.part(0.8, 1.0).step_every(REPORT_INTERVAL, k, n, STAGE)?;
             for coordinate in 0..2 {
                 let rows = earlier.get(k).iter().flat_map(|&w| [2 * w, 2 * w + 1]);
                 entries.extend(rows.chain((coordinate == 1).then_some(2 * k as u32)).map(|row| (row, 0.0)));

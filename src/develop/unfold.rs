@@ -5,9 +5,9 @@
 //! unfolded. Gauss and Newton's steps towards the lengths of all edges take the rest out: a
 //! triangulated disc is rigid in the plane.
 
-use super::STAGE;
 use super::chart::ChartMesh;
 use super::system::System;
+use super::{STAGE, TRIANGLES_PER_REPORT};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -48,8 +48,11 @@ pub(super) fn closed_up(
         if reached <= MAX_LENGTH_ERROR || reached.is_nan() || reached > MAX_CLOSING_ERROR {
             break;
         }
-        x = closer(chart, system, &x, &job.share(step, MAX_STEPS))?;
+        let job = job.share(step, MAX_STEPS);
+        x = closer(chart, system, &x, &job)?;
+        job.step(1.0, STAGE)?;
         reached = error(&x);
+        job.step(1.0, STAGE)?;
     }
     // Triangles without height may come to lie either way.
     let stands = |t: usize| {
@@ -106,7 +109,7 @@ fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) ->
     let still = alloc::filled(DVec2::ZERO, x.len())?;
     system.clear();
     for (k, triangle) in chart.triangles.iter().enumerate() {
-        job.part(0.0, 0.0).step_within(k, STAGE)?;
+        job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {
             let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
             let side = x[v as usize] - x[u as usize];
@@ -120,6 +123,6 @@ fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) ->
             }
         }
     }
-    let by = system.solve(&still, job)?;
+    let by = system.solve(&still, &job.part(0.1, 1.0))?;
     alloc::collect(x.iter().zip(by).map(|(&x, by)| x + by))
 }

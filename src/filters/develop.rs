@@ -12,7 +12,8 @@ pub(super) const FILTER: Filter = Filter {
     reference: "Rabinovich, Poranne, Panozzo, Sorkine-Hornung 2017; Ben-Chen, Gotsman, Bunin 2008 for darts",
     has_origins: true,
     params: &[
-        Param::choice("distortion", "Distortion", Distortion::CHOICES.texts).with_help("The kind of distortion that is least."),
+        Param::choice("distortion", "Distortion", Distortion::CHOICES.texts)
+            .with_help("The kind of distortion that is least."),
         Param::int("darts", "Darts", [0.0, 100.0], &[0.0])
             .with_help("The largest number of cuts from the border to where the curvature is."),
         Param::real("stretch", "Largest stretch", [1.0, 100.0], &[1.0])

@@ -232,8 +232,9 @@ pub unsafe extern "C" fn gusset_development_create(
         let options = options.checked(&cuts, &offsets)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
         let done = self::develop(&given_mesh.view(), &options, &job.part(0.1, 1.0))?;
+        let stage = "putting the pieces together";
         Ok(gusset_development {
-            charts: alloc::collect(done.charts.iter().map(gusset_chart::from))?,
+            charts: alloc::collect_cancellable(done.charts.iter().map(gusset_chart::from), &job.part(1.0, 1.0), stage)?,
             cut_edges: alloc::gather(done.cut_edges.iter().flat_map(|&(ends, _)| ends))?,
             cut_kinds: alloc::collect(done.cut_edges.iter().map(|&(_, why)| kind(why)))?,
             done,
