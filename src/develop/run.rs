@@ -104,7 +104,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     }
     let flats = alloc::gather(flats.into_iter().flatten())?;
     job.step(0.95, STAGE)?;
-    result(mesh, surface, split, flats, unit, made, &job.part(0.95, 1.0))
+    result(mesh, surface, split, &flats, unit, made, &job.part(0.95, 1.0))
 }
 
 /// The chart that needs a dart most, and where it should end.
@@ -258,7 +258,7 @@ fn result(
     mesh: &MeshView<'_>,
     surface: CutSurface<'_, '_>,
     split: Split,
-    flats: Vec<Flat>,
+    flats: &[Flat],
     unit: f64,
     darts: u32,
     job: &Job<'_>,

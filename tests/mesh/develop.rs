@@ -103,7 +103,8 @@ fn grid(rows: usize, columns: usize, triangles: bool, point: impl Fn(f64, f64) -
 fn developable_surfaces_keep_every_length() {
     let apex = DVec3::new(0.4, -0.3, 2.0);
     let round = |t: f64| DVec3::new((TAU * 0.9 * t).cos(), (TAU * 0.9 * t).sin(), 0.0);
-    let shapes: [(&str, Box<dyn Fn(f64, f64) -> DVec3>); 4] = [
+    type Shape = Box<dyn Fn(f64, f64) -> DVec3>;
+    let shapes: [(&str, Shape); 4] = [
         ("cylinder", Box::new(move |s, t| round(t) + 3.0 * s * DVec3::Z)),
         ("sheared cylinder", Box::new(move |s, t| round(t) + s * DVec3::new(1.0, 0.5, 2.0))),
         ("cone", Box::new(move |s, t| (0.1 + 0.9 * s) * round(t) + (1.0 - s) * 2.0 * DVec3::Z)),

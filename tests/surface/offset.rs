@@ -58,7 +58,7 @@ fn planes_cylinders_and_spheres_become_such() {
 fn distances_may_vary() {
     let plane = grid(4, 3, [false; 2], |i, j| DVec3::new(j as f64, i as f64, 0.0));
     let (by_line, _) = plane.offset(&[0.0, 0.1, 0.2, 0.3], &Job::default()).unwrap();
-    let each: Vec<f64> = (0..12).map(|k| 0.01 * k as f64).collect();
+    let each: Vec<f64> = (0..12).map(|k| 0.01 * f64::from(k)).collect();
     let (by_corner, _) = plane.offset(&each, &Job::default()).unwrap();
     for (i, j, p) in corners(&by_line) {
         assert!((p.z + 0.1 * i as f64).abs() < 1e-15);
@@ -95,7 +95,7 @@ fn any_surface_has_one_beside_it() {
 
 /// Sections of a cone with its top up, the points of each this way or that round.
 fn cone(closed: bool, down: bool, back: bool) -> (Vec<[f64; 3]>, Vec<u32>) {
-    let (rows, columns) = (5, 16);
+    let (rows, columns) = (5usize, 16usize);
     let mut points = Vec::new();
     for i in 0..rows {
         for j in 0..columns {

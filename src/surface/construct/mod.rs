@@ -6,7 +6,7 @@
 //! * [`CurveNet`]: curves across and along that meet, or curves across alone; Gordon's surface,
 //!   which contains them.
 //! * [`FrameSurface`]: a frame of outlines, its nodes or its curves.
-//! * [`Sheet::offset`]: the surface beside another one, a grid again.
+//! * [`Sheet::offset`](crate::surface::Sheet::offset): the surface beside another one, a grid again.
 //!
 //! All others give Bézier patches that share their sides to the bit. Patches themselves are never
 //! rational: quotients have no control nets that the bounds of searches could be taken from.

@@ -12,8 +12,8 @@ impl Sheet<'_> {
     /// and how far it is from where it should be, at most, in the middles of the cells. Places
     /// without a normal stay.
     ///
-    /// Normals at nodes of a grid are those of circles through neighbours
-    /// ([`node_normals`]), exact on planes, spheres and cylinders; those of patches are their own.
+    /// Normals at nodes of a grid are those of circles through neighbours,
+    /// exact on planes, spheres and cylinders; those of patches are their own.
     /// `distances`: one for all corners, one for each line of them that runs along v, or one for
     /// each corner; a line that closes the sheet counts, too, and moves with the first one.
     ///
