@@ -1,0 +1,288 @@
+// Makes a shoe last from sections of a foot: roomier than the foot towards the toes, closed, and its upper laid out flat.
+//   last [sections.json] [--ease 0,8] [--picture last.svg] [--pattern pattern.svg] [--mesh last.off]
+// The file has "stations" from the heel to the toes, each with "at" and "points": x to the side, y up, z forward. Without
+// one, or with -, the foot is made by formula. Lengths are in decimetres, volumes thus in litres.
+#include "pattern.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace {
+using namespace workshop;
+
+/// Closed sections one behind another; section k has the points offsets[k] to offsets[k + 1].
+struct Sections {
+    std::vector<Point3> points;
+    std::vector<uint32_t> offsets{0};
+    std::size_t size() const { return offsets.size() - 1; }
+    std::vector<Point3> section(std::size_t k) const {
+        return {points.begin() + offsets[k], points.begin() + offsets[k + 1]};
+    }
+    void end() { offsets.push_back(static_cast<uint32_t>(points.size())); }
+};
+
+Sections read(const std::string &file) {
+    std::ifstream in(file);
+    const nlohmann::json all = nlohmann::json::parse(in);
+    Sections made;
+    for (const auto &station : all.at("stations")) {
+        for (const std::array<double, 3> p : station.at("points")) {
+            made.points.push_back({p[2], p[0], p[1]}); // forward, to the side, up
+        }
+        made.end();
+    }
+    return made;
+}
+
+/// A foot of 2.5 dm: each section with its own number of points and its own first one, as scans have them.
+Sections formula() {
+    const auto step = [](double t, double from, double to) {
+        const double s = std::clamp((t - from) / (to - from), 0.0, 1.0);
+        return s * s * (3 - 2 * s);
+    };
+    Sections made;
+    for (int k = 0; k < 17; ++k) {
+        const double t = 0.5 - 0.5 * std::cos(3.141592653589793 * (k + 0.8) / 18.6);
+        // Round at the heel and at the toes.
+        const double heel = std::sqrt(1 - std::pow(1 - std::min(1.0, t / 0.16), 2));
+        const double toes = std::sqrt(1 - std::pow(std::max(0.0, (t - 0.74) / 0.26), 2.5));
+        const double half = (0.31 + 0.16 * step(t, 0.3, 0.7)) * heel * toes;
+        const double top = (0.26 + 0.6 * (1 - step(t, 0.2, 0.78))) * heel * std::sqrt(toes);
+        const double arch = 0.09 * step(t, 0.15, 0.4) * (1 - step(t, 0.5, 0.72));
+        const uint32_t count = 40 + 7 * (k % 4), first = 11 * k % count;
+        for (uint32_t i = 0; i < count; ++i) {
+            const double angle = 6.283185307179586 * (i + first) / count, c = std::cos(angle), s = std::sin(angle);
+            // Flat below, narrower above, and the big toe in front.
+            const double up = s > 0 ? 0.16 * heel + (top - 0.16 * heel) * s : 0.16 * heel * (1 - std::pow(-s, 0.75));
+            const double side = half * c * (1 - 0.25 * std::max(s, 0.0)) + 0.12 * step(t, 0.4, 1);
+            made.points.push_back({2.5 * t, side, up + arch * (1 - c) / 2});
+        }
+        made.end();
+    }
+    return made;
+}
+
+/// A last has one box for all toes: where the girth falls by a third from one section to the next, single toes begin.
+Sections without_toes(const Sections &foot) {
+    const gusset::Outline drawn(gusset::Outlines(foot.points, true).offsets(foot.offsets));
+    Sections made;
+    for (std::size_t k = 0; k < foot.size(); ++k) {
+        if (k > 1 && drawn.measure(k).girth < 0.67 * drawn.measure(k - 1).girth) {
+            std::cout << "sections left out, of single toes: " << foot.size() - k << '\n';
+            break;
+        }
+        const std::vector<Point3> section = foot.section(k);
+        made.points.insert(made.points.end(), section.begin(), section.end());
+        made.end();
+    }
+    return made;
+}
+
+/// What the workshop makes of sections, one of the other.
+struct Last {
+    gusset::Frame foot, frame;
+    gusset::Sheet sheet;
+    gusset::SheetMesh side;
+    gusset::Fill closed;
+};
+
+Last make(const Sections &foot, const std::vector<double> &room, double tolerance) {
+    //! [path]
+    const gusset::Outlines outlines = gusset::Outlines(foot.points, true).offsets(foot.offsets);
+    gusset::Frame frame(outlines, gusset::Correspondence::arc_length(48));
+    gusset::Frame roomy = frame.offset(room, gusset::OffsetDirection::in_section);
+    gusset::Sheet sheet = gusset::Sheet::from_frame(roomy, gusset::FrameSurface::curves);
+    gusset::SheetMeshOptions fine;
+    fine.tolerance = tolerance;
+    gusset::SheetMesh side(sheet, fine);
+    gusset::FillOptions ends;
+    ends.refine = gusset::FillRefinement::rim_density;
+    ends.fairing = gusset::Fairing::thin_plate;
+    ends.outward = gusset::Outward::closed;
+    gusset::Fill closed(side.mesh(), ends);
+    //! [path]
+    return {std::move(frame), std::move(roomy), std::move(sheet), std::move(side), std::move(closed)};
+}
+
+/// The volume between the first section and the last one, by the areas of many sections between: the midpoint rule.
+double volume_by_sections(const gusset::Frame &frame, double from, double to) {
+    const int count = 100;
+    double sum = 0;
+    for (int k = 0; k < count; ++k) {
+        sum += frame.slice({from + (to - from) * (k + 0.5) / count, 0, 0}, {1, 0, 0}).measure().area;
+    }
+    return sum * (to - from) / count;
+}
+
+/// The line of the sheet under the foot, from the heel to the toes: the one that begins lowest at the heel. Places of
+/// vertices tell which of them are on it.
+std::vector<uint32_t> heel_line(const gusset::SheetMesh &mesh) {
+    double lowest = INFINITY, line = 0;
+    for (uint32_t v = 0; v < mesh.places().size(); ++v) {
+        const gusset::SurfacePlace &at = mesh.places()[v];
+        if (at.row == 0 && at.u == 0 && mesh.mesh().position(v)[2] < lowest) {
+            lowest = mesh.mesh().position(v)[2];
+            line = at.column + at.v;
+        }
+    }
+    std::vector<std::pair<double, uint32_t>> found;
+    for (uint32_t v = 0; v < mesh.places().size(); ++v) {
+        const gusset::SurfacePlace &at = mesh.places()[v];
+        if (at.column + at.v == line) {
+            found.push_back({at.row + at.u, v});
+        }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<uint32_t> vertices;
+    for (const auto &[u, v] : found) {
+        vertices.push_back(v);
+    }
+    return vertices;
+}
+
+void print_chart(const char *what, const gusset::Development &flat) {
+    const gusset_chart &chart = flat.charts()[0];
+    std::cout << what << ": " << flat.darts() << " darts, energy " << chart.energy << " (4 keeps all lengths), lengths by "
+              << chart.min_stretch << " to " << chart.max_stretch << ", area " << chart.area << " dm2, flat "
+              << chart.flat_area << " dm2, " << chart.overlaps << " overlaps\n";
+}
+
+/// The side laid out flat, without darts and with up to `darts`.
+void lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &claims) {
+    const gusset::SheetMesh side(last.sheet); // a quad for each cell is fine enough for a pattern
+    gusset::DevelopmentOptions options;
+    options.cuts.push_back(heel_line(side));
+    const gusset::Development plain(side.mesh(), options);
+    options.max_darts = darts;
+    const gusset::Development flat(side.mesh(), options);
+    print_chart("upper", plain);
+    print_chart("upper", flat);
+    for (const gusset::Development *made : {&plain, &flat}) {
+        claims.hold(made->charts().size() == 1, "the upper is one piece");
+        const gusset_chart &chart = made->charts()[0];
+        claims.hold(chart.folds == 0 && chart.overlaps == 0, "the upper is flat without folds and overlaps");
+        const double area = measure(side.mesh()).area;
+        claims.hold(std::abs(percent(chart.area, area)) < 0.5, "the upper has the area of the side");
+    }
+    claims.hold(flat.charts()[0].energy <= plain.charts()[0].energy, "darts lower the distortion");
+    if (!file.empty()) {
+        Pattern(flat).write(file, "dm", 0.25);
+    }
+}
+
+/// Sections, the frame, the closed last.
+void draw(const Last &last, const Sections &foot, const std::string &file) {
+    const double scale = 114;
+    pictures::Drawing drawing(960, 310, {0.75, -1, 0.55}, scale);
+    const Point3 centre = measure(last.closed.mesh()).centre;
+    const auto place = [&](double x, const char *caption) {
+        drawing.place(0, 0);
+        const auto at = drawing.at(centre);
+        drawing.place(x - at[0], 140 - at[1]);
+        drawing.caption(x, 292, caption);
+    };
+    place(165, "sections of a foot");
+    for (std::size_t k = 0; k < foot.size(); ++k) {
+        drawing.curve(foot.section(k), true, pictures::ochre, 1.2, 0);
+    }
+    place(480, "the frame, roomier towards the toes");
+    const gusset_frame_view size = last.frame.view();
+    for (const auto &[frame, colour] : {std::pair(&last.foot, pictures::ochre), std::pair(&last.frame, pictures::blue)}) {
+        for (std::size_t i = 0; i < size.rows; ++i) {
+            const auto from = frame->nodes().begin() + i * size.columns;
+            drawing.curve({from, from + size.columns}, true, colour, 0.8, 0);
+        }
+    }
+    for (std::size_t j = 0; j < size.columns; j += 4) {
+        std::vector<Point3> line;
+        for (std::size_t i = 0; i < size.rows; ++i) {
+            line.push_back(last.frame.nodes()[i * size.columns + j]);
+        }
+        drawing.curve(line, false, pictures::blue, 0.8, 0);
+    }
+    place(795, "the last: its side, and its filled ends");
+    const std::size_t side = last.side.mesh().face_count();
+    drawing.add("<g stroke-width='0.15'>\n");
+    drawing.mesh(last.closed.mesh(), [&](std::size_t f) { return f < side ? pictures::blue : pictures::green; });
+    drawing.add("</g>\n");
+    save(drawing, file);
+}
+} // namespace
+
+int main(int argc, char **argv) try {
+    CLI::App app("Makes a shoe last from sections of a foot, and lays its upper out flat.");
+    std::string input = "-", picture, pattern, file;
+    std::vector<double> ease{0, 8};
+    double tolerance = 0.01;
+    uint32_t darts = 2;
+    app.add_option("sections", input, "a JSON file of sections, or - for a foot by formula");
+    app.add_option("--ease", ease, "by how much the girth grows at the heel and at the toes, in percent")
+        ->delimiter(',')
+        ->expected(2);
+    app.add_option("--tolerance", tolerance, "how far the mesh may be from the smooth surface");
+    app.add_option("--darts", darts, "how many darts the upper may have");
+    app.add_option("--picture", picture, "an SVG file of the last");
+    app.add_option("--pattern", pattern, "an SVG file of the upper");
+    app.add_option("--mesh", file, "an OFF file of the last");
+    CLI11_PARSE(app, argc, argv);
+
+    Claims claims;
+    const Sections foot = without_toes(input == "-" ? formula() : read(input));
+    const double heel = foot.points.front()[0], toes = foot.points.back()[0];
+    // A curve of girth L that moves outwards by d in its plane gets the girth L + 2 pi d, whatever its shape (Steiner).
+    const gusset::Outline drawn(gusset::Outlines(foot.points, true).offsets(foot.offsets));
+    std::vector<double> grown, room;
+    for (std::size_t k = 0; k < foot.size(); ++k) {
+        const double t = (foot.points[foot.offsets[k]][0] - heel) / (toes - heel);
+        grown.push_back(ease[0] + t * (ease[1] - ease[0]));
+        room.push_back(grown.back() / 100 * drawn.measure(k).girth / 6.283185307179586);
+    }
+    const Last bare = make(foot, std::vector<double>(foot.size()), tolerance), last = make(foot, room, tolerance);
+
+    const gusset_frame_view frame = last.foot.view();
+    std::cout << std::setprecision(4) << "frame: " << frame.rows << " x " << frame.columns << " nodes, curves apart by "
+              << frame.max_gap << " of its size, turned by " << frame.max_twist << '\n';
+    claims.hold(frame.max_gap < 1e-12 && last.frame.view().max_gap < 1e-12, "curves across and along meet at the nodes");
+    std::cout << "   at    girth  of last     more  wanted     area  of last\n" << std::fixed;
+    for (std::size_t k = 0; k < foot.size(); ++k) {
+        const Point3 at = foot.points[foot.offsets[k]];
+        const gusset_section_report before = bare.frame.slice(at, {1, 0, 0}).measure();
+        const gusset_section_report after = last.frame.slice(at, {1, 0, 0}).measure();
+        const double more = percent(after.girth, before.girth);
+        std::cout << std::setprecision(2) << std::setw(5) << at[0] << std::setprecision(4) << std::setw(9) << before.girth
+                  << std::setw(9) << after.girth << std::setprecision(2) << std::setw(7) << more << " %" << std::setw(6)
+                  << grown[k] << " %" << std::setprecision(4) << std::setw(9) << before.area << std::setw(9) << after.area
+                  << '\n';
+        claims.hold(std::abs(more - grown[k]) < 1.5, "the girth grows by what is wanted, within 1.5 %");
+    }
+    std::cout << std::defaultfloat << std::setprecision(4);
+    for (const auto &[what, made] : {std::pair("foot", &bare), std::pair("last", &last)}) {
+        const MeshView side = made->side.mesh(), closed = made->closed.mesh();
+        gusset::FillOptions outward;
+        outward.outward = gusset::Outward::closed;
+        const gusset::Fill flat(side, outward);
+        const double volume = measure(flat.mesh()).volume;
+        const double sections = volume_by_sections(made->frame, heel, toes);
+        const Measure whole = measure(closed);
+        std::cout << what << ": mesh within " << made->side.deviation() << " dm of the sheet, side " << measure(side).area
+                  << " dm2; " << volume << " l between flat ends, by sections " << sections << " l ("
+                  << percent(volume, sections) << " %); closed " << closed.face_count() << " faces, " << whole.area
+                  << " dm2, " << whole.volume << " l\n";
+        claims.closed(closed, what);
+        claims.hold(made->side.deviation() <= tolerance, "the mesh is within its tolerance");
+        claims.hold(whole.volume > 0, "the mesh is outward");
+        claims.hold(std::abs(percent(volume, sections)) < 1, "volumes agree within a percent");
+    }
+    claims.hold(measure(last.closed.mesh()).volume > measure(bare.closed.mesh()).volume, "the last is roomier");
+    lay_out(last, darts, pattern, claims);
+    if (!picture.empty()) {
+        draw(last, foot, picture);
+    }
+    save(last.closed.mesh(), file);
+    return claims.status();
+} catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+}
