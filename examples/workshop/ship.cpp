@@ -142,14 +142,14 @@ void draw(const gusset::Assembly &whole, double water, const Point3 &centre, dou
     };
     pictures::Drawing drawing(960, 640, {0.66, 0.7, 0.36}, scale);
     drawing.add("<g stroke-width='0.12'>\n");
-    double y = 175;
+    double y = 170;
     for (const Point3 &eye : {Point3{0.66, 0.7, 0.36}, Point3{-0.6, 0.74, -0.3}}) {
         drawing.look(eye, scale);
         drawing.place(0, 0);
         const auto at = drawing.at(centre);
         drawing.place(480 - at[0], y - at[1]);
         drawing.mesh(whole.mesh(), colour);
-        y += 300;
+        y += 285;
     }
     drawing.add("</g>\n");
     drawing.caption(480, 625, "from the bow and above; from the stern and below: under water in red");
@@ -249,7 +249,7 @@ int main(int argc, char **argv) try {
     }
     claims.hold(std::abs(mesh.buoyancy[1]) < 1e-3 * bow, "the hull floats upright");
     if (!picture.empty()) {
-        draw(whole, water, {bow / 2, 0, high / 2}, 860 / bow, picture);
+        draw(whole, water, {bow / 2, 0, high / 2}, 800 / bow, picture);
     }
     workshop::save(whole.mesh(), file);
     return claims.status();
