@@ -197,7 +197,8 @@ int main(int argc, char **argv) try {
     for (const gusset_joint &joint : whole.joints()) {
         std::cout << joint.side[0].count << " edges to " << joint.side[1].count << " across a gap of " << joint.gap << ", "
                   << joint.face_count << " new faces, smallest angle " << smallest_angle(whole.mesh(), joint.face_first)
-                  << " degrees\n";
+                  << " degrees, pairs of faces that cut: "
+                  << (joint.intersections_known != 0 ? std::to_string(joint.intersections.count / 2) : "not sought") << '\n';
     }
     std::cout << "result: " << whole.mesh().vertex_count() << " vertices, " << whole.mesh().face_count()
               << " faces, Euler characteristic " << euler(whole.mesh()) << ", loops of";
