@@ -1,4 +1,4 @@
-// A development drawn as a pattern to cut: its faces coloured by how much lengths in them change, its outline, its cuts.
+// A development drawn as a pattern to cut: faces coloured by how much lengths in them change, the outline, the cuts.
 #pragma once
 
 #include "workshop.hpp"

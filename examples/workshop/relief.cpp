@@ -1,8 +1,8 @@
 // From a range image to a clean mesh: steps from one surface to another are left open, small holes are filled.
 //   relief [heights.csv] [--spacing 10] [--picture relief.svg] [--mesh relief.off]
-// The file has a row of heights on each line; what is empty or no number is missing. Without one, or with -, the image is
-// made by formula: hills with a block and a drum on them, noise, and pixels that are missing. Of a file some pixels are
-// taken out, so that what is filled in can be compared with what was there.
+// The file has a row of heights on each line; what is empty or no number is missing. Without one, or with -, the image
+// is made by formula: hills with a block and a drum on them, noise, and pixels that are missing. Of a file some pixels
+// are taken out, so that what is filled in can be compared with what was there.
 #include "workshop.hpp"
 
 #include <CLI/CLI.hpp>
@@ -38,9 +38,9 @@ void take_out(Image &image, Random &random, const std::function<bool(double, dou
         height = random() < 0.02 ? NAN : height;
     }
     for (int made = 0; made < 6;) {
-        const double y = random() * static_cast<double>(image.rows), x = random() * static_cast<double>(image.columns);
-        const double radius = 1.5 + 2 * random();
-        if (x < 7 || y < 7 || x > static_cast<double>(image.columns) - 7 || y > static_cast<double>(image.rows) - 7 || busy(x, y)) {
+        const double wide = static_cast<double>(image.columns), deep = static_cast<double>(image.rows);
+        const double x = random() * wide, y = random() * deep, radius = 1.5 + 2 * random();
+        if (x < 7 || y < 7 || x > wide - 7 || y > deep - 7 || busy(x, y)) {
             continue;
         }
         for (std::size_t i = 0; i < image.rows; ++i) {
@@ -55,16 +55,18 @@ void take_out(Image &image, Random &random, const std::function<bool(double, dou
 }
 
 double hills(double x, double y) {
-    return 2.7 * std::sin(0.09 * x + 0.4) * std::cos(0.11 * y) + std::sin(0.165 * (x + y));
+    return 2.2 * std::sin(0.11 * x + 0.4) * std::cos(0.135 * y) + 0.8 * std::sin(0.2 * (x + y));
 }
-bool on_block(double x, double y) { return std::abs(x - 22) + 0.4 * std::abs(y - 28) < 11.6 && std::abs(y - 28) < 12.5; }
-bool on_drum(double x, double y) { return std::hypot(x - 56, y - 24) < 9.6; }
+bool on_block(double x, double y) {
+    return std::abs(x - 18) + 0.4 * std::abs(y - 23) < 9.6 && std::abs(y - 23) < 10.5;
+}
+bool on_drum(double x, double y) { return std::hypot(x - 46, y - 20) < 8.3; }
 
 Image formula() {
-    Image image{56, 80, 1, 0.05, {}, {}};
+    Image image{46, 66, 1, 0.05, {}, {}};
     image.truth = [](double x, double y) {
-        return on_block(x, y)  ? 12 + 0.1 * (x - 22)
-               : on_drum(x, y) ? 9 + std::sqrt(std::max(0.0, 180 - std::pow(x - 56, 2))) / 4
+        return on_block(x, y)  ? 12 + 0.1 * (x - 18)
+               : on_drum(x, y) ? 9 + std::sqrt(std::max(0.0, 120 - std::pow(x - 46, 2))) / 4
                                : hills(x, y);
     };
     Random random;
@@ -137,16 +139,17 @@ std::size_t describe(const char *what, const MeshView &mesh) {
     const gusset::Boundary loops(mesh);
     const gusset::Check check(mesh);
     const gusset::Orient parts(mesh);
-    std::cout << what << mesh.vertex_count() << " vertices, " << mesh.face_count() << " faces, " << parts.component_count()
-              << " components, " << loops.size() << " loops, Euler characteristic " << euler(mesh) << ", "
-              << check.view().non_manifold_vertices.count << " bow-ties, smallest angle " << smallest_angle(mesh)
-              << " degrees\n";
+    std::cout << what << mesh.vertex_count() << " vertices, " << mesh.face_count() << " faces, "
+              << parts.component_count() << " components, " << loops.size() << " loops, Euler characteristic "
+              << euler(mesh) << ", " << check.view().non_manifold_vertices.count << " bow-ties, smallest angle "
+              << smallest_angle(mesh) << " degrees\n";
     return loops.size();
 }
 
 /// Before and after: what was filled is green, borders are red.
 void draw(const MeshView &raw, const MeshView &clean, const Image &image, const std::string &file) {
-    const double wide = image.spacing * static_cast<double>(image.columns), deep = image.spacing * static_cast<double>(image.rows);
+    const double wide = image.spacing * static_cast<double>(image.columns);
+    const double deep = image.spacing * static_cast<double>(image.rows);
     const auto [low, high] = std::minmax_element(image.heights.begin(), image.heights.end(), [](double a, double b) {
         return std::isfinite(a) && std::isfinite(b) && a < b; // what is missing is neither
     });
@@ -216,8 +219,8 @@ int main(int argc, char **argv) try {
         large += hole.status == GUSSET_HOLE_TOO_LARGE ? 1 : 0;
     }
     const double seen = rms(raw.mesh(), image, 0), made = rms(clean.mesh(), image, raw.mesh().vertex_count());
-    std::cout << filled << " holes filled, " << large << " left; off the truth by " << seen << " where it was seen, by " << made
-              << " where it was filled (root mean square)\n";
+    std::cout << filled << " holes filled, " << large << " left; off the truth by " << seen
+              << " where it was seen, by " << made << " where it was filled (root mean square)\n";
 
     claims.hold(filled + large == clean.holes().size() && loops == large, "all small holes are filled");
     const gusset::Check check(clean.mesh());

@@ -1,8 +1,8 @@
-// Closes a ship's hull from its table of offsets, and computes its hydrostatics at a draught, from the closed mesh, from the
-// smooth surface and from the table itself.
+// Closes a ship's hull from its table of offsets, and computes its hydrostatics at a draught: from the closed mesh,
+// from the smooth surface and from the table itself.
 //   ship [stations.csv] [--draught 4] [--picture ship.svg] [--mesh ship.off]
-// The file is as that of examples/cpp/hull.cpp, in metres: cells of the table may be empty. Without one, or with -, the hull
-// is made by formula.
+// The file is as that of examples/cpp/hull.cpp, in metres: cells of the table may be empty. Without one, or with -, the
+// hull is made by formula.
 #include "../cpp/hull_stations.hpp"
 #include "workshop.hpp"
 
@@ -158,8 +158,8 @@ void draw(const gusset::Assembly &whole, double water, const Point3 &centre, dou
 
 void print(const char *what, const Hydrostatics &found, const Hydrostatics &of) {
     using workshop::percent;
-    std::cout << std::fixed << std::setprecision(2) << std::setw(9) << what << std::setw(9) << found.volume << std::setw(7)
-              << percent(of.volume, found.volume) << " %" << std::setw(9) << found.area << std::setw(7)
+    std::cout << std::fixed << std::setprecision(2) << std::setw(9) << what << std::setw(9) << found.volume
+              << std::setw(7) << percent(of.volume, found.volume) << " %" << std::setw(9) << found.area << std::setw(7)
               << percent(of.area, found.area) << " %" << std::setprecision(3) << std::setw(9) << found.buoyancy[0]
               << std::setw(9) << found.buoyancy[2] << std::setw(9) << found.flotation[0] << '\n';
 }
