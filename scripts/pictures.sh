@@ -7,12 +7,18 @@ cd "$(dirname "$0")/.."
 stage=$1
 shift
 scripts/install-packages.sh "$@"
-cmake -S examples/pictures -B build/pictures -DGUSSET_PREFIX="$stage" >build/pictures.log 2>&1 &&
-  env -u MAKELEVEL -u MAKEFLAGS cmake --build build/pictures --parallel 2 >>build/pictures.log 2>&1 || { tail -n 40 build/pictures.log; exit 1; }
+for project in pictures workshop; do
+  cmake -S examples/$project -B build/$project -DGUSSET_PREFIX="$stage" >build/$project.log 2>&1 &&
+    env -u MAKELEVEL -u MAKEFLAGS cmake --build build/$project --parallel 2 >>build/$project.log 2>&1 || { tail -n 40 build/$project.log; exit 1; }
+done
 build/pictures/gallery docs
 build/pictures/outline - docs/outline.svg
 build/pictures/hull - docs/hull.svg docs/hull_view.svg
 build/pictures/scene build/pictures/scene.obj docs/scene.svg
+build/workshop/last - --picture docs/workshop_last.svg --pattern docs/workshop_pattern.svg
+for name in ship wrist relief; do
+  build/workshop/$name - --picture docs/workshop_$name.svg
+done
 scripts/demo.sh "$stage" '' '' "$@"
 build/pictures/showcases build/pictures/gallery
 python3 -B scripts/page.py "gusset: showcases" docs/showcases.html build/demo/showcase build/pictures/gallery

@@ -1,0 +1,15 @@
+# Runs a program on real data: cmake -DPROGRAM=... -DFILES=a;b -DOPTIONS=... -DDEFAULT=folder -P real.cmake. The data are in the
+# folder that GUSSET_DATA names, or in the default one; skipped where there are none.
+set(folder "$ENV{GUSSET_DATA}")
+if(folder STREQUAL "")
+  set(folder "${DEFAULT}")
+endif()
+if(NOT EXISTS "${folder}/MANIFEST.md")
+  message("SKIPPED: no real data in ${folder}; set GUSSET_DATA to the folder that has them")
+  return()
+endif()
+list(TRANSFORM FILES PREPEND "${folder}/")
+execute_process(COMMAND ${PROGRAM} ${FILES} ${OPTIONS} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM}: ${status}")
+endif()
