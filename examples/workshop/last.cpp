@@ -84,7 +84,9 @@ Sections without_toes(const Sections &foot) {
 struct Last {
     gusset::Frame foot, frame;
     gusset::Sheet sheet;
-    gusset::SheetMesh side;
+    gusset::Net net;
+    gusset::NetMesh side;
+    double deviation;
     gusset::Fill closed;
 };
 
@@ -97,13 +99,16 @@ Last make(const Sections &foot, const std::vector<double> &room, double toleranc
     gusset::SheetMeshOptions fine;
     fine.tolerance = tolerance;
     gusset::SheetMesh side(sheet, fine);
+    gusset::Net net = gusset::NetGrid(side.mesh()).net();
+    gusset::NetMesh piece(net);
     gusset::FillOptions ends;
     ends.refine = gusset::FillRefinement::rim_density;
     ends.fairing = gusset::Fairing::thin_plate;
     ends.outward = gusset::Outward::closed;
-    gusset::Fill closed(side.mesh(), ends);
+    gusset::Fill closed(piece.mesh(), ends);
     //! [path]
-    return {std::move(frame), std::move(roomy), std::move(sheet), std::move(side), std::move(closed)};
+    return {std::move(frame), std::move(roomy), std::move(sheet), std::move(net),
+            std::move(piece), side.deviation(), std::move(closed)};
 }
 
 /// The volume between the first section and the last one, by the areas of many sections between: the midpoint rule.
@@ -269,12 +274,15 @@ int main(int argc, char **argv) try {
         const double volume = measure(flat.mesh()).volume;
         const double sections = volume_by_sections(made->frame, heel, toes);
         const Measure whole = measure(closed);
-        std::cout << what << ": mesh within " << made->side.deviation() << " dm of the sheet, side "
-                  << measure(side).area << " dm2; " << volume << " l between flat ends, by sections " << sections
+        const gusset::BilinearArea area = made->net.bilinear_area();
+        std::cout << what << ": net of " << made->net.rows() << " x " << made->net.columns() << " nodes, mesh within "
+                  << made->deviation << " dm of the sheet; side " << measure(side).area << " dm2, of the net "
+                  << area.area << " dm2; " << volume << " l between flat ends, by sections " << sections
                   << " l (" << percent(volume, sections) << " %); closed " << closed.face_count() << " faces, "
                   << whole.area << " dm2, " << whole.volume << " l\n";
         claims.closed(closed, what);
-        claims.hold(made->side.deviation() <= tolerance, "the mesh is within its tolerance");
+        claims.hold(std::abs(percent(measure(side).area, area.area)) < 0.1, "net and mesh have one area");
+        claims.hold(made->deviation <= tolerance, "the mesh is within its tolerance");
         claims.hold(whole.volume > 0, "the mesh is outward");
         claims.hold(std::abs(percent(volume, sections)) < 1, "volumes agree within a percent");
     }
