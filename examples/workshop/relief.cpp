@@ -153,7 +153,7 @@ void draw(const MeshView &raw, const MeshView &clean, const Image &image, const 
     const auto [low, high] = std::minmax_element(image.heights.begin(), image.heights.end(), [](double a, double b) {
         return std::isfinite(a) && std::isfinite(b) && a < b; // what is missing is neither
     });
-    const double scale = 408 / std::hypot(wide, 0.32 * deep);
+    const double scale = 396 / std::hypot(wide, 0.32 * deep);
     pictures::Drawing drawing(960, 400, {0.3, -1, 0.85}, scale);
     drawing.add("<g stroke-width='0.12'>\n");
     for (const auto &[mesh, x, caption] : {std::tuple(&raw, 240.0, "as it was seen, without faces across steps"),
