@@ -147,14 +147,6 @@ std::vector<uint32_t> heel_line(const gusset::SheetMesh &mesh) {
     return vertices;
 }
 
-void print_chart(const char *what, const gusset::Development &flat) {
-    const gusset_chart &chart = flat.charts()[0];
-    std::cout << what << ": " << flat.darts() << " darts, energy " << chart.energy
-              << " (4 keeps all lengths), lengths by " << chart.min_stretch << " to " << chart.max_stretch
-              << ", area " << chart.area << " dm2, flat " << chart.flat_area << " dm2, "
-              << chart.overlaps << " overlaps\n";
-}
-
 /// The side laid out flat, without darts and with up to `darts`.
 void lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &claims) {
     const gusset::SheetMesh side(last.sheet); // a quad for each cell is fine enough for a pattern

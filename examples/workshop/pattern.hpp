@@ -18,6 +18,15 @@ inline std::string stretch_colour(const std::array<double, 2> &factors, double l
     return text.str();
 }
 
+/// Prints how much a development distorts its first chart.
+inline void print_chart(const char *what, const gusset::Development &flat) {
+    const gusset_chart &chart = flat.charts()[0];
+    std::cout << what << ": " << flat.darts() << " darts, energy " << chart.energy
+              << " (4 keeps all lengths), lengths by " << chart.min_stretch << " to " << chart.max_stretch
+              << ", area " << chart.area << " dm2, flat " << chart.flat_area << " dm2, "
+              << chart.overlaps << " overlaps\n";
+}
+
 /// The pattern on a sheet of 960 units of width, with a scale of one unit of length.
 class Pattern {
 public:
