@@ -128,6 +128,7 @@ public:
         return Frame(context.result(gusset_frame_offset_create, frame_.get(), distances.data(), distances.size(),
                                     static_cast<uint32_t>(direction)));
     }
+    /// The same by one distance for all nodes.
     Frame offset(double distance, OffsetDirection direction = OffsetDirection::normal,
                  const Context &context = Context()) const {
         return offset({&distance, 1}, direction, context);

@@ -237,6 +237,7 @@ public:
     Sheet offset(Span<const double> distances, double *deviation = nullptr, const Context &context = Context()) const {
         return Sheet(context.result(gusset_sheet_offset_create, get(), distances.data(), distances.size(), deviation));
     }
+    /// The same by one distance for all corners.
     Sheet offset(double distance, double *deviation = nullptr, const Context &context = Context()) const {
         return offset({&distance, 1}, deviation, context);
     }
