@@ -1,7 +1,7 @@
 # The documentation is compiled, run and complete: the examples of the reference and of the guides, the reference itself, the site.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-foreach(name meshes stitching scans curves nets nets_joined surfaces)
+foreach(name meshes stitching scans attributes developments curves nets nets_joined surfaces)
   add_executable(reference_${name} ${root}/examples/reference/${name}.c)
   set_target_properties(reference_${name} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
   target_compile_options(reference_${name} PRIVATE ${strict} -Wconversion -Wshadow)

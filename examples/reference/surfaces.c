@@ -205,7 +205,7 @@ static void beside(void) {
     const double points[9][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0},
                                  {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}};
     const gusset_nodes nodes = {
-        .struct_size = sizeof nodes, .points = points, .scalar = GUSSET_F64, .rows = 3, .columns = 3};
+        .struct_size = sizeof nodes, .nodes = points, .scalar = GUSSET_F64, .rows = 3, .columns = 3};
     const double up = -2.0; /* u runs along y and v along x: the normal points down. */
     double deviation = 1.0;
     gusset_sheet *sheet = NULL, *offset = NULL;
