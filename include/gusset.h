@@ -749,6 +749,12 @@
 #define GUSSET_CHART_FOLDED 5
 
 /**
+ * By descent until no step was possible that gains: the border would meet itself, or rounding hides
+ * it. Cuts or darts may help.
+ */
+#define GUSSET_CHART_STALLED 6
+
+/**
  * On a path that was given.
  */
 #define GUSSET_CUT_GIVEN 0
@@ -1428,7 +1434,7 @@ enum gusset_status
      */
     GUSSET_ERROR_BAD_MERGE = 1009,
     /**
-     * A face passes a vertex twice in a row, where each face needs a shape.
+     * A face passes a vertex twice, where each face needs a shape.
      */
     GUSSET_ERROR_REPEATED_CORNER = 1010,
     /**
@@ -3683,7 +3689,7 @@ typedef struct gusset_development_options {
     uint32_t max_darts;
     /**
      * Vertices of the mesh, path after path, along which it is cut. Vertices that follow one
-     * another and have no edge in common are connected by the shortest path along edges.
+     * another are connected by the shortest path along edges; a path of one vertex cuts nothing.
      */
     struct gusset_indices cuts;
     /**
@@ -3730,8 +3736,9 @@ typedef struct gusset_chart {
      */
     uint32_t iterations;
     /**
-     * Pairs of edges of its border that meet in the plane, neighbours apart; 0 of a map that is one
-     * to one. Only EXACT and FOLDED charts can have some.
+     * Pairs of edges of its border that meet in the plane, neighbours apart; of EXACT charts those
+     * that cross by more than 1e-8 of the root of the area. Only EXACT and FOLDED charts can have
+     * some.
      */
     uint32_t overlaps;
     /**
@@ -8516,8 +8523,8 @@ gusset_status gusset_frame_create(const struct gusset_context *context,
  * Each node moves by its distance: outwards, if sections are closed, inwards if it is negative; of
  * open sections along the derivative from section to section crossed with that along them, or,
  * within sections, away from the chord between their ends. Directions come from circles through
- * neighbouring nodes, so that planes, cylinders with columns along their rulings, and spheres
- * become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
+ * neighbouring nodes, so that planes, round cylinders with sections square to their axes, and
+ * spheres become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
  * nothing tells a direction stay.
  *
  * @param context threads, progress, cancellation and error report; NULL for the defaults.
@@ -9455,16 +9462,21 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
  * The surface is cut along the paths given. What is no disc then, as a tube, a closed surface, one
  * with holes or handles, is opened along short paths. Each connected component of the rest is a
  * chart. One that can be unfolded about its edges, as cylinders, cones and tangent developables in
- * plane strips can, keeps the length of every edge to 1e-10 of it. Any other one descends to the
- * least distortion; no triangle is turned over, and the border does not meet itself, so that the map
- * is one to one. Darts lower the distortion: each is a cut from the border to the vertex whose
- * scale in a conformal map would be the worst.
+ * plane strips can, keeps the length of every edge to 1e-10 of it, before rounding: charts lie beside
+ * one another, and far from the origin places are rounded more. It may overlap itself; triangles
+ * without area may then be turned over by rounding. Any other chart descends to the least
+ * distortion; no triangle is turned over, and the border does not meet itself, so that the map is
+ * one to one. Where that ends the descent early, its finish is STALLED. Darts are made as long as
+ * they lower the distortion: each is a cut from the border to the vertex whose scale in a conformal
+ * map would be the worst.
  *
  * The result has the faces of the mesh in their order, each from its own first corner and all
- * counterclockwise in the plane. Charts are turned so that they are longest along x. A vertex on a
- * cut becomes several. Edges of three or more faces, and those whose two faces disagree in
- * orientation, are borders. Polygons are measured by triangles they are cut into; a triangle
- * flatter than 1e-7 of its longest side counts as that high.
+ * counterclockwise in the plane. Charts are turned so that the mean square of their borders'
+ * distances from the middle is greatest along x. A vertex on a cut becomes several; of merged
+ * vertices the smallest is meant. Edges of three or more faces, and those whose two faces disagree in
+ * orientation, are borders, and no cuts. Polygons are measured by triangles they are cut into; a
+ * triangle flatter than 1e-7 of its longest side, or smaller than 1e-7 of the mean edge, counts as
+ * that large. Conformal maps have the area of the surface.
  *
  * Nets and sheets are developed by their meshes; see gusset_net_mesh_create and
  * gusset_sheet_mesh_create.
@@ -13564,7 +13576,8 @@ gusset_status gusset_sheet_from_curves_create(const struct gusset_context *conte
  * the derivative in u crossed with that in v.
  *
  * Normals at the nodes of a grid are those of circles through neighbouring nodes, exact on planes,
- * spheres, and cylinders whose rulings are lines of the grid; those of patches are their own.
+ * spheres, and round cylinders whose rulings and sections are lines of the grid; those of patches
+ * are their own.
  * Places without a normal stay. The result is a grid, smooth between its nodes where a sheet of
  * patches had creases.
  *
@@ -13574,8 +13587,9 @@ gusset_status gusset_sheet_from_curves_create(const struct gusset_context *conte
  * @param distance_count 1: all corners move by the same; the number of lines of corners along v,
  *     rows + 1 for rows of cells: each line by its own; (rows + 1) x (columns + 1): each corner by
  *     its own, row by row. A line that closes the sheet counts, and moves with the first one.
- * @param[out] deviation receives how far the result is from where it should be, at most, in the
- *     middles of the cells; NULL if it is not wanted.
+ * @param[out] deviation receives how far the result is, at most in the middles of the cells, from
+ *     the place of this sheet there, moved along its normal by the mean distance of the corners;
+ *     NULL if it is not wanted.
  * @param[out] offset receives the surface, for gusset_sheet_destroy; NULL on failure.
  * @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, COUNT_DIFFERS (distances),
  *     NOT_FINITE (the index is the distance's or the corner's), OUT_OF_MEMORY, CANCELLED.

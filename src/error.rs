@@ -186,8 +186,8 @@ pub enum Error {
         corner: u32,
         vertex: u32,
     },
-    /// A face passes a vertex twice in a row, and has no shape.
-    #[error("face {face} passes vertex {vertex} twice in a row")]
+    /// A face passes a vertex twice, where each face needs a shape.
+    #[error("face {face} passes vertex {vertex} twice")]
     RepeatedCorner { face: u32, vertex: u32 },
     /// Two vertices that follow one another in a cut are not connected by edges.
     #[error("cut {cut}, place {place}: no edges connect vertex {vertex} with the one before it")]

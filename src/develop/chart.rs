@@ -76,7 +76,12 @@ impl ChartMesh {
                 alloc::push(&mut faces, k)?;
             }
         }
-        let shapes = alloc::collect(triangles.iter().map(|t| shape(t.map(|v| points[v as usize]))))?;
+        let at = |t: &[u32; 3]| t.map(|v| points[v as usize]);
+        let perimeter = |[a, b, c]: [DVec3; 3]| a.distance(b) + b.distance(c) + c.distance(a);
+        let mean = triangles.iter().map(|t| perimeter(at(t))).sum::<f64>() / (3 * triangles.len()) as f64;
+        // In the unit no surface is larger than 1 or so: one that is a point is taken to be small.
+        let least = MIN_HEIGHT * mean.max(MIN_HEIGHT);
+        let shapes = alloc::collect(triangles.iter().map(|t| shape(at(t), least)))?;
         job.step(1.0, STAGE)?;
         let across = neighbours(sides, &job.part(1.0, 1.0))?;
         job.step(1.0, STAGE)?;
@@ -136,13 +141,15 @@ fn triangulated(corners: &[u32], points: &[DVec3]) -> Result<Vec<[u32; 3]>> {
     Ok(found.unwrap_or_else(fan))
 }
 
-/// The shape of a triangle; one that is flatter than can be told is taken to be a little higher.
-fn shape([a, b, c]: [DVec3; 3]) -> Shape {
-    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a)).max(f64::MIN_POSITIVE.sqrt());
-    let base = (b - a).length().max(MIN_HEIGHT * longest);
+/// The shape of a triangle; one that is flatter, or smaller than `least`, than can be told is taken to
+/// be a little larger.
+fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    let least = least.max(MIN_HEIGHT * longest);
+    let base = (b - a).length().max(least);
     let along = (b - a).normalize_or(DVec3::X);
-    let x = (c - a).dot(along);
-    let height = ((c - a) - x * along).length().max(MIN_HEIGHT * longest);
+    let x = if b == a { (c - a).length() / 2.0 } else { (c - a).dot(along) };
+    let height = ((c - a) - x * along).length().max(least);
     let corners = [DVec2::ZERO, DVec2::new(base, 0.0), DVec2::new(x, height)];
     let area = base * height / 2.0;
     // The opposite side, turned inwards by a right angle, over twice the area.

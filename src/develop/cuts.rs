@@ -5,6 +5,7 @@ use super::request::{CutKind, Cuts};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bit_set::BitSet;
+use crate::geom::scale::distance;
 use crate::job::Job;
 use crate::mesh::{Across, Defect, MeshView, NONE, Topology, half_edges};
 use crate::sort::Buckets;
@@ -65,6 +66,15 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         Ok(())
     }
 
+    /// Takes the last cuts back: those of the half-edges of `path`.
+    pub(super) fn close(&mut self, path: &[u32]) {
+        for &h in path {
+            self.is_cut.toggle(h);
+            self.is_cut.toggle(self.mates[h as usize]);
+        }
+        self.cut_edges.truncate(self.cut_edges.len() - path.len());
+    }
+
     /// Cuts along the paths that are given.
     pub(super) fn cut_along(&mut self, cuts: &Cuts<'_>, job: &Job<'_>) -> Result<()> {
         if cuts.vertices.is_empty() {
@@ -77,16 +87,18 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h))?;
         let mut search = Search::new(count)?;
         for (number, ends) in (0..).zip(offsets.windows(2)) {
-            let path = &cuts.vertices[ends[0] as usize..ends[1] as usize];
-            for (place, &vertex) in (0..).zip(path) {
-                if vertex as usize >= count {
-                    return Err(Error::LoopIndexOutOfRange { number, place, vertex });
+            let mut path = alloc::copied(&cuts.vertices[ends[0] as usize..ends[1] as usize])?;
+            for (place, vertex) in (0..).zip(&mut path) {
+                if *vertex as usize >= count {
+                    return Err(Error::LoopIndexOutOfRange { number, place, vertex: *vertex });
                 }
+                *vertex = self.mesh.faces().merge_of(*vertex);
             }
             for (place, step) in (1..).zip(path.windows(2)) {
                 let found = search.shortest(&graph, &[step[0]], |v| v == step[1], job)?;
                 if found.is_none() {
-                    return Err(Error::CutNotConnected { cut: number, place, vertex: step[1] });
+                    let vertex = cuts.vertices[ends[0] as usize + place as usize];
+                    return Err(Error::CutNotConnected { cut: number, place, vertex });
                 }
                 for h in search.path(step[1])? {
                     self.cut(h, CutKind::Given)?;
@@ -98,6 +110,9 @@ impl<'m, 'a> CutSurface<'m, 'a> {
 }
 
 fn check_offsets(offsets: &[u32], count: usize) -> Result<()> {
+    if offsets.len() == 1 {
+        return Err(Error::BadOffsets { entry: 1, value: 0 });
+    }
     let mut before = 0;
     for (entry, &value) in (0..).zip(offsets) {
         let is_bad = value < before || value as usize > count || entry == 0 && value != 0;
@@ -121,7 +136,7 @@ impl Graph {
         let mesh = surface.mesh;
         let edge = |h: u32| {
             let [u, v] = surface.ends(h).map(|v| mesh.positions().get(v));
-            (name(h), name(mesh.faces().next(h)), u.distance(v))
+            (name(h), name(mesh.faces().next(h)), distance(u, v))
         };
         let all = (0..mesh.faces().half_edge_count() as u32).flat_map(|h| {
             let (u, v, length) = edge(h);

@@ -2,7 +2,8 @@
 //!
 //! In each step the energy is replaced by the quadratic one that has its gradient (Rabinovich et
 //! al., section 3). Its minimum gives a direction; one goes along it at most as far as no triangle
-//! folds, and back until the energy falls and the border does not meet itself.
+//! folds, and back until the energy falls. If the border meets itself at the end, one goes on from the
+//! last place where it did not, and lets it not.
 
 use super::chart::ChartMesh;
 use super::energy::{Jacobian, energy, weights};
@@ -25,26 +26,55 @@ const MIN_RELATIVE_GAIN: f64 = 1e-9;
 /// A weight that holds vertices, in means of the diagonal: the plane has no place of its own.
 const HOLD: f64 = 1e-9;
 
+/// Nothing more is to be gained, either, if the gradient says no more than this part of the energy.
+const MAX_RELATIVE_SLOPE: f64 = 1e-6;
+
+/// How a descent ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// Nothing more was gained.
+    Converged,
+    /// No step was possible that gains: the border would meet itself, or rounding hides it.
+    Stalled,
+    /// The number of steps.
+    IterationLimit,
+}
+
 /// The result of a descent.
 pub(super) struct Descent {
     pub(super) x: Vec<DVec2>,
     pub(super) iterations: u32,
-    pub(super) converged: bool,
+    pub(super) end: End,
 }
 
-/// From a map without folds whose border does not meet itself to one of less distortion, of which
-/// the same holds. Each step costs a factor, O(n^1.5) for n vertices.
+/// What a descent does at the border.
+pub(super) enum Border<'a> {
+    /// It may meet itself. The last map on the way of which it did not is entered.
+    Free(&'a mut Option<Vec<DVec2>>),
+    /// It does not meet itself, as it does not at first.
+    Apart,
+}
+
+/// From a map without folds to one of less distortion without folds. Each step costs a factor,
+/// O(n^1.5) for n vertices.
 pub(super) fn descend(
     chart: &ChartMesh,
     system: &mut System,
     distortion: Distortion,
     mut x: Vec<DVec2>,
+    mut border: Border<'_>,
     max_iterations: u32,
     job: &Job<'_>,
 ) -> Result<Descent> {
     let mut value = mean_energy(chart, distortion, &x);
     for iteration in 0..max_iterations {
         let job = job.share(iteration as usize, max_iterations as usize);
+        let is_apart = |x: &[DVec2], at: f64| Ok(overlaps(&chart.border, x, 0.0, 1, &job.part(at, at))? == 0);
+        if let Border::Free(last) = &mut border
+            && is_apart(&x, 0.0)?
+        {
+            **last = Some(alloc::copied(&x)?);
+        }
         let gradient = assemble(chart, system, distortion, &x, &job.part(0.0, 0.1))?;
         let target = system.solve(&x, &job.part(0.1, 0.8))?;
         let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
@@ -55,22 +85,22 @@ pub(super) fn descend(
             let moved = alloc::collect(x.iter().zip(&way).map(|(&p, &d)| p + step * d))?;
             let reached = mean_energy(chart, distortion, &moved);
             let falls = reached <= value + MIN_DESCENT * step * slope && reached < value;
-            if falls && chart.folds(&moved) == 0 && overlaps(&chart.border, &moved, 0.0, 1, &job.part(0.9, 0.9))? == 0 {
+            if falls && chart.folds(&moved) == 0 && (matches!(border, Border::Free(_)) || is_apart(&moved, 0.9)?) {
                 found = Some((moved, reached));
                 break;
             }
             step /= 2.0;
         }
-        let Some((moved, reached)) = found else {
-            return Ok(Descent { x, iterations: iteration, converged: true });
-        };
-        let gain = value - reached;
-        (x, value) = (moved, reached);
+        let gain = found.as_ref().map_or(0.0, |(_, reached)| value - reached);
+        if let Some(better) = found {
+            (x, value) = better;
+        }
         if gain <= MIN_RELATIVE_GAIN * value {
-            return Ok(Descent { x, iterations: iteration + 1, converged: true });
+            let end = if slope.abs() <= MAX_RELATIVE_SLOPE * value { End::Converged } else { End::Stalled };
+            return Ok(Descent { x, iterations: iteration + 1, end });
         }
     }
-    Ok(Descent { x, iterations: max_iterations, converged: false })
+    Ok(Descent { x, iterations: max_iterations, end: End::IterationLimit })
 }
 
 /// The mean over the area.

@@ -60,6 +60,9 @@ pub enum Finish {
     Converged,
     /// By descent, ended by the number of steps.
     IterationLimit,
+    /// By descent until no step was possible that gains: the border would meet itself, or rounding
+    /// hides it. Cuts or darts may help.
+    Stalled,
     /// The conformal map that was asked for.
     Conformal,
     /// The conformal map folds or overlaps: the chart has the least symmetric distortion in its

@@ -4,7 +4,7 @@ use super::STAGE;
 use super::chart::ChartMesh;
 use super::cuts::{CutSurface, Graph, Search};
 use super::darts;
-use super::descend::{descend, mean_energy};
+use super::descend::{Border, Descent, End, descend, mean_energy};
 use super::energy::Jacobian;
 use super::opening::open;
 use super::overlap::overlaps;
@@ -48,6 +48,11 @@ struct Flat {
 }
 
 impl Flat {
+    /// Whether a dart was worth it.
+    fn is_better_than(&self, other: &Flat) -> bool {
+        self.folds == 0 && self.overlaps == 0 && self.energy < other.energy
+    }
+
     /// The largest factor by which a length changes.
     fn worst(&self) -> f64 {
         let of = |&[most, least]: &[f64; 2]| most.max(1.0 / least.max(f64::MIN_POSITIVE));
@@ -88,19 +93,32 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let count = split.vertices.len();
     let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
     flats.resize_with(count, || None);
-    let (mut made, rounds) = (0, options.max_darts as usize + 1);
-    for round in 0..rounds {
-        let job = job.part(0.1, 0.95).share(round.min(rounds - 1), rounds);
-        let looks = options.max_darts > made;
-        for (chart, flat) in flats.iter_mut().enumerate().filter(|(_, flat)| flat.is_none()) {
-            *flat = Some(flatten(&surface, &split, chart, unit, options, looks, &job.share(chart, count))?);
-        }
-        let Some((chart, tip)) = worst(&flats, options).filter(|_| looks) else {
+    let whole = job.part(0.1, 0.95);
+    // Of darts nobody knows how many there will be: each gets half of what is left.
+    let mut rest = if options.max_darts == 0 { whole.part(1.0, 1.0) } else { whole.part(0.5, 1.0) };
+    let first = if options.max_darts == 0 { whole } else { whole.part(0.0, 0.5) };
+    for (chart, flat) in flats.iter_mut().enumerate() {
+        let looks = options.max_darts > 0;
+        *flat = Some(flatten(&surface, &split, chart, unit, options, looks, &first.share(chart, count))?);
+    }
+    let mut made = 0;
+    while made < options.max_darts {
+        let Some((chart, tip)) = worst(&flats, options) else {
             break;
         };
-        dart(&mut surface, &split, chart, tip, &job.part(1.0, 1.0))?;
-        split = Split::new(&surface, &job.part(1.0, 1.0))?;
-        (flats[chart], made) = (None, made + 1);
+        let job = rest.part(0.0, 0.5);
+        rest = rest.part(0.5, 1.0);
+        let cut = dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
+        let parts = Split::new(&surface, &job.part(0.1, 0.1))?;
+        let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
+        let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
+        if let Some(old) = old {
+            // Where it does not help another one would not either.
+            surface.close(&cut);
+            old.tip = None;
+        } else {
+            (split, flats[chart], made) = (parts, Some(flat), made + 1);
+        }
     }
     let flats = alloc::gather(flats.into_iter().flatten())?;
     job.step(0.95, STAGE)?;
@@ -122,8 +140,8 @@ fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> 
         .map(|(_, chart, tip)| (chart, tip))
 }
 
-/// Cuts from a vertex inside a chart along the shortest path to its border.
-fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<()> {
+/// Cuts from a vertex inside a chart along the shortest path to its border, which is returned.
+fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = *surface.mesh.faces();
     let mut on_border = BitSet::new(split.vertex_map.len())?;
     for &f in split.faces.get(chart) {
@@ -136,12 +154,14 @@ fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32,
     let count = split.vertex_map.len();
     let graph = Graph::new(surface, count, |h| split.corners[h as usize])?;
     let mut search = Search::new(count)?;
-    if let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? {
-        for h in search.path(end)? {
-            surface.cut(h, CutKind::Dart)?;
-        }
+    let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? else {
+        return Ok(Vec::new());
+    };
+    let path = search.path(end)?;
+    for &h in &path {
+        surface.cut(h, CutKind::Dart)?;
     }
-    Ok(())
+    Ok(path)
 }
 
 fn flatten(
@@ -167,15 +187,14 @@ fn flatten(
         true => darts::tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
         false => None,
     };
-    let is_map =
-        |x: &[DVec2]| Ok(chart.folds(x) == 0 && overlaps(&chart.border, x, 0.0, 1, &job.part(0.25, 0.25))? == 0);
-    let is_conformal = is_map(&x)?;
-    if is_conformal && options.distortion == Distortion::Conformal {
+    let is_apart = |x: &[DVec2], at: f64| Ok::<_, Error>(overlaps(&chart.border, x, 0.0, 1, &job.part(at, at))? == 0);
+    let is_whole = chart.folds(&x) == 0;
+    if is_whole && options.distortion == Distortion::Conformal && is_apart(&x, 0.2)? {
         return measured(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
     }
-    if !is_conformal {
+    if !is_whole {
         x = tutte(&chart, &mut system, &job.part(0.25, 0.3))?;
-        if !is_map(&x)? {
+        if chart.folds(&x) > 0 || !is_apart(&x, 0.3)? {
             return measured(&chart, x, Finish::Folded, 0, tip, &job.part(0.95, 1.0));
         }
     }
@@ -185,18 +204,55 @@ fn flatten(
         Distortion::Rigid => (job.part(0.3, 0.6), Some(job.part(0.6, 0.95))),
         Distortion::Symmetric | Distortion::Conformal => (job.part(0.3, 0.95), None),
     };
-    let mut done = descend(&chart, &mut system, Distortion::Symmetric, x, limit, &first)?;
+    let Some(mut done) = least(&chart, &mut system, Distortion::Symmetric, x, limit, &first)? else {
+        let x = tutte(&chart, &mut system, &job.part(0.95, 0.95))?;
+        return measured(&chart, x, Finish::Folded, 0, tip, &job.part(0.95, 1.0));
+    };
     if let Some(job) = second {
         let before = done.iterations;
-        done = descend(&chart, &mut system, options.distortion, done.x, limit, &job)?;
-        done.iterations += before;
+        if let Some(rigid) = least(&chart, &mut system, options.distortion, alloc::copied(&done.x)?, limit, &job)? {
+            done = rigid;
+            done.iterations += before;
+        }
     }
-    let finish = match (done.converged, options.distortion) {
+    let finish = match (done.end, options.distortion) {
         (_, Distortion::Conformal) => Finish::NotConformal,
-        (true, _) => Finish::Converged,
-        (false, _) => Finish::IterationLimit,
+        (End::Converged, _) => Finish::Converged,
+        (End::Stalled, _) => Finish::Stalled,
+        (End::IterationLimit, _) => Finish::IterationLimit,
     };
     measured(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
+}
+
+/// The map of least distortion that is one to one, by descent from a map without folds; `None` if
+/// none was found to go on from.
+fn least(
+    chart: &ChartMesh,
+    system: &mut System,
+    distortion: Distortion,
+    x: Vec<DVec2>,
+    limit: u32,
+    job: &Job<'_>,
+) -> Result<Option<Descent>> {
+    let is_apart = |x: &[DVec2]| Ok(overlaps(&chart.border, x, 0.0, 1, &job.part(0.5, 0.5))? == 0);
+    let mut last = None;
+    let free = descend(chart, system, distortion, x, Border::Free(&mut last), limit, &job.part(0.0, 0.5))?;
+    if is_apart(&free.x)? {
+        return Ok(Some(free));
+    }
+    let start = match last {
+        Some(last) => last,
+        None => {
+            let x = tutte(chart, system, &job.part(0.5, 0.5))?;
+            if chart.folds(&x) > 0 || !is_apart(&x)? {
+                return Ok(None);
+            }
+            x
+        }
+    };
+    let mut done = descend(chart, system, distortion, start, Border::Apart, limit, &job.part(0.5, 1.0))?;
+    done.iterations += free.iterations;
+    Ok(Some(done))
 }
 
 /// The chart with its measures, turned so that it is longest along x.

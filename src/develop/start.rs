@@ -21,7 +21,7 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
     };
     let first = farthest(chart.border[0][0]);
     let second = farthest(first);
-    x[second as usize].x = chart.length(first, second).max(f64::MIN_POSITIVE);
+    x[second as usize].x = chart.length(first, second).max(chart.area().sqrt());
     system.clear();
     system.fix(first);
     system.fix(second);

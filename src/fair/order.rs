@@ -84,7 +84,7 @@ impl<C: Coupling> Dissection<'_, C> {
         }
         self.done += order.len();
         if self.done >= self.reported + REPORT_INTERVAL {
-            self.job.step(self.done as f64 / self.whole as f64, "fairing")?;
+            self.job.step(self.done as f64 / self.whole as f64, "solving")?;
             self.reported = self.done;
         }
         let axis = Aabb::of(order.iter().map(|&v| self.points[v as usize])).size().max_position();

@@ -64,7 +64,7 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_WINGS = 1008,
     /// A merge map leads to a vertex that does not exist, or to one that is not one with itself.
     GUSSET_ERROR_BAD_MERGE = 1009,
-    /// A face passes a vertex twice in a row, where each face needs a shape.
+    /// A face passes a vertex twice, where each face needs a shape.
     GUSSET_ERROR_REPEATED_CORNER = 1010,
     /// There is no boundary loop that can be stitched, or of one mesh there are no two.
     GUSSET_ERROR_NO_LOOP = 1100,

@@ -489,3 +489,83 @@ fn real_surfaces_do_not_fold() {
         assert!(done.charts.iter().all(|chart| chart.finish != Finish::Folded), "{name}: {:?}", done.charts);
     }
 }
+
+fn bumps(n: usize) -> Soup {
+    grid(n, n, true, |u, v| DVec3::new(u, v, 0.3 * (3.0 * u).sin() * (4.0 * v).cos()))
+}
+
+/// A slit whose sides touch at first does not hold the rest, and a dart that does not help is none.
+#[test]
+fn darts_never_raise_the_distortion() {
+    for soup in [bumps(4), bumps(16)] {
+        let mut last = f64::INFINITY;
+        for max_darts in 0..6 {
+            let done = developed(&soup, &Options { max_darts, ..Options::default() });
+            assert!(done.darts <= max_darts && done.charts.iter().all(|chart| chart.overlaps == 0));
+            assert_eq!(done.cut_edges.is_empty(), done.darts == 0);
+            assert!(
+                done.charts[0].energy <= last * (1.0 + 1e-6),
+                "{max_darts}: {} after {last}",
+                done.charts[0].energy
+            );
+            last = done.charts[0].energy;
+        }
+    }
+    // As many as one likes end by themselves.
+    let done = developed(&dome(4, 1.5), &Options { max_darts: u32::MAX, ..Options::default() });
+    assert!(done.darts > 0 && done.charts[0].overlaps == 0);
+}
+
+/// Rough ground whose border touches itself on the way: the map goes on as if it did not.
+#[test]
+fn borders_that_touch_on_the_way_do_not_stop_a_descent() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let mut soup = grid(20, 20, true, |u, v| DVec3::new(u, v, 0.0));
+    soup.points.iter_mut().for_each(|p| p[2] = 0.4 * random.f64());
+    let done = developed(&soup, &Options::default());
+    let chart = &done.charts[0];
+    // At a minimum the gradient is 0: no vertex moved by itself gains.
+    assert!(matches!(chart.finish, Finish::Converged | Finish::IterationLimit), "{chart:?}");
+    let dirichlet = |done: &Developed| energy_of(&soup, done, |s| s * s + 1.0 / (s * s));
+    let lowest = dirichlet(&done);
+    for k in 0..60 {
+        let mut moved = done.clone();
+        let v = random.usize(..moved.points.len());
+        moved.points[v] += 1e-4 * DVec2::from_angle(f64::from(k));
+        assert!(dirichlet(&moved) > lowest * (1.0 - 1e-5));
+    }
+}
+
+/// Triangles that are points, and charts that are.
+#[test]
+fn points_spoil_nothing() {
+    let mut soup = bumps(10);
+    let spared = developed(&soup, &Options::default()).charts[0].energy;
+    soup.points[60] = soup.points[72];
+    soup.points[61] = soup.points[72];
+    let done = developed(&soup, &Options::default());
+    assert!(done.charts[0].energy < 1.2 * spared, "{:?}", done.charts);
+    let point = Soup::new(vec![[0.0; 3]; 4], &[&[0, 1, 2], &[0, 2, 3]]);
+    for soup in [&point, &point.and(&bumps(4))] {
+        let done = develop(&soup.view(), &Options::default(), &Job::default()).unwrap();
+        assert!(done.points.iter().all(|p| p.is_finite()));
+        assert!(done.charts.iter().all(|chart| chart.energy.is_finite() || chart.finish == Finish::Exact));
+    }
+}
+
+/// Cuts may name a vertex by any of those that are one with it.
+#[test]
+fn cuts_know_merged_vertices() {
+    let points = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let beyond = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0]];
+    let soup = Soup::new([points, beyond].concat(), &[&[0, 1, 2, 3], &[4, 6, 7, 5]]);
+    let merge: Vec<u8> = [0u32, 1, 2, 3, 1, 2, 6, 7].iter().flat_map(|v| v.to_ne_bytes()).collect();
+    let corners = soup.view().merged_corners(&merge, &Job::default()).unwrap();
+    let view = soup.view();
+    let merged = view.merged(&merge, &corners);
+    assert_eq!(develop(&merged, &Options::default(), &Job::default()).unwrap().charts.len(), 1);
+    for cut in [[1, 2], [4, 5], [1, 5]] {
+        let options = Options { cuts: Cuts { vertices: &cut, offsets: &[] }, ..Options::default() };
+        assert_eq!(develop(&merged, &options, &Job::default()).unwrap().charts.len(), 2, "{cut:?}");
+    }
+}

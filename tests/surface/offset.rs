@@ -140,3 +140,31 @@ fn frames_grow_outwards_whichever_way_they_run() {
         assert!((q.truncate().length() - p.truncate().length() - 0.4).abs() < 1e-12);
     }
 }
+
+/// Sections that turn back along the axis, and any size.
+#[test]
+fn bodies_that_turn_back_and_all_sizes_grow_outwards() {
+    let options = FrameOptions::new(Correspondence::Given);
+    for (heights, size) in [
+        ([0.0, 1.0, 2.0, 3.0, 2.5], 1.0),
+        ([0.0, 1.0, 2.0, 1.9, 3.0], 1.0),
+        ([0.0, 1.0, 2.0, 3.0, 4.0], 1e-140),
+        ([0.0, 1.0, 2.0, 3.0, 4.0], 1e140),
+    ] {
+        let points: Vec<[f64; 3]> = (0..60)
+            .map(|k| {
+                let angle = TAU * f64::from(k % 12) / 12.0;
+                [size * angle.cos(), size * angle.sin(), size * heights[k as usize / 12]]
+            })
+            .collect();
+        let offsets: Vec<u32> = (0..6).map(|k| 12 * k).collect();
+        let sections =
+            Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
+        let body = frame(&sections, &options, &Job::default()).unwrap();
+        let moved =
+            offset(&body.grid, true, &[0.2 * size], OffsetDirection::Normal, &options, &Job::default()).unwrap();
+        for p in &moved.grid.nodes {
+            assert!(((*p / size).truncate().length() - 1.2).abs() < 1e-12, "{heights:?} {size} {p}");
+        }
+    }
+}

@@ -235,8 +235,8 @@ pub unsafe extern "C" fn gusset_frame_create(
 /// Each node moves by its distance: outwards, if sections are closed, inwards if it is negative; of
 /// open sections along the derivative from section to section crossed with that along them, or,
 /// within sections, away from the chord between their ends. Directions come from circles through
-/// neighbouring nodes, so that planes, cylinders with columns along their rulings, and spheres
-/// become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
+/// neighbouring nodes, so that planes, round cylinders with sections square to their axes, and
+/// spheres become such, exactly. Curves are drawn through the new nodes as through the old ones. Nodes where
 /// nothing tells a direction stay.
 ///
 /// @param context threads, progress, cancellation and error report; NULL for the defaults.

@@ -23,6 +23,9 @@ pub const GUSSET_CHART_CONFORMAL: u32 = 3;
 pub const GUSSET_CHART_NOT_CONFORMAL: u32 = 4;
 /// No map without folds was found: some triangles are turned over.
 pub const GUSSET_CHART_FOLDED: u32 = 5;
+/// By descent until no step was possible that gains: the border would meet itself, or rounding hides
+/// it. Cuts or darts may help.
+pub const GUSSET_CHART_STALLED: u32 = 6;
 
 /// On a path that was given.
 pub const GUSSET_CUT_GIVEN: u32 = 0;
@@ -42,7 +45,7 @@ pub struct gusset_development_options {
     /// Darts at the most: cuts from the border of a chart to where its curvature is.
     pub max_darts: u32,
     /// Vertices of the mesh, path after path, along which it is cut. Vertices that follow one
-    /// another and have no edge in common are connected by the shortest path along edges.
+    /// another are connected by the shortest path along edges; a path of one vertex cuts nothing.
     pub cuts: gusset_indices,
     /// Where each path begins among them, and the end of the last; empty for one path of all.
     pub cut_offsets: gusset_indices,
@@ -69,8 +72,9 @@ pub struct gusset_chart {
     pub finish: u32,
     /// Steps of the descent.
     pub iterations: u32,
-    /// Pairs of edges of its border that meet in the plane, neighbours apart; 0 of a map that is one
-    /// to one. Only EXACT and FOLDED charts can have some.
+    /// Pairs of edges of its border that meet in the plane, neighbours apart; of EXACT charts those
+    /// that cross by more than 1e-8 of the root of the area. Only EXACT and FOLDED charts can have
+    /// some.
     pub overlaps: u32,
     /// Triangles that are turned over; 0 but for FOLDED.
     pub folds: u32,
@@ -158,6 +162,7 @@ impl From<&Chart> for gusset_chart {
                 Finish::Exact => GUSSET_CHART_EXACT,
                 Finish::Converged => GUSSET_CHART_CONVERGED,
                 Finish::IterationLimit => GUSSET_CHART_ITERATION_LIMIT,
+                Finish::Stalled => GUSSET_CHART_STALLED,
                 Finish::Conformal => GUSSET_CHART_CONFORMAL,
                 Finish::NotConformal => GUSSET_CHART_NOT_CONFORMAL,
                 Finish::Folded => GUSSET_CHART_FOLDED,
@@ -188,16 +193,21 @@ fn kind(kind: CutKind) -> u32 {
 /// The surface is cut along the paths given. What is no disc then, as a tube, a closed surface, one
 /// with holes or handles, is opened along short paths. Each connected component of the rest is a
 /// chart. One that can be unfolded about its edges, as cylinders, cones and tangent developables in
-/// plane strips can, keeps the length of every edge to 1e-10 of it. Any other one descends to the
-/// least distortion; no triangle is turned over, and the border does not meet itself, so that the map
-/// is one to one. Darts lower the distortion: each is a cut from the border to the vertex whose
-/// scale in a conformal map would be the worst.
+/// plane strips can, keeps the length of every edge to 1e-10 of it, before rounding: charts lie beside
+/// one another, and far from the origin places are rounded more. It may overlap itself; triangles
+/// without area may then be turned over by rounding. Any other chart descends to the least
+/// distortion; no triangle is turned over, and the border does not meet itself, so that the map is
+/// one to one. Where that ends the descent early, its finish is STALLED. Darts are made as long as
+/// they lower the distortion: each is a cut from the border to the vertex whose scale in a conformal
+/// map would be the worst.
 ///
 /// The result has the faces of the mesh in their order, each from its own first corner and all
-/// counterclockwise in the plane. Charts are turned so that they are longest along x. A vertex on a
-/// cut becomes several. Edges of three or more faces, and those whose two faces disagree in
-/// orientation, are borders. Polygons are measured by triangles they are cut into; a triangle
-/// flatter than 1e-7 of its longest side counts as that high.
+/// counterclockwise in the plane. Charts are turned so that the mean square of their borders'
+/// distances from the middle is greatest along x. A vertex on a cut becomes several; of merged
+/// vertices the smallest is meant. Edges of three or more faces, and those whose two faces disagree in
+/// orientation, are borders, and no cuts. Polygons are measured by triangles they are cut into; a
+/// triangle flatter than 1e-7 of its longest side, or smaller than 1e-7 of the mean edge, counts as
+/// that large. Conformal maps have the area of the surface.
 ///
 /// Nets and sheets are developed by their meshes; see gusset_net_mesh_create and
 /// gusset_sheet_mesh_create.

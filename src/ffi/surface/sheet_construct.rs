@@ -316,7 +316,8 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 /// the derivative in u crossed with that in v.
 ///
 /// Normals at the nodes of a grid are those of circles through neighbouring nodes, exact on planes,
-/// spheres, and cylinders whose rulings are lines of the grid; those of patches are their own.
+/// spheres, and round cylinders whose rulings and sections are lines of the grid; those of patches
+/// are their own.
 /// Places without a normal stay. The result is a grid, smooth between its nodes where a sheet of
 /// patches had creases.
 ///
@@ -326,8 +327,9 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 /// @param distance_count 1: all corners move by the same; the number of lines of corners along v,
 ///     rows + 1 for rows of cells: each line by its own; (rows + 1) x (columns + 1): each corner by
 ///     its own, row by row. A line that closes the sheet counts, and moves with the first one.
-/// @param[out] deviation receives how far the result is from where it should be, at most, in the
-///     middles of the cells; NULL if it is not wanted.
+/// @param[out] deviation receives how far the result is, at most in the middles of the cells, from
+///     the place of this sheet there, moved along its normal by the mean distance of the corners;
+///     NULL if it is not wanted.
 /// @param[out] offset receives the surface, for gusset_sheet_destroy; NULL on failure.
 /// @return GUSSET_OK, or an error: NULL_ARGUMENT, MISALIGNED_ARGUMENT, COUNT_DIFFERS (distances),
 ///     NOT_FINITE (the index is the distance's or the corner's), OUT_OF_MEMORY, CANCELLED.

@@ -10,9 +10,14 @@ use super::{Correspondence, Frame, FrameOptions, NodeGrid, frame};
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::geom::node_normals::{node_normals, tangent};
+use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::outline::identify::{Outlines, Points};
 use glam::DVec3;
+
+/// The cosine of the angle between the normal of a body and the outside of its section below which
+/// the section does not tell on which side the outside is.
+const MIN_SIDE: f64 = 0.05;
 
 /// Where nodes move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,7 +50,9 @@ pub fn offset(
 ) -> Result<Frame> {
     let (rows, columns) = (grid.rows, grid.columns);
     let distance = by_node(distances, [rows, columns])?;
-    let nodes = &grid.nodes;
+    // Of coordinates near 1 neither squares nor their inverses leave the range.
+    let unit = common_unit(&grid.nodes);
+    let nodes = &alloc::collect(grid.nodes.iter().map(|&p| p / unit))?[..];
     let inside = alloc::collect((0..rows * columns).map(|k| {
         let row = &nodes[k / columns * columns..][..columns];
         tangent(columns, closed, k % columns, |j| row[j]).cross(area_vector(row)).normalize_or_zero()
@@ -54,15 +61,18 @@ pub fn offset(
         OffsetDirection::InSection => inside,
         OffsetDirection::Normal => {
             let mut normals = node_normals(nodes, [rows, columns], [options.ring, closed])?;
-            // The side on which the sections have their outside.
+            // The side on which the sections have their outside, or, where a body is as flat as its
+            // sections, that of most other nodes.
             let outwards: f64 = normals.iter().zip(&inside).map(|(n, out)| n.dot(*out)).sum();
-            if closed && outwards < 0.0 {
-                normals.iter_mut().for_each(|n| *n = -*n);
+            for (n, out) in normals.iter_mut().zip(&inside).filter(|_| closed) {
+                let own = n.dot(*out);
+                let side = if own.abs() < MIN_SIDE { outwards } else { own };
+                *n = if side < 0.0 { -*n } else { *n };
             }
             normals
         }
     };
-    let moved = alloc::collect((0..rows * columns).map(|k| (nodes[k] + distance(k) * directions[k]).to_array()))?;
+    let moved = alloc::collect((0..rows * columns).map(|k| (grid.nodes[k] + distance(k) * directions[k]).to_array()))?;
     let offsets = alloc::collect((0..rows + 1).map(|k| (k * columns) as u32))?;
     let sections = Outlines { points: Points::from(&moved[..]), offsets: Some(&offsets), closed, constraints: &[] };
     let options = FrameOptions {

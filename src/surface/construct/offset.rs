@@ -1,6 +1,7 @@
 //! The surface beside a surface.
 
 use crate::geom::node_normals::node_normals;
+use crate::geom::scale::common_unit;
 use crate::outline::frame::by_node;
 use crate::surface::prelude::*;
 use crate::surface::{Grid, Nodes, Scheme, Sheet};
@@ -33,6 +34,9 @@ impl Sheet<'_> {
                 // Without the lines that are repeated.
                 let [h, w] = [height - usize::from(closed[0]), width - usize::from(closed[1])];
                 let nodes = alloc::collect((0..h * w).map(|k| self.corner(k / w, k % w)))?;
+                // Of coordinates near 1 neither squares nor their inverses leave the range.
+                let unit = common_unit(&nodes);
+                let nodes = alloc::collect(nodes.iter().map(|&p| p / unit))?;
                 let own = node_normals(&nodes, [h, w], closed)?;
                 alloc::collect((0..height * width).map(|k| own[k / width % h * w + k % width % w]))?
             }
