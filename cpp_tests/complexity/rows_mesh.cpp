@@ -188,7 +188,7 @@ std::vector<Row> mesh_rows() {
         {"trim_create", "fans", 250, 1000000, 1, 1, 0, on(open_fan, trim), true},
         {"trim_create", "points in one", 64, 10000, 2, 1, 0, on(in_one_point, trim), true},
         {"trim_create", "equal copies", 64, 10000, 2, 1, 0, on(copies, trim), true},
-        {"development_create", "square", 1000, 1000000, 2, 1, 0, on(flat, develop)},
+        {"development_create", "square", 4000, 1000000, 2, 1, 0, on(flat, develop)},
         {"development_create", "rough square", 64, 100000, 2, 1, 0, on(rough, develop), true},
         {"development_create", "loops", 64, 1000000, 1, 1, 0, on(loose, develop)},
         {"development_create", "fan", 64, 100000, 2, 1, 0, on(open_fan, develop), true},

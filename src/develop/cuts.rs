@@ -138,13 +138,13 @@ impl Graph {
             let [u, v] = surface.ends(h).map(|v| mesh.positions().get(v));
             (name(h), name(mesh.faces().next(h)), distance(u, v))
         };
-        let all = (0..mesh.faces().half_edge_count() as u32).flat_map(|h| {
+        // Of an edge with two faces each gives one direction, of others the one face gives both.
+        let all = (0..2 * mesh.faces().half_edge_count()).filter_map(|k| {
+            let h = (k / 2) as u32;
             let (u, v, length) = edge(h);
-            let is_named = u != NONE && v != NONE;
-            let forth = is_named.then_some((u as usize, (v, h, length)));
-            // Of an edge with two faces each gives one direction.
-            let back = (is_named && surface.across(h) == NONE).then_some((v as usize, (u, h, length)));
-            [forth, back].into_iter().flatten()
+            let is_back = k % 2 == 1;
+            let is_named = u != NONE && v != NONE && !(is_back && surface.across(h) != NONE);
+            is_named.then_some(if is_back { (v as usize, (u, h, length)) } else { (u as usize, (v, h, length)) })
         });
         Ok(Graph { edges: Buckets::new(count, (0, 0, 0.0), all)? })
     }

@@ -42,8 +42,11 @@ impl System {
     /// O(n log n) for n vertices; some 120 bytes a vertex.
     pub(super) fn new(chart: &ChartMesh, job: &Job<'_>) -> Result<System> {
         let n = chart.points.len();
-        let sides = chart.triangles.iter().flat_map(|&[a, b, c]| {
-            [(a, b), (b, c), (c, a)].into_iter().flat_map(|(u, v)| [(u as usize, v), (v as usize, u)])
+        // Each side both ways.
+        let sides = (0..6 * chart.triangles.len()).map(|k| {
+            let (triangle, i) = (chart.triangles[k / 6], k % 6 / 2);
+            let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
+            if k % 2 == 0 { (u as usize, v) } else { (v as usize, u) }
         });
         job.step(0.0, STAGE)?;
         let neighbours = Buckets::new(n, 0u32, sides)?;

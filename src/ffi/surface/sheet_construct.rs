@@ -345,16 +345,17 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
     deviation: *mut f64,
     offset: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    create(context, offset, "offset", |job| {
-        let sheet = handle::get(sheet, "sheet")?;
+    let out = input::optional_output(deviation, 0.0, "deviation");
+    let moved = |job: &Job<'_>| {
+        let out = out?;
         let distances = input::list(distances, distance_count, "distances")?;
-        let deviation = input::optional_output(deviation, 0.0, "deviation")?;
-        let (made, worst) = sheet.0.offset(&distances, job)?;
-        job.memory()?;
-        if let Some(deviation) = deviation {
-            *deviation = worst;
+        let (made, worst) = handle::get(sheet, "sheet")?.0.offset(&distances, job)?;
+        Ok((gusset_sheet(made), out.map(|out| (out, worst))))
+    };
+    create_and_tell(context, offset, "offset", moved, |told| {
+        if let Some((out, worst)) = told {
+            *out = worst;
         }
-        Ok(gusset_sheet(made))
     })
 }
 
