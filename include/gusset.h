@@ -3702,7 +3702,8 @@ typedef struct gusset_development_options {
      */
     double max_stretch;
     /**
-     * Steps of the descent for each chart at the most; 0: 200.
+     * Steps of each descent at the most; 0: 200. A chart whose border would meet itself takes more
+     * than one, and so does one as rigid as possible.
      */
     uint32_t max_iterations;
     /**
@@ -3732,7 +3733,7 @@ typedef struct gusset_chart {
      */
     uint32_t finish;
     /**
-     * Steps of the descent.
+     * Steps of all its descents.
      */
     uint32_t iterations;
     /**
@@ -9462,7 +9463,8 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
  * The surface is cut along the paths given. What is no disc then, as a tube, a closed surface, one
  * with holes or handles, is opened along short paths. Each connected component of the rest is a
  * chart. One that can be unfolded about its edges, as cylinders, cones and tangent developables in
- * plane strips can, keeps the length of every edge to 1e-10 of it, before rounding: charts lie beside
+ * plane strips can, keeps the length of every edge to 1e-10 of it (of 1e-3 mean edges, if it is
+ * shorter), before rounding: charts lie beside
  * one another, and far from the origin places are rounded more. It may overlap itself; triangles
  * without area may then be turned over by rounding. Any other chart descends to the least
  * distortion; no triangle is turned over, and the border does not meet itself, so that the map is

@@ -169,7 +169,7 @@ pub enum Error {
     },
     /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere
     /// than their elements.
-    #[error("offset {entry} is {value}{}", if *.entry == 0 { " instead of 0" } else { ": offsets must not fall, and the last is the number of elements" })]
+    #[error("offset {entry} is {value}{}", if *.entry == 0 && *.value != 0 { " instead of 0" } else { ": offsets must not fall, and the last is the number of elements" })]
     BadOffsets {
         /// The first offending entry.
         entry: u32,
@@ -485,6 +485,23 @@ impl Error {
             Some(value) => Err(Error::NotFinite { element, index, value }),
             None => Ok(()),
         }
+    }
+
+    /// [`Error::BadOffsets`] with the first of some offsets that does not fit: they start at 0, do
+    /// not fall, and end with `count`.
+    pub(crate) fn check_offsets(offsets: &[u32], count: usize) -> Result<()> {
+        let bad = |entry: usize| {
+            let value = offsets.get(entry).copied().unwrap_or(0);
+            Err(Error::BadOffsets { entry: entry as u32, value })
+        };
+        if offsets.first() != Some(&0) {
+            return bad(0);
+        }
+        if let Some(k) = (1..offsets.len()).find(|&k| offsets[k] < offsets[k - 1] || offsets[k] as usize > count) {
+            return bad(k);
+        }
+        let last = offsets.len() - 1;
+        if offsets[last] as usize == count { Ok(()) } else { bad(last) }
     }
 
     /// [`Error::TooLarge`], if the count is above the limit.

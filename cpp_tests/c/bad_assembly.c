@@ -6,32 +6,11 @@
 
 static gusset_context *context;
 
-/* What the last call reported, against what it should have. */
-static void expect_report(int line, int32_t status, gusset_element element, uint64_t index, uint32_t input) {
-    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
-    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
-    if (report.status != status || report.element != element || report.index != index || report.input != input) {
-        printf("%s:%d: report says %d %u %lu %u\n", __FILE__, line, (int)report.status, (unsigned)report.element,
-               (unsigned long)report.index, (unsigned)report.input);
-        ++failures;
-    }
-}
-
 static double reported_value(void) {
     gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     return report.value;
 }
-
-#define REPORT(status, element, index, input) expect_report(__LINE__, status, element, index, input)
-
-/* A call that must fail, and leave NULL where its result would have gone. */
-#define FAILS(expected, out, call)                                                                                     \
-    do {                                                                                                               \
-        (out) = misaligned();                                                                                          \
-        EXPECT(expected, call);                                                                                        \
-        CHECK((out) == NULL);                                                                                          \
-    } while (0)
 
 static const double square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 static const double above[4][3] = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
@@ -44,9 +23,9 @@ static void strips_refused(void) {
     double wrong[4][3];
 
     FAILS(GUSSET_ERROR_NULL_ARGUMENT, strip, gusset_strip_create(context, NULL, 4, b, 4, NULL, &strip));
-    REPORT(GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0, 0);
+    REPORT(context, GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0, 0);
     FAILS(GUSSET_ERROR_NULL_ARGUMENT, strip, gusset_strip_create(context, a, 4, NULL, 4, NULL, &strip));
-    REPORT(GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0, 1);
+    REPORT(context, GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0, 1);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_create(context, a, 4, b, 4, NULL, NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_create(context, a, 4, b, 4, NULL, misaligned()));
     FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, strip, gusset_strip_create(misaligned(), a, 4, b, 4, NULL, &strip));
@@ -77,22 +56,22 @@ static void strips_refused(void) {
 
     /* Too few points, closed and open, and too many. */
     FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, a, 2, b, 4, &options, &strip));
-    REPORT(GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 2, 0);
+    REPORT(context, GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 2, 0);
     FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, a, 3, b, 0, &options, &strip));
-    REPORT(GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 0, 1);
+    REPORT(context, GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 0, 1);
     FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, NULL, 0, b, 4, NULL, &strip));
     FAILS(GUSSET_ERROR_TOO_LARGE, strip, gusset_strip_create(context, a, SIZE_MAX, b, 4, &options, &strip));
     FAILS(GUSSET_ERROR_TOO_LARGE, strip, gusset_strip_create(context, a, 4, b, UINT32_MAX, &options, &strip));
-    REPORT(GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, UINT32_MAX, 1);
+    REPORT(context, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, UINT32_MAX, 1);
 
     /* Points that are no points, on either side, in any place and coordinate. */
     for (int place = 0; place < 4; ++place) {
         memcpy(wrong, square, sizeof wrong);
         wrong[place][place % 3] = place % 2 ? -INFINITY : NAN;
         FAILS(GUSSET_ERROR_NOT_FINITE, strip, gusset_strip_create(context, wrong[0], 4, b, 4, &options, &strip));
-        REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, (uint64_t)place, 0);
+        REPORT(context, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, (uint64_t)place, 0);
         FAILS(GUSSET_ERROR_NOT_FINITE, strip, gusset_strip_create(context, a, 4, wrong[0], 4, NULL, &strip));
-        REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, (uint64_t)place, 1);
+        REPORT(context, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, (uint64_t)place, 1);
         CHECK(place % 2 ? reported_value() == -INFINITY : isnan(reported_value()));
     }
     gusset_context_cancel(context);
@@ -246,26 +225,26 @@ static void assembly_arguments(void) {
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
     pieces[0].struct_size = sizeof pieces[0], pieces[1].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
+    REPORT(context, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
     /* Larger than the first one, whose size says how far they are apart: nothing beyond the array is read. */
     pieces[1].struct_size = sizeof pieces[1] + 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
+    REPORT(context, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
     CHECK(reported_value() == (double)pieces[1].struct_size);
 
     /* What is wrong with a mesh is reported with the number of the piece. */
     pieces[1] = pyramid(pyramid_down), pieces[1].vertex_count = 4;
     FAILS(GUSSET_ERROR_INDEX_OUT_OF_RANGE, done, assemble(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, 8, 1);
+    REPORT(context, GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, 8, 1);
     CHECK(reported_value() == 4.0);
     memcpy(points, pyramid_down, sizeof points);
     points[3][2] = NAN;
     pieces[1] = pyramid((const double (*)[3])points);
     FAILS(GUSSET_ERROR_NOT_FINITE, done, assemble(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 3, 1);
+    REPORT(context, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 3, 1);
     pieces[1].face_count = 0;
     FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_EMPTY_MESH, GUSSET_ELEMENT_NONE, 0, 1);
+    REPORT(context, GUSSET_ERROR_EMPTY_MESH, GUSSET_ELEMENT_NONE, 0, 1);
     pieces[1] = pyramid(pyramid_down), pieces[1].face_count = SIZE_MAX / 2;
     FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, 2, NULL, &done));
     pieces[1] = pyramid(pyramid_down), pieces[1].positions = NULL;
@@ -360,16 +339,16 @@ static void assembly_pairs(void) {
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
         list[0] = right, list[1] = wrong[k];
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 1, in_second[k]);
+        REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 1, in_second[k]);
         list[0] = wrong[k], list[1] = right;
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 0, blame[k]);
+        REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 0, blame[k]);
         CHECK(reported_value() == value[k]);
     }
     CHECK(strcmp(gusset_context_get_message(context), "pair 0 of pairs: vertex 4 of piece 1 is on the pair's other loop") == 0);
     list[0] = list[1] = right;
     FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
-    REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 1, 0);
+    REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, 1, 0);
     CHECK(reported_value() == 3.0);
     options.pair_count = SIZE_MAX;
     FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, 2, &options, &done));

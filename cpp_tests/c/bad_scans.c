@@ -9,32 +9,11 @@
 
 static gusset_context *context;
 
-/* What the last call reported, against what it should have. */
-static void expect_report(int line, int32_t status, gusset_element element, uint64_t index, uint32_t input) {
-    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
-    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
-    if (report.status != status || report.element != element || report.index != index || report.input != input) {
-        printf("%s:%d: report says %d %u %lu %u\n", __FILE__, line, (int)report.status, (unsigned)report.element,
-               (unsigned long)report.index, (unsigned)report.input);
-        ++failures;
-    }
-}
-
 static double reported_value(void) {
     gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     return report.value;
 }
-
-#define REPORT(status, element, index, input) expect_report(__LINE__, status, element, index, input)
-
-/* A call that must fail, and leave NULL where its result would have gone. */
-#define FAILS(expected, out, call)                                                                                     \
-    do {                                                                                                               \
-        (out) = misaligned();                                                                                          \
-        EXPECT(expected, call);                                                                                        \
-        CHECK((out) == NULL);                                                                                          \
-    } while (0)
 
 /* A piece of a height field, or of a plane. */
 typedef struct piece {
@@ -106,13 +85,13 @@ static void alignment_arguments(void) {
     FAILS(GUSSET_ERROR_TOO_LARGE, done, align(pieces, SIZE_MAX, NULL, &done));
     pieces[1].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, align(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
+    REPORT(context, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
 
     /* What is wrong with a mesh is reported with the number of the piece. */
     two_hills(pieces);
     room[1].points[5][2] = NAN;
     FAILS(GUSSET_ERROR_NOT_FINITE, done, align(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 5, 1);
+    REPORT(context, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 5, 1);
     room[1].points[5][2] = INFINITY;
     FAILS(GUSSET_ERROR_NOT_FINITE, done, align(pieces, 2, NULL, &done));
     two_hills(pieces);
@@ -148,32 +127,32 @@ static void alignment_arguments(void) {
     FAILS(GUSSET_ERROR_SIZE_OVERFLOW, done, align(pieces, 2, &options, &done));
     poses[0] = poses[1] = poses[2] = same, options.pose_count = 1;
     FAILS(GUSSET_ERROR_COUNT_DIFFERS, done, align(pieces, 2, &options, &done));
-    REPORT(GUSSET_ERROR_COUNT_DIFFERS, GUSSET_ELEMENT_COUNT, 1, 0);
+    REPORT(context, GUSSET_ERROR_COUNT_DIFFERS, GUSSET_ELEMENT_COUNT, 1, 0);
     CHECK(reported_value() == 2.0);
     options.pose_count = 2;
     for (size_t k = 0; k < 2; ++k) {
         for (int place = 0; place < 12; ++place) {
             poses[k].rows[place] = place % 2 ? NAN : INFINITY;
             FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, align(pieces, 2, &options, &done));
-            REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
+            REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
             poses[k].rows[place] = place % 2 ? -INFINITY : NAN;
             FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, align(pieces, 2, &options, &done));
-            REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
+            REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
             poses[k] = same;
         }
         /* A mirror, a change of size, a shear, and nothing at all. */
         poses[k].rows[5] = -1.0;
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, align(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
+        REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
         poses[k].rows[0] = poses[k].rows[5] = poses[k].rows[10] = 1.001;
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, align(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
+        REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
         poses[k] = same, poses[k].rows[1] = 0.01;
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, align(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
+        REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
         memset(&poses[k], 0, sizeof poses[k]);
         FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, align(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
+        REPORT(context, GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, k, 0);
         poses[k] = same;
     }
     gusset_context_cancel(context);
@@ -277,11 +256,11 @@ static void trim_arguments(void) {
     FAILS(GUSSET_ERROR_TOO_LARGE, done, trim(pieces, SIZE_MAX, NULL, &done));
     pieces[1].struct_size = 8;
     FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, trim(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
+    REPORT(context, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_ITEM, 1, 1);
     two_hills(pieces);
     room[0].points[7][0] = NAN;
     FAILS(GUSSET_ERROR_NOT_FINITE, done, trim(pieces, 2, NULL, &done));
-    REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 7, 0);
+    REPORT(context, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 7, 0);
     two_hills(pieces);
 
     for (options.struct_size = 0; options.struct_size < sizeof options; ++options.struct_size) {
@@ -308,14 +287,14 @@ static void trim_arguments(void) {
     FAILS(GUSSET_ERROR_SIZE_OVERFLOW, done, trim(pieces, 2, &options, &done));
     options.viewpoint_count = 1;
     FAILS(GUSSET_ERROR_COUNT_DIFFERS, done, trim(pieces, 2, &options, &done));
-    REPORT(GUSSET_ERROR_COUNT_DIFFERS, GUSSET_ELEMENT_COUNT, 1, 0);
+    REPORT(context, GUSSET_ERROR_COUNT_DIFFERS, GUSSET_ELEMENT_COUNT, 1, 0);
     CHECK(reported_value() == 2.0);
     options.viewpoint_count = 2;
     for (int place = 0; place < 6; ++place) {
         const double good = viewpoints[place / 3][place % 3];
         viewpoints[place / 3][place % 3] = place % 2 ? -INFINITY : NAN;
         FAILS(GUSSET_ERROR_NOT_FINITE, done, trim(pieces, 2, &options, &done));
-        REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, (uint64_t)(place / 3), 0);
+        REPORT(context, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, (uint64_t)(place / 3), 0);
         CHECK(place % 2 ? reported_value() == -INFINITY : isnan(reported_value()));
         viewpoints[place / 3][place % 3] = good;
     }

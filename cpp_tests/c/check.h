@@ -33,6 +33,29 @@ static inline void *misaligned(void) {
     return (char *)room + 1;
 }
 
+/* What the last call of a context reported, against what it should have. */
+static inline void expect_report(int line, const char *file, const gusset_context *context, int32_t status,
+                                 gusset_element element, uint64_t index, uint32_t input) {
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    if (report.status != status || report.element != element || report.index != index || report.input != input) {
+        printf("%s:%d: report says %d %u %lu %u\n", file, line, (int)report.status, (unsigned)report.element,
+               (unsigned long)report.index, (unsigned)report.input);
+        ++failures;
+    }
+}
+
+#define REPORT(context, status, element, index, input)                                                                 \
+    expect_report(__LINE__, __FILE__, context, status, element, index, input)
+
+/* A call that must fail, and leave NULL where its result would have gone. */
+#define FAILS(expected, out, call)                                                                                     \
+    do {                                                                                                               \
+        (out) = misaligned();                                                                                          \
+        EXPECT(expected, call);                                                                                        \
+        CHECK((out) == NULL);                                                                                          \
+    } while (0)
+
 /* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from above. */
 static const double pyramid_up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
 /* The same seen in a mirror below: apex 0, rim 1 2 3 4, faces counter-clockwise from outside too. */

@@ -11,7 +11,8 @@ use crate::mesh::{NONE, unordered};
 use crate::sort::sort;
 use glam::{DVec2, DVec3};
 
-/// A triangle is at least so high, in its longest side, as its shape is known by its height.
+/// The least height of a triangle in its longest side, and the least size in the mean edge: the
+/// gradients of a flatter or smaller one would be rounding.
 const MIN_HEIGHT: f64 = 1e-7;
 
 /// The shape of a triangle, in a frame of its own.
@@ -53,14 +54,15 @@ impl ChartMesh {
         let at = |v: u32| mesh.positions().get(split.vertex_map[v as usize]) / unit;
         let points = alloc::collect(vertices.map(at))?;
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
-        let (mut corners, mut sides) = (Vec::new(), Vec::<Side>::new());
+        let (mut corners, mut own, mut sides) = (Vec::new(), Vec::new(), Vec::<Side>::new());
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
             job.step_every(1 << 16, k as usize, split.faces.get(chart).len(), STAGE)?;
             corners.clear();
             let range = mesh.faces().range(f as usize);
             let (start, size) = (range.start as u32, range.len() as u32);
             alloc::extend(&mut corners, split.corners[range].iter().map(|&v| v - first))?;
-            for triangle in triangulated(&corners, &points)? {
+            triangulate(&corners, &points, &mut own, &job.part(0.0, 0.0))?;
+            for &triangle in &own {
                 for i in 0..3 {
                     let [a, b] = [triangle[i], triangle[(i + 1) % 3]];
                     let on = if (a + 1) % size == b {
@@ -79,7 +81,7 @@ impl ChartMesh {
         let at = |t: &[u32; 3]| t.map(|v| points[v as usize]);
         let perimeter = |[a, b, c]: [DVec3; 3]| a.distance(b) + b.distance(c) + c.distance(a);
         let mean = triangles.iter().map(|t| perimeter(at(t))).sum::<f64>() / (3 * triangles.len()) as f64;
-        // In the unit no surface is larger than 1 or so: one that is a point is taken to be small.
+        // A chart that is a point has no mean edge; in the unit the surface is about 1.
         let least = MIN_HEIGHT * mean.max(MIN_HEIGHT);
         let shapes = alloc::collect(triangles.iter().map(|t| shape(at(t), least)))?;
         job.step(1.0, STAGE)?;
@@ -109,17 +111,18 @@ impl ChartMesh {
 
     /// The number of triangles that are turned over or flat in the plane.
     pub(super) fn folds(&self, x: &[DVec2]) -> u32 {
-        (0..self.triangles.len())
-            .filter(|&t| self.double_area(t, x).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
-            .count() as u32
+        let stands = |t: usize| self.double_area(t, x) > 0.0;
+        (0..self.triangles.len()).filter(|&t| !stands(t)).count() as u32
     }
 }
 
-/// A polygon's triangles, by the numbers of its corners; those of a quad on the side of its shorter diagonal that does not leave it.
-fn triangulated(corners: &[u32], points: &[DVec3]) -> Result<Vec<[u32; 3]>> {
+/// Puts the triangles of a polygon into `triangles`, by the numbers of its corners. A quad is cut
+/// along its shorter diagonal, or the other one if that leaves the quad.
+fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>, job: &Job<'_>) -> Result<()> {
     let at = |k: usize| points[corners[k] as usize];
-    let found = match corners.len() {
-        3 => Some(vec![[0, 1, 2]]),
+    triangles.clear();
+    match corners.len() {
+        3 => alloc::push(triangles, [0, 1, 2]),
         4 => {
             let normal = (at(2) - at(0)).cross(at(3) - at(1));
             let is_inside = |k: usize| {
@@ -130,19 +133,20 @@ fn triangulated(corners: &[u32], points: &[DVec3]) -> Result<Vec<[u32; 3]>> {
             let shorter = usize::from(at(3).distance(at(1)) < at(2).distance(at(0)));
             let start = if is_inside(shorter) || !is_inside(1 - shorter) { shorter } else { 1 - shorter };
             let [a, b, c, d] = [start, start + 1, (start + 2) % 4, (start + 3) % 4].map(|k| k as u32);
-            Some(vec![[a, b, c], [a, c, d]])
+            alloc::append(triangles, &[[a, b, c], [a, c, d]])
         }
-        _ => {
+        n => {
             let own = alloc::collect(corners.iter().map(|&v| points[v as usize]))?;
-            clip_ears(&own, &|_, _| false, &Job::default())?
+            match clip_ears(&own, &|_, _| false, job)? {
+                Some(ears) => alloc::append(triangles, &ears),
+                None => alloc::extend(triangles, (1..n as u32 - 1).map(|k| [0, k, k + 1])),
+            }
         }
-    };
-    let fan = || (1..corners.len() as u32 - 1).map(|k| [0, k, k + 1]).collect();
-    Ok(found.unwrap_or_else(fan))
+    }
 }
 
-/// The shape of a triangle; one that is flatter, or smaller than `least`, than can be told is taken to
-/// be a little larger.
+/// The shape of a triangle. Its base and its height are at least `least`, and at least [`MIN_HEIGHT`]
+/// of its longest side.
 fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let least = least.max(MIN_HEIGHT * longest);

@@ -82,7 +82,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         }
         let whole = [0, cuts.vertices.len() as u32];
         let offsets = if cuts.offsets.is_empty() { &whole } else { cuts.offsets };
-        check_offsets(offsets, cuts.vertices.len())?;
+        Error::check_offsets(offsets, cuts.vertices.len())?;
         let count = self.mesh.positions().len();
         let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h))?;
         let mut search = Search::new(count)?;
@@ -107,21 +107,6 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         }
         Ok(())
     }
-}
-
-fn check_offsets(offsets: &[u32], count: usize) -> Result<()> {
-    if offsets.len() == 1 {
-        return Err(Error::BadOffsets { entry: 1, value: 0 });
-    }
-    let mut before = 0;
-    for (entry, &value) in (0..).zip(offsets) {
-        let is_bad = value < before || value as usize > count || entry == 0 && value != 0;
-        if is_bad || entry as usize + 1 == offsets.len() && value as usize != count {
-            return Err(Error::BadOffsets { entry, value });
-        }
-        before = value;
-    }
-    Ok(())
 }
 
 /// Edges by their ends, which may be vertices of the surface or of its charts.

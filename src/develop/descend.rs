@@ -1,9 +1,9 @@
 //! Descent to the least distortion, without folding a triangle.
 //!
 //! In each step the energy is replaced by the quadratic one that has its gradient (Rabinovich et
-//! al., section 3). Its minimum gives a direction; one goes along it at most as far as no triangle
-//! folds, and back until the energy falls. If the border meets itself at the end, one goes on from the
-//! last place where it did not, and lets it not.
+//! al., section 3). Its minimum gives a direction; the step along it folds no triangle, and is
+//! halved until the energy falls. If the border meets itself at the end, the descent goes on from
+//! the last map of which it did not, and halves the steps at which it would.
 
 use super::chart::ChartMesh;
 use super::energy::{Jacobian, energy, weights};
@@ -21,13 +21,12 @@ const MAX_PART_TO_FOLD: f64 = 0.8;
 /// The energy falls by at least this part of what its gradient says (Armijo's rule).
 const MIN_DESCENT: f64 = 1e-4;
 const MAX_HALVINGS: u32 = 40;
-/// Once the energy falls by less than this part of it, nothing more is gained.
+/// The descent ends once the energy falls by less than this part of it.
 const MIN_RELATIVE_GAIN: f64 = 1e-9;
+/// That is a minimum if the gradient promises no more than this part of the energy.
+const MAX_RELATIVE_SLOPE: f64 = 1e-6;
 /// A weight that holds vertices, in means of the diagonal: the plane has no place of its own.
 const HOLD: f64 = 1e-9;
-
-/// Nothing more is to be gained, either, if the gradient says no more than this part of the energy.
-const MAX_RELATIVE_SLOPE: f64 = 1e-6;
 
 /// How a descent ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,6 +37,8 @@ pub(super) enum End {
     Stalled,
     /// The number of steps.
     IterationLimit,
+    /// There was no map without folds to begin with.
+    Folded,
 }
 
 /// The result of a descent.

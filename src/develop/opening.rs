@@ -13,6 +13,7 @@ use super::split::Split;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
+use crate::geom::scale::distance;
 use crate::job::Job;
 use crate::mesh::NONE;
 use crate::sort::{Buckets, sort};
@@ -158,8 +159,8 @@ impl Opening<'_> {
             let is_of_tree = [u, v].iter().any(|&v| self.search.comes_by(v, h) || self.search.comes_by(v, mate));
             if !is_of_tree {
                 let length = self.search.distances[u as usize] + self.search.distances[v as usize];
-                let own = surface.ends(h).map(|v| surface.mesh.positions().get(v));
-                alloc::push(&mut edges, (length + own[0].distance(own[1]), h))?;
+                let [p, q] = surface.ends(h).map(|v| surface.mesh.positions().get(v));
+                alloc::push(&mut edges, (length + distance(p, q), h))?;
             }
         }
         // Those of the longest loops first.

@@ -47,7 +47,8 @@ pub struct Options<'a> {
     /// No more darts are made once no length changes by a larger factor, above 1; `None`: all darts
     /// are made.
     pub max_stretch: Option<f64>,
-    /// Steps of the descent for each chart at the most; 0 for 200.
+    /// Steps of each descent at the most; 0 for 200. A chart whose border would meet itself takes
+    /// more than one, and so does one as rigid as possible.
     pub max_iterations: u32,
 }
 
@@ -92,7 +93,7 @@ pub struct Chart {
     pub faces: u32,
     /// How it came about.
     pub finish: Finish,
-    /// Steps of the descent.
+    /// Steps of all its descents.
     pub iterations: u32,
     /// Pairs of edges of its border that meet in the plane, neighbours apart; 0 for a map that is
     /// one to one. Only charts with [`Finish::Exact`] or [`Finish::Folded`] can have some.

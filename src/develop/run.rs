@@ -12,13 +12,13 @@ use super::request::{Chart, CutKind, Developed, Distortion, Finish, Options};
 use super::split::Split;
 use super::start::{conformal, tutte};
 use super::system::System;
-use super::unfold::{closed_up, turned_down};
+use super::unfold::{Lengths, turned_down};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bit_set::BitSet;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, PositionBuffer};
+use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer};
 use glam::DVec2;
 
 /// Steps of the descent, if the caller says nothing.
@@ -26,8 +26,7 @@ const MAX_ITERATIONS: u32 = 200;
 /// Charts are so far apart, in their greatest width.
 const GAP: f64 = 0.05;
 
-/// Borders of an exact chart touch, and do not overlap, if they are no deeper in one another, in the
-/// root of its area.
+/// Edges of an exact chart that cross by no more than this, in the root of its area, only touch.
 const MAX_TOUCH: f64 = 1e-8;
 
 /// A chart in the plane.
@@ -65,7 +64,7 @@ impl Flat {
 /// It is cut along the paths given, and where a component is no disc then, along the shortest
 /// further ones. A chart that can be unfolded about its edges keeps every length; another one
 /// descends to the least distortion, without folding a triangle or overlapping itself. Edges of
-/// three or more faces, and those whose faces disagree in orientation, are cuts.
+/// three or more faces, and those whose faces disagree in orientation, are borders.
 ///
 /// O(H log H) for charts that are unfolded; each step of a descent O(n^1.5) for the n vertices of
 /// its chart. Memory: linear but for the factor, O(n log n).
@@ -94,11 +93,11 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
     flats.resize_with(count, || None);
     let whole = job.part(0.1, 0.95);
-    // Of darts nobody knows how many there will be: each gets half of what is left.
-    let mut rest = if options.max_darts == 0 { whole.part(1.0, 1.0) } else { whole.part(0.5, 1.0) };
-    let first = if options.max_darts == 0 { whole } else { whole.part(0.0, 0.5) };
+    // How many darts there will be shows at the end only: each gets half of what is left.
+    let looks = options.max_darts > 0;
+    let middle = if looks { 0.5 } else { 1.0 };
+    let (first, mut rest) = (whole.part(0.0, middle), whole.part(middle, 1.0));
     for (chart, flat) in flats.iter_mut().enumerate() {
-        let looks = options.max_darts > 0;
         *flat = Some(flatten(&surface, &split, chart, unit, options, looks, &first.share(chart, count))?);
     }
     let mut made = 0;
@@ -113,7 +112,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
-            // Where it does not help another one would not either.
+            // The chart gets no more.
             surface.close(&cut);
             old.tip = None;
         } else {
@@ -132,12 +131,7 @@ fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> 
         let flat = flat.as_ref()?;
         (flat.worst() > limit).then_some((flat.worst(), k, flat.tip?))
     });
-    needs
-        .fold(None, |best: Option<(f64, usize, u32)>, found| match best {
-            Some(best) if best.0 >= found.0 => Some(best),
-            _ => Some(found),
-        })
-        .map(|(_, chart, tip)| (chart, tip))
+    needs.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, chart, tip)| (chart, tip))
 }
 
 /// Cuts from a vertex inside a chart along the shortest path to its border, which is returned.
@@ -146,7 +140,7 @@ fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32,
     let mut on_border = BitSet::new(split.vertex_map.len())?;
     for &f in split.faces.get(chart) {
         for h in faces.range(f as usize).map(|h| h as u32) {
-            if surface.across(h) == crate::mesh::NONE {
+            if surface.across(h) == NONE {
                 [h, faces.next(h)].iter().for_each(|&h| on_border.insert(split.corners[h as usize]));
             }
         }
@@ -174,58 +168,53 @@ fn flatten(
     job: &Job<'_>,
 ) -> Result<Flat> {
     let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
-    let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
-    let turned = turned_down(&chart, &job.part(0.1, 0.1))?;
-    if let Some(x) = closed_up(&chart, &mut system, turned, &job.part(0.1, 0.12))? {
-        return measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    let exact = |x| measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    let (lengths, turned) = (Lengths::of(&chart), turned_down(&chart, &job.part(0.05, 0.05))?);
+    if lengths.are_kept(&turned) {
+        return exact(turned);
     }
-    let mut x = conformal(&chart, &mut system, &job.part(0.12, 0.15))?;
-    if let Some(x) = closed_up(&chart, &mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
-        return measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
+    if let Some(x) = lengths.restored(&mut system, turned, &job.part(0.1, 0.12))? {
+        return exact(x);
+    }
+    let x = conformal(&chart, &mut system, &job.part(0.12, 0.15))?;
+    if let Some(x) = lengths.restored(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
+        return exact(x);
     }
     let tip = match looks_for_tip {
         true => darts::tip(&chart, &mut system, &job.part(0.18, 0.2))?.map(|v| v + split.vertices[number].start),
         false => None,
     };
-    let is_apart = |x: &[DVec2], at: f64| Ok::<_, Error>(overlaps(&chart.border, x, 0.0, 1, &job.part(at, at))? == 0);
-    let is_whole = chart.folds(&x) == 0;
-    if is_whole && options.distortion == Distortion::Conformal && is_apart(&x, 0.2)? {
+    let is_conformal = options.distortion == Distortion::Conformal;
+    if is_conformal && chart.folds(&x) == 0 && is_apart(&chart, &x, &job.part(0.2, 0.2))? {
         return measured(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
     }
-    if !is_whole {
-        x = tutte(&chart, &mut system, &job.part(0.25, 0.3))?;
-        if chart.folds(&x) > 0 || !is_apart(&x, 0.3)? {
-            return measured(&chart, x, Finish::Folded, 0, tip, &job.part(0.95, 1.0));
-        }
-    }
     let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
-    let (first, second) = match options.distortion {
-        // What is as rigid as possible may fold, and is looked for from a map that does not.
-        Distortion::Rigid => (job.part(0.3, 0.6), Some(job.part(0.6, 0.95))),
-        Distortion::Symmetric | Distortion::Conformal => (job.part(0.3, 0.95), None),
-    };
-    let Some(mut done) = least(&chart, &mut system, Distortion::Symmetric, x, limit, &first)? else {
-        let x = tutte(&chart, &mut system, &job.part(0.95, 0.95))?;
-        return measured(&chart, x, Finish::Folded, 0, tip, &job.part(0.95, 1.0));
-    };
-    if let Some(job) = second {
+    // What is as rigid as possible may fold, and is looked for from a map that does not.
+    let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
+    let mut done = least(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
+    if options.distortion == Distortion::Rigid && done.end != End::Folded {
         let before = done.iterations;
-        if let Some(rigid) = least(&chart, &mut system, options.distortion, alloc::copied(&done.x)?, limit, &job)? {
-            done = rigid;
-            done.iterations += before;
-        }
+        done = least(&chart, &mut system, Distortion::Rigid, done.x, limit, &job.part(end, 0.95))?;
+        done.iterations += before;
     }
-    let finish = match (done.end, options.distortion) {
-        (_, Distortion::Conformal) => Finish::NotConformal,
-        (End::Converged, _) => Finish::Converged,
-        (End::Stalled, _) => Finish::Stalled,
-        (End::IterationLimit, _) => Finish::IterationLimit,
+    let finish = match done.end {
+        End::Folded => Finish::Folded,
+        _ if is_conformal => Finish::NotConformal,
+        End::Converged => Finish::Converged,
+        End::Stalled => Finish::Stalled,
+        End::IterationLimit => Finish::IterationLimit,
     };
     measured(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
 }
 
-/// The map of least distortion that is one to one, by descent from a map without folds; `None` if
-/// none was found to go on from.
+/// True if the border of a map does not meet itself.
+fn is_apart(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
+    Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0)
+}
+
+/// The map of least distortion that is one to one, by descent from `x`, or, where that folds or
+/// leads to none, from Tutte's map.
 fn least(
     chart: &ChartMesh,
     system: &mut System,
@@ -233,26 +222,24 @@ fn least(
     x: Vec<DVec2>,
     limit: u32,
     job: &Job<'_>,
-) -> Result<Option<Descent>> {
-    let is_apart = |x: &[DVec2]| Ok(overlaps(&chart.border, x, 0.0, 1, &job.part(0.5, 0.5))? == 0);
-    let mut last = None;
-    let free = descend(chart, system, distortion, x, Border::Free(&mut last), limit, &job.part(0.0, 0.5))?;
-    if is_apart(&free.x)? {
-        return Ok(Some(free));
-    }
-    let start = match last {
-        Some(last) => last,
-        None => {
-            let x = tutte(chart, system, &job.part(0.5, 0.5))?;
-            if chart.folds(&x) > 0 || !is_apart(&x)? {
-                return Ok(None);
+) -> Result<Descent> {
+    let (mut start, mut iterations) = (x, 0);
+    for job in [job.part(0.0, 0.5), job.part(0.5, 1.0)] {
+        if chart.folds(&start) == 0 {
+            let mut last = None;
+            let free = descend(chart, system, distortion, start, Border::Free(&mut last), limit, &job.part(0.0, 0.4))?;
+            iterations += free.iterations;
+            if is_apart(chart, &free.x, &job.part(0.4, 0.4))? {
+                return Ok(Descent { iterations, ..free });
             }
-            x
+            if let Some(last) = last {
+                let done = descend(chart, system, distortion, last, Border::Apart, limit, &job.part(0.4, 0.9))?;
+                return Ok(Descent { iterations: iterations + done.iterations, ..done });
+            }
         }
-    };
-    let mut done = descend(chart, system, distortion, start, Border::Apart, limit, &job.part(0.5, 1.0))?;
-    done.iterations += free.iterations;
-    Ok(Some(done))
+        start = tutte(chart, system, &job.part(0.9, 1.0))?;
+    }
+    Ok(Descent { x: start, iterations, end: End::Folded })
 }
 
 /// The chart with its measures, turned so that it is longest along x.

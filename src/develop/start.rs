@@ -31,7 +31,7 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
         for i in 0..3 {
             let j = (i + 1) % 3;
             let (dot, turn) = (shape.area * g[i].dot(g[j]), shape.area * g[i].perp_dot(g[j]));
-            // The determinant couples the first coordinate of one corner with the second of the other.
+            // The determinant couples x of one corner with y of the other.
             let block = DMat2::from_cols(DVec2::new(dot, turn), DVec2::new(-turn, dot));
             system.add(triangle[i], triangle[j], block, &x);
             system.add_diagonal(triangle[i], DMat2::from_diagonal(DVec2::splat(shape.area * g[i].length_squared())));

@@ -65,7 +65,7 @@ impl System {
         job.step(0.8, STAGE)?;
         pairs.dedup();
         let earlier = Buckets::new(n, 0u32, pairs.iter().copied())?;
-        // Column 2 k has the rows of both coordinates of the earlier ones, and column 2 k + 1 one more.
+        // Column 2 k has the rows of both coordinates of the earlier places; 2 k + 1 one more.
         let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
         start.push(0);
         for k in 0..n {

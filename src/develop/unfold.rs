@@ -15,52 +15,76 @@ use crate::mesh::NONE;
 use glam::{DMat2, DVec2, DVec3};
 use std::collections::VecDeque;
 
-/// Edges may miss their lengths by this part of them, and of [`SHORT`] mean edges.
+/// Edges may miss their lengths by this part of them.
 const MAX_LENGTH_ERROR: f64 = 1e-10;
+/// Edges shorter than so many mean ones may miss their lengths as if they were that long.
 const SHORT: f64 = 1e-3;
 /// Surfaces that miss by more are curved.
 const MAX_CLOSING_ERROR: f64 = 1e-3;
-/// By so much the mean edge's square may exceed what a triangle lacks in area.
+/// What a triangle may lack in area, doubled, in squares of the mean edge.
 const MAX_AREA_ERROR: f64 = 1e-6;
 const MAX_STEPS: usize = 3;
 /// A weight that holds vertices, beside 1 for each edge: the plane has no place of its own.
 const HOLD: f64 = 1e-9;
 
-/// The places near `x` at which every edge of the chart has its length; `None` if there are none.
-/// O(T) for T triangles, and up to three factors where `x` is near but not there.
-pub(super) fn closed_up(
-    chart: &ChartMesh,
-    system: &mut System,
-    mut x: Vec<DVec2>,
-    job: &Job<'_>,
-) -> Result<Option<Vec<DVec2>>> {
-    let edges = || chart.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-    let mean = edges().map(|(u, v)| chart.length(u, v)).sum::<f64>() / (3 * chart.triangles.len()) as f64;
-    let error = |x: &[DVec2]| {
-        let of = |(u, v): (u32, u32)| {
-            let wanted = chart.length(u, v);
-            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT * mean)
-        };
-        edges().map(of).fold(0.0, |worst: f64, error| if error > worst || error.is_nan() { error } else { worst })
-    };
-    let mut reached = error(&x);
-    for step in 0..MAX_STEPS {
-        if reached <= MAX_LENGTH_ERROR || reached.is_nan() || reached > MAX_CLOSING_ERROR {
-            break;
-        }
-        let job = job.share(step, MAX_STEPS);
-        x = closer(chart, system, &x, &job)?;
-        job.step(1.0, STAGE)?;
-        reached = error(&x);
-        job.step(1.0, STAGE)?;
+/// The lengths of the edges of a chart.
+pub(super) struct Lengths<'a> {
+    chart: &'a ChartMesh,
+    mean: f64,
+}
+
+impl<'a> Lengths<'a> {
+    pub(super) fn of(chart: &'a ChartMesh) -> Self {
+        let mut lengths = Lengths { chart, mean: 0.0 };
+        lengths.mean = lengths.edges().map(|[u, v]| chart.length(u, v)).sum::<f64>() / lengths.edges().count() as f64;
+        lengths
     }
-    // Triangles without height may come to lie either way.
-    let stands = |t: usize| {
-        let [a, b, c] = chart.triangles[t].map(|v| chart.points[v as usize]);
-        chart.double_area(t, &x) >= (b - a).cross(c - a).length() - MAX_AREA_ERROR * mean * mean
-    };
-    let is_exact = reached <= MAX_LENGTH_ERROR && (0..chart.triangles.len()).all(stands);
-    Ok(is_exact.then_some(x))
+
+    /// Edges of two triangles twice.
+    fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        (0..3 * self.chart.triangles.len()).map(|k| {
+            let triangle = self.chart.triangles[k / 3];
+            [triangle[k % 3], triangle[(k + 1) % 3]]
+        })
+    }
+
+    /// The largest error of an edge in the plane, in its length, or in [`SHORT`] mean edges if that is
+    /// more; NaN if there is one without a place.
+    fn error(&self, x: &[DVec2]) -> f64 {
+        let of = |[u, v]: [u32; 2]| {
+            let wanted = self.chart.length(u, v);
+            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT * self.mean)
+        };
+        let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
+        self.edges().map(of).fold(0.0, largest)
+    }
+
+    /// True if every edge has its length, and no triangle is turned over. One without area may come
+    /// to lie either way.
+    pub(super) fn are_kept(&self, x: &[DVec2]) -> bool {
+        let stands = |t: usize| {
+            let [a, b, c] = self.chart.triangles[t].map(|v| self.chart.points[v as usize]);
+            let least = (b - a).cross(c - a).length() - MAX_AREA_ERROR * self.mean * self.mean;
+            self.chart.double_area(t, x) >= least
+        };
+        self.error(x) <= MAX_LENGTH_ERROR && (0..self.chart.triangles.len()).all(stands)
+    }
+
+    /// The places near `x` at which every edge has its length; `None` if there are none. O(T) for T
+    /// triangles, and up to three factors where `x` is near but not there.
+    pub(super) fn restored(&self, system: &mut System, mut x: Vec<DVec2>, job: &Job<'_>) -> Result<Option<Vec<DVec2>>> {
+        for step in 0..MAX_STEPS {
+            let error = self.error(&x);
+            if error <= MAX_LENGTH_ERROR || error.is_nan() || error > MAX_CLOSING_ERROR {
+                break;
+            }
+            let job = job.share(step, MAX_STEPS);
+            job.step(0.0, STAGE)?;
+            x = closer(self.chart, system, &x, &job)?;
+            job.step(1.0, STAGE)?;
+        }
+        Ok(self.are_kept(&x).then_some(x))
+    }
 }
 
 /// Turns triangles into the plane, neighbours after each other, from the largest on. O(T).

@@ -110,18 +110,11 @@ impl Curves {
     /// [`Error::BadOffsets`] with the first entry that does not fit; without offsets, and with
     /// another number of flags than of curves, that is the entry after the last.
     pub fn check(&self) -> Result<()> {
-        let bad = |entry: usize, value: u32| Err(Error::BadOffsets { entry: entry as u32, value });
-        let mut before = 0;
-        for (entry, &value) in self.offsets.iter().enumerate() {
-            if value < before || (entry == 0 && value != 0) || value as usize > self.points.len() {
-                return bad(entry, value);
-            }
-            before = value;
+        Error::check_offsets(&self.offsets, self.points.len())?;
+        if self.offsets.len() == self.closed.len() + 1 {
+            return Ok(());
         }
-        if self.offsets.len() != self.closed.len() + 1 {
-            return bad(self.offsets.len(), before);
-        }
-        if before as usize != self.points.len() { bad(self.offsets.len() - 1, before) } else { Ok(()) }
+        Err(Error::BadOffsets { entry: self.offsets.len() as u32, value: self.points.len() as u32 })
     }
 }
 

@@ -52,7 +52,8 @@ pub struct gusset_development_options {
     /// No more darts are made once no length changes by a larger factor; above 1, or 0: all darts
     /// are made.
     pub max_stretch: f64,
-    /// Steps of the descent for each chart at the most; 0: 200.
+    /// Steps of each descent at the most; 0: 200. A chart whose border would meet itself takes more
+    /// than one, and so does one as rigid as possible.
     pub max_iterations: u32,
     /// 0.
     pub reserved: u32,
@@ -70,7 +71,7 @@ pub struct gusset_chart {
     pub face_count: u32,
     /// How it came about: GUSSET_CHART_...
     pub finish: u32,
-    /// Steps of the descent.
+    /// Steps of all its descents.
     pub iterations: u32,
     /// Pairs of edges of its border that meet in the plane, neighbours apart; of EXACT charts those
     /// that cross by more than 1e-8 of the root of the area. Only EXACT and FOLDED charts can have
@@ -193,7 +194,8 @@ fn kind(kind: CutKind) -> u32 {
 /// The surface is cut along the paths given. What is no disc then, as a tube, a closed surface, one
 /// with holes or handles, is opened along short paths. Each connected component of the rest is a
 /// chart. One that can be unfolded about its edges, as cylinders, cones and tangent developables in
-/// plane strips can, keeps the length of every edge to 1e-10 of it, before rounding: charts lie beside
+/// plane strips can, keeps the length of every edge to 1e-10 of it (of 1e-3 mean edges, if it is
+/// shorter), before rounding: charts lie beside
 /// one another, and far from the origin places are rounded more. It may overlap itself; triangles
 /// without area may then be turned over by rounding. Any other chart descends to the least
 /// distortion; no triangle is turned over, and the border does not meet itself, so that the map is

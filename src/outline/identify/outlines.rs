@@ -137,17 +137,7 @@ impl Outlines<'_> {
     pub(in crate::outline) fn check(&self) -> Result<usize> {
         let count = self.points.len();
         if let Some(offsets) = self.offsets {
-            let value = |entry: usize| offsets.get(entry).copied().unwrap_or(0);
-            let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
-            if offsets.first() != Some(&0) {
-                return Err(bad(0));
-            }
-            if let Some(k) = (1..offsets.len()).find(|&k| offsets[k] < offsets[k - 1] || offsets[k] as usize > count) {
-                return Err(bad(k));
-            }
-            if value(offsets.len() - 1) as usize != count {
-                return Err(bad(offsets.len() - 1));
-            }
+            Error::check_offsets(offsets, count)?;
         }
         for (k, constraint) in self.constraints.iter().enumerate() {
             let follows = k == 0 || constraint.point > self.constraints[k - 1].point;
