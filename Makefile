@@ -35,7 +35,7 @@ host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev lib
 docs_packages  := doxygen
 # A browser without a window: it takes the pictures of the demo, and the tests read the pages with it.
 browser_packages := chromium chromium-driver python3-selenium
-test_packages  := $(host_packages) $(cli_packages) $(docs_packages) $(browser_packages) assimp-utils python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools
+test_packages  := $(host_packages) $(cli_packages) $(docs_packages) $(browser_packages) assimp-utils python3-pil fish groff-base zsh doctest-dev libeigen3-dev valgrind clang abigail-tools python3-venv
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libcgal-demo libeigen3-dev libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian $(cli_packages)

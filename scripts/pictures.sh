@@ -15,11 +15,12 @@ build/pictures/gallery docs
 build/pictures/outline - docs/outline.svg
 build/pictures/hull - docs/hull.svg docs/hull_view.svg
 build/pictures/scene build/pictures/scene.obj docs/scene.svg
-build/workshop/last - --picture docs/workshop_last.svg --pattern docs/workshop_pattern.svg
+build/workshop/last - --picture docs/workshop_last.svg --pattern docs/workshop_pattern.svg --page build/workshop/last.page
 for name in ship wrist relief; do
-  build/workshop/$name - --picture docs/workshop_$name.svg
+  build/workshop/$name - --picture docs/workshop_$name.svg --page build/workshop/$name.page
 done
 scripts/demo.sh "$stage" '' '' "$@"
 build/pictures/showcases build/pictures/gallery
-python3 -B scripts/page.py "gusset: showcases" docs/showcases.html build/demo/showcase build/pictures/gallery
+python3 -B scripts/page.py "gusset: showcases" docs/showcases.html build/demo/showcase build/pictures/gallery \
+  build/workshop/{last,ship,wrist,relief}.page
 /usr/bin/python3 -B scripts/photograph.py docs/showcases.html 1600 720 docs/joined.jpg "show=demo&plain=1&named=1&theme=light&side=1"

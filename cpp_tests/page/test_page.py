@@ -181,6 +181,10 @@ class Page(unittest.TestCase):
             self.element(f"show={name}").click()
             self.seen(f"link-{name}")
             self.assertEqual(self.element("text").text, showcase["text"])
+            # What is said of the two states that are compared.
+            states = [showcase["states"][k] for k in showcase["pairs"][0]]
+            told = [line for state in states if "note" in state for line in (state["name"], state["note"])]
+            self.assertEqual(self.element("notes").text.split("\n") if told else [], told)
 
     def test_dark_and_light(self):
         for scheme, is_dark in (("dark", True), ("light", False)):

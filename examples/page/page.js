@@ -69,6 +69,8 @@ async function start() {
     by('left').hidden = at < 0.02;
     by('right').hidden = at > 0.98;
     by('near').hidden = !showcase.near;
+    by('notes').replaceChildren(...[left, right].map((k) => showcase.states[k]).filter(({ note }) => note).flatMap(({ name, note }) =>
+      [['dt', name], ['dd', note]].map(([kind, said]) => Object.assign(document.createElement(kind), { textContent: said }))));
     view.setWire(by('wire').checked);
     view.setMeasured(Boolean(showcase.distance) && by('measured').checked);
     legend();

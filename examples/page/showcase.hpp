@@ -70,6 +70,8 @@ struct State {
     std::size_t body;
     /// Paints whose faces are not there.
     std::vector<std::size_t> hidden = {};
+    /// What is to be said of it under the picture: how it was made, how far off it is.
+    std::string note = {};
 };
 
 struct Showcase {
@@ -230,7 +232,11 @@ inline void write(Writer &out, const Showcase &showcase) {
         for (std::size_t i = 0; i < state.hidden.size(); ++i) {
             json << (i == 0 ? "" : ",") << state.hidden[i];
         }
-        json << "]}";
+        json << ']';
+        if (!state.note.empty()) {
+            json << ",\"note\":" << quoted(state.note);
+        }
+        json << '}';
     }
     json << "],\n\"pairs\":[";
     for (std::size_t k = 0; k < showcase.pairs.size(); ++k) {

@@ -1,5 +1,5 @@
 // Makes a shoe last from sections of a foot, roomier than the foot towards the toes; lays its upper out flat.
-//   last [sections.json] [--ease 0,8] [--picture last.svg] [--pattern pattern.svg] [--mesh last.off]
+//   last [sections.json] [--ease 0,8] [--picture last.svg] [--pattern pattern.svg] [--mesh last.off] [--page NAME]
 // The file has "stations" from the heel to the toes, each with "points": x to the side, y up, z forward. Without one,
 // or with -, the foot is made by formula. Lengths are in decimetres, volumes thus in litres.
 #include "pattern.hpp"
@@ -147,17 +147,17 @@ std::vector<uint32_t> heel_line(const gusset::SheetMesh &mesh) {
     return vertices;
 }
 
-/// The side laid out flat, without darts and with up to `darts`.
-void lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &claims) {
+/// The side laid out flat, without darts and with up to `darts`; the latter is returned.
+gusset::Development lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &claims) {
     const gusset::SheetMesh side(last.sheet); // a quad for each cell is fine enough for a pattern
     gusset::DevelopmentOptions options;
     options.cuts.push_back(heel_line(side));
     const gusset::Development plain(side.mesh(), options);
     options.max_darts = darts;
-    const gusset::Development flat(side.mesh(), options);
+    gusset::Development flat(side.mesh(), options);
     print_chart("upper", plain);
     print_chart("upper", flat);
-    for (const gusset::Development *made : {&plain, &flat}) {
+    for (const gusset::Development *made : {&plain, static_cast<const gusset::Development *>(&flat)}) {
         claims.hold(made->charts().size() == 1, "the upper is one piece");
         const gusset_chart &chart = made->charts()[0];
         claims.hold(chart.folds == 0 && chart.overlaps == 0, "the upper is flat without folds and overlaps");
@@ -168,6 +168,83 @@ void lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &
     if (!file.empty()) {
         Pattern(flat).write(file, "dm", 0.25);
     }
+    return flat;
+}
+
+/// The upper on the ground under the last, its heel under that of the last, as much redder as some of its lengths change.
+void add_upper(page::Body &body, const gusset::Development &flat, const MeshView &on) {
+    std::size_t heel = 0, toe = 0;
+    double low = INFINITY;
+    for (std::size_t v = 0; v < flat.points().size(); ++v) {
+        const auto along = [&](std::size_t vertex) { return on.position(flat.vertex_map()[vertex])[0]; };
+        heel = along(v) < along(heel) ? v : heel;
+        toe = along(v) > along(toe) ? v : toe;
+    }
+    for (std::size_t v = 0; v < on.vertex_count(); ++v) {
+        low = std::min(low, on.position(v)[2]);
+    }
+    const auto &from = flat.points()[heel], &to = flat.points()[toe];
+    const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
+    body.add(flat.mesh(), [](std::size_t) { return 2; });
+    for (Point3 &p : body.points) {
+        const double along = ((p[0] - from[0]) * x + (p[1] - from[1]) * y) / length;
+        const double aside = ((p[1] - from[1]) * x - (p[0] - from[0]) * y) / length;
+        p = {along, aside, low - 0.4};
+    }
+    for (std::size_t f = 0; f < flat.mesh().face_count(); ++f) {
+        body.face_colours.push_back(stretch_colour(flat.stretches()[f], 0.25));
+    }
+}
+
+/// The steps of the workshop for a page, and how far off each of them is.
+page::Showcase show(const Last &last, const Sections &foot, const gusset::Development &flat, double by_sections) {
+    const char *ochre = "#b98a2f", *blue = "#33597f";
+    page::Showcase shown;
+    shown.id = "last";
+    shown.title = "A last";
+    shown.text = "From sections of a foot to a closed last, roomier towards the toes, and the pattern of its upper.";
+    shown.paints = {{"side", "#8fa3b3", 0, 0.42}, {"ends", "#d99a1c", 0.4, 0.35, true}, {"upper", "#dbcbad", 0, 0.6}};
+    shown.eye = {0.75, -1, 0.55};
+    shown.up = {0, 0, 1};
+    shown.bodies.resize(5);
+    for (std::size_t k = 0; k < foot.size(); ++k) {
+        shown.bodies[0].curves.push_back(line(foot.section(k), true, ochre, 0.008));
+    }
+    const gusset_frame_view size = last.frame.view();
+    const gusset::Points nodes = last.frame.nodes();
+    for (std::size_t i = 0; i < size.rows; ++i) {
+        const auto from = nodes.begin() + i * size.columns;
+        shown.bodies[1].curves.push_back(line({from, from + size.columns}, true, blue, 0.008));
+    }
+    for (std::size_t j = 0; j < size.columns; j += 4) {
+        std::vector<Point3> along;
+        for (std::size_t i = 0; i < size.rows; ++i) {
+            along.push_back(nodes[i * size.columns + j]);
+        }
+        shown.bodies[1].curves.push_back(line(std::move(along), false, blue, 0.008));
+    }
+    shown.bodies[2].add(last.side.mesh(), [](std::size_t) { return 0; });
+    const std::size_t side = last.side.mesh().face_count();
+    shown.bodies[3].add(last.closed.mesh(), [&](std::size_t f) { return f < side ? 0 : 1; });
+    const gusset::SheetMesh developed(last.sheet);
+    add_upper(shown.bodies[4], flat, developed.mesh());
+    const gusset_chart &chart = flat.charts()[0];
+    gusset::FillOptions outward;
+    outward.outward = gusset::Outward::closed;
+    const gusset::Fill ends(last.side.mesh(), outward);
+    const double volume = measure(ends.mesh()).volume;
+    shown.states = {
+        {"Sections", 0, {}, said(foot.size(), " of them, each with its own number of points and its own first one.")},
+        {"Frame", 1, {}, said(size.rows, " x ", size.columns, " nodes; curves across and along are ", size.max_gap,
+                              " of its size apart where they should meet.")},
+        {"Side", 2, {}, said("A mesh within ", last.deviation, " dm of the smooth surface; its area differs from that of the net by ",
+                             percent(measure(last.side.mesh()).area, last.net.bilinear_area().area), " %.")},
+        {"Last", 3, {}, said(measure(last.closed.mesh()).volume, " l, closed and manifold; between flat ends its volume differs from that by the areas of 100 sections by ",
+                             percent(volume, by_sections), " %.")},
+        {"Upper", 4, {}, said("Cut along the heel line, ", flat.darts(), " darts: lengths change by factors of ", chart.min_stretch, " to ",
+                              chart.max_stretch, "; ", chart.folds, " folds, ", chart.overlaps, " overlaps.")}};
+    shown.pairs = {{3, 4}, {0, 3}, {1, 2}};
+    return shown;
 }
 
 /// Sections, the frame, the closed last.
@@ -212,7 +289,7 @@ void draw(const Last &last, const Sections &foot, const std::string &file) {
 
 int main(int argc, char **argv) try {
     CLI::App app("Makes a shoe last from sections of a foot, and lays its upper out flat.");
-    std::string input = "-", picture, pattern, file;
+    std::string input = "-", picture, pattern, file, page;
     std::vector<double> ease{0, 8};
     double tolerance = 0.01;
     uint32_t darts = 2;
@@ -225,6 +302,7 @@ int main(int argc, char **argv) try {
     app.add_option("--picture", picture, "an SVG file of the last");
     app.add_option("--pattern", pattern, "an SVG file of the upper");
     app.add_option("--mesh", file, "an OFF file of the last");
+    app.add_option("--page", page, "its steps for scripts/page.py, NAME.json and NAME.bin");
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
@@ -280,11 +358,12 @@ int main(int argc, char **argv) try {
     }
     const bool roomier = measure(last.closed.mesh()).volume > measure(bare.closed.mesh()).volume;
     claims.hold(roomier || ease[0] + ease[1] <= 0, "the last is roomier than the foot");
-    lay_out(last, darts, pattern, claims);
+    const gusset::Development flat = lay_out(last, darts, pattern, claims);
     if (!picture.empty()) {
         draw(last, foot, picture);
     }
     save(last.closed.mesh(), file);
+    save(show(last, foot, flat, volume_by_sections(last.frame, heel, toes)), page);
     return claims.status();
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';

@@ -9,13 +9,14 @@
 namespace workshop {
 /// White where lengths are kept, redder the more some of them change. `limit`: the logarithm of the factor that has the
 /// full colour.
-inline std::string stretch_colour(const std::array<double, 2> &factors, double limit) {
+inline page::Colour stretch_colour(const std::array<double, 2> &factors, double limit) {
     const double change = std::max(std::abs(std::log(factors[0])), std::abs(std::log(factors[1])));
     const double part = std::min(change / limit, 1.0);
-    std::ostringstream text;
-    text << "rgb(" << std::lround(252 - 66 * part) << ',' << std::lround(252 - 192 * part) << ','
-         << std::lround(250 - 214 * part) << ')';
-    return text.str();
+    const auto byte = [](double value) { return static_cast<uint8_t>(std::lround(value)); };
+    return {byte(252 - 66 * part), byte(252 - 192 * part), byte(250 - 214 * part)};
+}
+inline std::string text(const page::Colour &colour) {
+    return "rgb(" + std::to_string(colour[0]) + ',' + std::to_string(colour[1]) + ',' + std::to_string(colour[2]) + ')';
 }
 
 /// Prints how much a development distorts its first chart.
@@ -49,7 +50,7 @@ public:
             << "<rect width='100%' height='100%' rx='8' fill='#fbfaf7'/>\n<g stroke-width='0.4'>\n";
         for (std::size_t f = 0; f < flat_.mesh().face_count(); ++f) {
             const gusset::Indices face = flat_.mesh().face(f);
-            const std::string colour = stretch_colour(flat_.stretches()[f], limit);
+            const std::string colour = text(stretch_colour(flat_.stretches()[f], limit));
             out << "<path d='" << path({face.begin(), face.end()}) << "z' fill='" << colour << "' stroke='" << colour
                 << "'/>\n";
         }
@@ -98,7 +99,7 @@ private:
         for (int k = 0; k < 40; ++k) {
             const double by = std::exp((k + 0.5) / 40 * limit);
             out << "<rect x='" << 520 + 10 * k << "' y='" << y << "' width='10.5' height='12' fill='"
-                << stretch_colour({by, by}, limit) << "'/>\n";
+                << text(stretch_colour({by, by}, limit)) << "'/>\n";
         }
         out << "<text x='520' y='" << y + 32 << "' fill='#333'>all lengths kept</text>\n<text x='920' y='" << y + 32
             << "' text-anchor='end' fill='#333'>some change by " << std::lround(100 * std::exp(limit) - 100)

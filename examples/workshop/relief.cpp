@@ -1,5 +1,5 @@
 // From a range image to a clean mesh: steps from one surface to another are left open, small holes are filled.
-//   relief [heights.csv] [--spacing 10] [--picture relief.svg] [--mesh relief.off]
+//   relief [heights.csv] [--spacing 10] [--picture relief.svg] [--mesh relief.off] [--page NAME]
 // The file has a row of heights on each line; what is empty or no number is missing. Without one, or with -, the image
 // is made by formula: hills with a block and a drum on them, noise, and pixels that are missing. Of a file some pixels
 // are taken out, so that what is filled in can be compared with what was there.
@@ -162,24 +162,50 @@ void draw(const MeshView &raw, const MeshView &clean, const Image &image, const 
         const auto at = drawing.at({wide / 2, deep / 2, (*low + *high) / 2});
         drawing.place(x - at[0], 190 - at[1]);
         drawing.mesh(*mesh, [&](std::size_t f) { return f < raw.face_count() ? pictures::blue : pictures::green; });
-        const gusset::Boundary loops(*mesh);
-        for (const gusset::Loop loop : loops) {
-            std::vector<Point3> points;
-            for (const uint32_t v : loop.vertices) {
-                points.push_back(mesh->position(v));
-            }
-            drawing.curve(points, true, pictures::red, 1.1, 0.02 * wide);
+        page::Body borders;
+        add_borders(borders, *mesh, "", 0);
+        for (const page::Curve &border : borders.curves) {
+            drawing.curve(border.points, true, pictures::red, 1.1, 0.02 * wide);
         }
         drawing.caption(x, 388, caption);
     }
     drawing.add("</g>\n");
     save(drawing, file);
 }
+/// Both for a page; what was filled shows how far it is from what was there.
+page::Showcase show(const MeshView &raw, const MeshView &clean, const Image &image, const std::string &text) {
+    page::Showcase shown;
+    shown.id = "relief";
+    shown.title = "A range image";
+    shown.text = "Heights of a grid, some missing: to a mesh without faces across steps, whose small holes are filled.";
+    shown.paints = {{"seen", "#8fa3b3", 0, 0.5}, {"filled", "#d99a1c", 0.4, 0.35, true}};
+    shown.eye = {0.3, -1, 0.85};
+    shown.up = {0, 0, 1};
+    shown.pairs = {{0, 1}};
+    shown.bodies.resize(2);
+    double largest = 0;
+    for (const MeshView *mesh : {&raw, &clean}) {
+        page::Body &body = shown.bodies[mesh == &raw ? 0 : 1];
+        body.add(*mesh, [&](std::size_t f) { return f < raw.face_count() ? 0 : 1; });
+        add_borders(body, *mesh, "#b0402a", 0.25 * image.spacing);
+        for (const Point3 &p : body.points) {
+            const double off = std::abs(p[2] - image.truth(p[0] / image.spacing, p[1] / image.spacing));
+            body.distances.push_back(std::isfinite(off) ? off : -1);
+        }
+    }
+    for (std::size_t v = raw.vertex_count(); v < clean.vertex_count(); ++v) {
+        largest = std::max(largest, shown.bodies[1].distances[v]);
+    }
+    shown.distance_limit = shown.distance_shown = largest;
+    shown.distance_unit = "in the unit of heights";
+    shown.states = {{"As it was seen", 0, {}, "Its borders are red."}, {"Clean", 1, {}, text}};
+    return shown;
+}
 } // namespace
 
 int main(int argc, char **argv) try {
     CLI::App app("From a range image to a clean mesh.");
-    std::string input = "-", picture, file;
+    std::string input = "-", picture, file, page;
     double ratio = 4, spacing = 1;
     uint32_t edges = 40;
     app.add_option("heights", input, "a CSV file, or - for an image by formula");
@@ -188,6 +214,7 @@ int main(int argc, char **argv) try {
     app.add_option("--max-rim", edges, "how many edges the rim of a small hole has at the most");
     app.add_option("--picture", picture, "an SVG file of the mesh before and after");
     app.add_option("--mesh", file, "an OFF file of the mesh");
+    app.add_option("--page", page, "both for scripts/page.py, NAME.json and NAME.bin");
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
@@ -237,6 +264,10 @@ int main(int argc, char **argv) try {
         draw(raw.mesh(), clean.mesh(), image, picture);
     }
     save(clean.mesh(), file);
+    save(show(raw.mesh(), clean.mesh(), image,
+              said(filled, " holes filled, ", large, " left open; off the truth by ", seen, " where it was seen, by ", made,
+                   " where it was filled (root mean square).")),
+         page);
     return claims.status();
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';

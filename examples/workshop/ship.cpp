@@ -1,6 +1,6 @@
 // Closes a ship's hull from its table of offsets, and computes its hydrostatics at a draught: from the closed mesh,
 // from the smooth surface and from the table itself.
-//   ship [stations.csv] [--draught 4] [--picture ship.svg] [--mesh ship.off]
+//   ship [stations.csv] [--draught 4] [--picture ship.svg] [--mesh ship.off] [--page NAME]
 // The file is as that of examples/cpp/hull.cpp, in metres: cells of the table may be empty. Without one, or with -, the
 // hull is made by formula.
 #include "../cpp/hull_stations.hpp"
@@ -124,21 +124,31 @@ std::vector<Waterplane> of_surface(const gusset::Surface &port, const std::vecto
     return found;
 }
 
-/// The hull from the bow and above, and from the stern and below; what is under water in red, what was filled in green.
-void draw(const gusset::Assembly &whole, double water, const Point3 &centre, double scale, const std::string &file) {
+/// Of each face of the closed hull whether a piece has it; the others are new.
+std::vector<bool> given_faces(const gusset::Assembly &whole) {
     std::vector<bool> given(whole.mesh().face_count());
     for (const gusset_piece_map &piece : whole.pieces()) {
         for (const uint32_t f : gusset::Indices(piece.faces.data, piece.faces.count)) {
             given[f] = true;
         }
     }
+    return given;
+}
+
+/// Whether the middle of a face is under water.
+bool is_wet(const MeshView &mesh, std::size_t f, double water) {
+    double height = 0;
+    for (const uint32_t v : mesh.face(f)) {
+        height += mesh.position(v)[2] / static_cast<double>(mesh.face(f).size());
+    }
+    return height < water;
+}
+
+/// The hull from the bow and above, and from the stern and below; what is under water in red, what was filled in green.
+void draw(const gusset::Assembly &whole, double water, const Point3 &centre, double scale, const std::string &file) {
+    const std::vector<bool> given = given_faces(whole);
     const auto colour = [&](std::size_t f) {
-        const gusset::Indices face = whole.mesh().face(f);
-        double height = 0;
-        for (const uint32_t v : face) {
-            height += whole.mesh().position(v)[2] / static_cast<double>(face.size());
-        }
-        return !given[f] ? pictures::green : height < water ? pictures::red : pictures::grey;
+        return !given[f] ? pictures::green : is_wet(whole.mesh(), f, water) ? pictures::red : pictures::grey;
     };
     pictures::Drawing drawing(960, 640, {0.66, 0.7, 0.36}, scale);
     drawing.add("<g stroke-width='0.12'>\n");
@@ -156,6 +166,30 @@ void draw(const gusset::Assembly &whole, double water, const Point3 &centre, dou
     workshop::save(drawing, file);
 }
 
+/// The table, its surfaces and the closed hull for a page.
+page::Showcase show(const std::vector<ship::Station> &stations, const std::vector<MeshView> &pieces, const gusset::Assembly &whole,
+                    double water, double length) {
+    page::Showcase shown;
+    shown.id = "ship";
+    shown.title = "A ship";
+    shown.text = "From a table of offsets to a closed hull that floats.";
+    shown.paints = {{"hull", "#a9b0b3", 0, 0.45}, {"under water", "#96402f", 0, 0.5}, {"filled", "#d99a1c", 0.4, 0.35, true}};
+    shown.eye = {0.66, 0.7, 0.36};
+    shown.up = {0, 0, 1};
+    shown.pairs = {{1, 2}, {0, 2}};
+    shown.bodies.resize(3);
+    for (const ship::Station &station : stations) {
+        shown.bodies[0].curves.push_back(workshop::line(station, false, "#33597f", length / 700));
+    }
+    for (const MeshView &piece : pieces) {
+        shown.bodies[1].add(piece, [&](std::size_t f) { return is_wet(piece, f, water) ? 1 : 0; });
+        workshop::add_borders(shown.bodies[1], piece, "#28323c", length / 1200);
+    }
+    const std::vector<bool> given = given_faces(whole);
+    shown.bodies[2].add(whole.mesh(), [&](std::size_t f) { return !given[f] ? 2 : is_wet(whole.mesh(), f, water) ? 1 : 0; });
+    return shown;
+}
+
 void print(const char *what, const Hydrostatics &found, const Hydrostatics &of) {
     using workshop::percent;
     std::cout << std::fixed << std::setprecision(2) << std::setw(9) << what << std::setw(9) << found.volume
@@ -167,7 +201,7 @@ void print(const char *what, const Hydrostatics &found, const Hydrostatics &of) 
 
 int main(int argc, char **argv) try {
     CLI::App app("Closes a ship's hull from its table of offsets, and computes its hydrostatics.");
-    std::string input = "-", picture, file;
+    std::string input = "-", picture, file, page;
     std::vector<std::string> names{"station_i", "waterline_j", "x_m", "y_half_breadth_m", "z_m"};
     double water = 0;
     app.add_option("stations", input, "a CSV file, or - for a hull by formula");
@@ -175,6 +209,7 @@ int main(int argc, char **argv) try {
     app.add_option("--draught", water, "the height of the water; 0: 60 % of the lowest deck's");
     app.add_option("--picture", picture, "an SVG file of the hull");
     app.add_option("--mesh", file, "an OFF file of the closed hull");
+    app.add_option("--page", page, "its steps for scripts/page.py, NAME.json and NAME.bin");
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
@@ -252,6 +287,16 @@ int main(int argc, char **argv) try {
         draw(whole, water, {bow / 2, 0, high / 2}, 800 / bow, picture);
     }
     workshop::save(whole.mesh(), file);
+    page::Showcase shown = show(stations, views, whole, water, bow);
+    shown.states = {
+        {"Table", 0, {}, workshop::said(stations.size(), " stations of one side.")},
+        {"Surfaces", 1, {}, workshop::said(views.size(), " pieces: both sides, decks, transom; meshes within ", apart, " m of the smooth surfaces.")},
+        {"Closed", 2, {}, workshop::said("Closed and manifold. It displaces ", std::setprecision(5), mesh.volume, std::setprecision(2),
+                                     " m3 at the draught drawn, ", workshop::percent(mesh.volume, surface.volume),
+                                     " % beside layers of the smooth surface and ", workshop::percent(mesh.volume, table.volume),
+                                     " % beside the table alone; waterplane ", workshop::percent(mesh.area, surface.area), " and ",
+                                     workshop::percent(mesh.area, table.area), " %.")}};
+    workshop::save(shown, page);
     return claims.status();
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';

@@ -1,6 +1,7 @@
-// What all showcases of the workshop need: numbers of meshes, properties that must hold, and files of meshes.
+// What all showcases of the workshop need: numbers of meshes, properties that must hold, files of meshes, and what a page says.
 #pragma once
 
+#include "../page/showcase.hpp"
 #include "../pictures/drawing.hpp"
 
 #include <iomanip>
@@ -125,6 +126,39 @@ inline void save(const MeshView &mesh, const std::string &file) {
 inline void save(pictures::Drawing &drawing, const std::string &file) {
     if (!file.empty() && !drawing.write(file)) {
         throw std::runtime_error("cannot write " + file);
+    }
+}
+
+/// Writes what a page shows, if it was asked for: NAME.json and NAME.bin for scripts/page.py.
+inline void save(const page::Showcase &shown, const std::string &name) {
+    if (!name.empty()) {
+        page::write(name, {shown});
+    }
+}
+
+/// One text of parts; of numbers three digits.
+template <class... Parts>
+std::string said(const Parts &...parts) {
+    std::ostringstream out;
+    out << std::setprecision(3);
+    (out << ... << parts);
+    return out.str();
+}
+
+/// A curve of a page through points.
+inline page::Curve line(std::vector<Point3> points, bool closed, const char *colour, double radius) {
+    return {std::move(points), closed, colour, radius};
+}
+
+/// The borders of a mesh.
+inline void add_borders(page::Body &body, const MeshView &mesh, const char *colour, double radius) {
+    const gusset::Boundary borders(mesh);
+    for (const gusset::Loop border : borders) {
+        std::vector<Point3> points;
+        for (const uint32_t v : border.vertices) {
+            points.push_back(mesh.position(v));
+        }
+        body.curves.push_back(line(std::move(points), true, colour, radius));
     }
 }
 

@@ -1,5 +1,5 @@
 // Joins a body and its hand, which were modelled apart, at the wrist; eyes and mouth stay open.
-//   wrist [body.obj hand.obj] [--picture wrist.svg] [--mesh joined.off]
+//   wrist [body.obj hand.obj] [--picture wrist.svg] [--mesh joined.off] [--page NAME]
 // The body's wrist may have few edges and the hand's many. Without files, or with - for the first, a doll is made by
 // formula, with 6 edges at its wrist and 52 at its hand's. OBJ files have y up.
 #include "workshop.hpp"
@@ -167,17 +167,71 @@ void draw(const std::vector<MeshView> &pieces, const gusset::Assembly &whole, co
     }
     save(drawing, file);
 }
+/// What a joint is, in words.
+std::string account(const gusset_joint &joint, const MeshView &mesh) {
+    const std::size_t cut = joint.intersections.count / 2;
+    return said(joint.side[0].count, " edges to ", joint.side[1].count, " across a gap of ", joint.gap, ", ", joint.face_count,
+                " new faces, smallest angle ", smallest_angle(mesh, joint.face_first), " degrees, pairs of faces that cut: ",
+                joint.intersections_known != 0 ? std::to_string(cut) : "not sought");
+}
+
+/// Before and after for a page, by a strip and by a blend.
+page::Showcase show(const std::vector<MeshView> &pieces) {
+    page::Showcase shown;
+    shown.id = "wrist";
+    shown.title = "A wrist";
+    shown.text = "A body and its hand, which were modelled apart, joined at the wrist; eyes and mouth stay open.";
+    shown.paints = {{"body", "#8fa3b3", 0, 0.5}, {"hand", "#dbcbad", 0, 0.5}, {"joint", "#d99a1c", 0.4, 0.35, true}};
+    shown.eye = {0.35, -1, 0.3};
+    shown.up = {0, 0, 1};
+    shown.pairs = {{0, 2}, {0, 1}, {1, 2}};
+    shown.bodies.resize(1);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        shown.bodies[0].add(pieces[k], [&](std::size_t) { return k; });
+    }
+    shown.states = {{"Apart", 0, {}, "Two meshes; no vertex of them moves."}};
+    for (const gusset::Finish finish : {gusset::Finish::strip, gusset::Finish::blend}) {
+        gusset::AssemblyOptions options;
+        options.strips.finish = finish;
+        const gusset::Assembly whole(pieces, options);
+        std::vector<uint8_t> paint(whole.mesh().face_count(), 2);
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            for (const uint32_t f : gusset::Indices(whole.pieces()[k].faces.data, whole.pieces()[k].faces.count)) {
+                paint[f] = static_cast<uint8_t>(k);
+            }
+        }
+        shown.bodies.emplace_back().add(whole.mesh(), [&](std::size_t f) { return paint[f]; });
+        const gusset_joint &joint = whole.joints()[0];
+        shown.states.push_back({finish == gusset::Finish::strip ? "Strip" : "Blend", shown.bodies.size() - 1, {},
+                                account(joint, whole.mesh()) + '.'});
+        const gusset::Indices rim(joint.side[1].data, joint.side[1].count);
+        Point3 centre{};
+        for (const uint32_t v : rim) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                centre[i] += whole.mesh().position(v)[i] / static_cast<double>(rim.size());
+            }
+        }
+        shown.near_centre = centre;
+        shown.near_eye = shown.eye;
+        for (const uint32_t v : rim) {
+            const Point3 out = minus(whole.mesh().position(v), centre);
+            shown.near_radius = std::max(shown.near_radius, 3 * std::sqrt(dot(out, out)));
+        }
+    }
+    return shown;
+}
 } // namespace
 
 int main(int argc, char **argv) try {
     CLI::App app("Joins a body and its hand at the wrist; eyes and mouth stay open.");
-    std::string first = "-", second, picture, file;
+    std::string first = "-", second, picture, file, page;
     bool blend = false;
     app.add_option("body", first, "an OBJ file, or - for a doll by formula");
     app.add_option("hand", second, "an OBJ file");
     app.add_flag("--blend", blend, "fine triangles on a smooth surface, not the strip");
     app.add_option("--picture", picture, "an SVG file of both before and after");
     app.add_option("--mesh", file, "an OFF file of the result");
+    app.add_option("--page", page, "before and after for scripts/page.py, NAME.json and NAME.bin");
     CLI11_PARSE(app, argc, argv);
 
     Claims claims;
@@ -199,11 +253,7 @@ int main(int argc, char **argv) try {
     }
     std::cout << "joined: ";
     for (const gusset_joint &joint : whole.joints()) {
-        const std::size_t cut = joint.intersections.count / 2;
-        std::cout << joint.side[0].count << " edges to " << joint.side[1].count << " across a gap of " << joint.gap
-                  << ", " << joint.face_count << " new faces, smallest angle "
-                  << smallest_angle(whole.mesh(), joint.face_first) << " degrees, pairs of faces that cut: "
-                  << (joint.intersections_known != 0 ? std::to_string(cut) : "not sought") << '\n';
+        std::cout << account(joint, whole.mesh()) << '\n';
     }
     std::cout << "result: " << whole.mesh().vertex_count() << " vertices, " << whole.mesh().face_count()
               << " faces, Euler characteristic " << euler(whole.mesh()) << ", loops of";
@@ -230,6 +280,9 @@ int main(int argc, char **argv) try {
         draw(pieces, whole, picture);
     }
     save(whole.mesh(), file);
+    if (joined && !page.empty()) {
+        save(show(pieces), page);
+    }
     return claims.status();
 } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';

@@ -1,0 +1,72 @@
+"""Builds the wheel by maturin, after writing the declarations of both headers where maturin looks for them: target/header.h."""
+
+import os
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+HEADERS = ("include/gusset.h", "include/gusset_plugin.h")
+
+
+def declarations(header):
+    """The declarations of a header in C99, for cffi, which has no preprocessor: constants, types and functions."""
+    kept, taken = [], []
+    for line in header.splitlines():
+        if line.startswith("#"):
+            directive = line[1:].split()[0]
+            # Nothing is defined: it is C, of no compiler, on no system.
+            if directive in ("if", "ifdef", "ifndef"):
+                taken.append(directive == "ifndef")
+            elif directive == "else":
+                taken[-1] = not taken[-1]
+            elif directive == "endif":
+                taken.pop()
+            elif all(taken) and re.fullmatch(r"#define GUSSET_\w+ -?\d+", line):
+                kept.append(line)
+        elif all(taken):
+            kept.append(re.sub(r"\bGUSSET_(PLUGIN_)?(API|MUST_USE)\b", "", line))
+    return "\n".join(kept) + "\n"
+
+
+def all_declarations():
+    return "".join(declarations((ROOT / name).read_text("utf-8")) for name in HEADERS)
+
+
+def prepare():
+    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+    target.mkdir(parents=True, exist_ok=True)
+    (target / "header.h").write_text(all_declarations(), "utf-8")
+
+
+def build_wheel(*arguments, **keywords):
+    import maturin
+    prepare()
+    return maturin.build_wheel(*arguments, **keywords)
+
+
+def build_editable(*arguments, **keywords):
+    import maturin
+    prepare()
+    return maturin.build_editable(*arguments, **keywords)
+
+
+def __getattr__(name):
+    import maturin
+    return getattr(maturin, name)
+
+
+def native(library, folder):
+    """Writes the package _native as maturin does, for a library that is built already."""
+    import cffi
+    from cffi import recompiler
+    folder = pathlib.Path(folder) / "_native"
+    folder.mkdir(parents=True, exist_ok=True)
+    ffi = cffi.FFI()
+    ffi.cdef(all_declarations())
+    recompiler.make_py_source(ffi, "ffi", str(folder / "ffi.py"))
+    (folder / "__init__.py").write_text(f"from .ffi import ffi\n\nlib = ffi.dlopen({str(library)!r})\n", "utf-8")
+
+
+if __name__ == "__main__":
+    import sys
+    native(*sys.argv[1:])

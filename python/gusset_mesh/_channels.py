@@ -1,0 +1,60 @@
+"""Values of the elements of several inputs, as the library takes them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._library import constants, ffi, lib
+from .mesh import pointer
+
+Domain = Literal["vertices", "corners", "faces"]
+Rule = Literal["linear", "normal", "skin_weights", "nearest", "texture"]
+
+_RULES = constants("GUSSET_RULE_")
+_DOMAINS = constants("GUSSET_DOMAIN_")
+_TYPES = {np.dtype(name): getattr(lib, f"GUSSET_VALUE_{word}") for name, word in
+          (("f4", "F32"), ("f8", "F64"), ("u1", "U8"), ("u2", "U16"), ("u4", "U32"))}
+#: Other types go the way of these, which hold them exactly; whole numbers up to 2^53.
+_BY_WAY_OF = {"i": np.float64, "u": np.float64, "f": np.float64, "b": np.uint8}
+
+
+def carried(
+    apply: Callable[[Any, Any, int, Any, int], None], struct: str, values: Sequence[Optional[ArrayLike]], count: int, domain: Domain,
+    rule: Rule, max_influences: int = 0
+) -> NDArray[Any]:
+    """The values of ``count`` elements of a result.
+
+    Args:
+        apply: takes a channel, the inputs' values and their number, room for the result and the number of its elements.
+        struct: what the structs' names begin with: the plugin's are the same as the library's.
+        values: one array for each input, or None.
+    """
+    arrays = [None if one is None else np.asarray(one) for one in values]
+    given = [one for one in arrays if one is not None]
+    if not given:
+        raise ValueError("no input has values")
+    dtype, shape = np.result_type(*given), given[0].shape[1:]
+    if any(one.shape[1:] != shape for one in given):
+        raise ValueError(f"values of the inputs have the shapes {', '.join(str(one.shape) for one in given)}")
+    if dtype not in _TYPES and dtype.kind not in _BY_WAY_OF:
+        raise ValueError(f"values have the type {dtype}, which cannot be mixed")
+    used = dtype if dtype in _TYPES else np.dtype(_BY_WAY_OF[dtype.kind])
+    packed = [None if one is None else np.ascontiguousarray(one, used) for one in arrays]
+    inputs = ffi.new(f"struct {struct}_channel_values[]", max(len(packed), 1))
+    for k, one in enumerate(packed):
+        if one is not None:
+            inputs[k].values, inputs[k].count = pointer(one), len(one)
+    channel = ffi.new(f"struct {struct}_channel *")
+    channel.struct_size = ffi.sizeof(f"struct {struct}_channel")
+    channel.domain, channel.value_type, channel.rule = _DOMAINS[domain], _TYPES[used], _RULES[rule]
+    channel.components = int(np.prod(shape, dtype=np.int64))
+    channel.max_influences = max_influences
+    out = np.zeros((count, *shape), used)
+    apply(channel, inputs, len(packed), pointer(out), count)
+    if dtype == used:
+        return out
+    return np.rint(out).astype(dtype) if dtype.kind in "iu" else out.astype(dtype)

@@ -1,0 +1,99 @@
+"""Results that the library keeps: handles, what they lend, and what their elements come from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, ClassVar, Optional
+
+from numpy.typing import ArrayLike, NDArray
+
+from ._call import Progress, call
+from ._channels import Domain, Rule, carried
+from ._library import constants, ffi, lib
+from ._records import Record, filled
+from .errors import error
+from .mesh import Mesh, lent_mesh
+
+def create(
+    kind: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, name: Optional[str] = None, is_short: bool = False
+) -> Any:
+    """Calls ``gusset_<name>_create`` with a context, these arguments and a handle to be made, which is returned."""
+    made = ffi.new(f"struct gusset_{kind} **")
+    call(getattr(lib, f"gusset_{name or kind}_create"), *arguments, made, threads=threads, progress=progress, is_short=is_short)
+    return ffi.gc(made[0], getattr(lib, f"gusset_{kind}_destroy"))
+
+
+class Handle:
+    """Owns a handle of one kind; it is freed with the last that needs it."""
+
+    KIND: ClassVar[str]
+
+    def __init__(self, handle: Any):
+        self._handle = handle
+
+    @cached_property
+    def account(self) -> Record:
+        """What was done: the view of the result in ``gusset.h``."""
+        return filled(getattr(lib, f"gusset_{self.KIND}_get_view"), f"gusset_{self.KIND}_view", self._handle)
+
+    def _lent_mesh(self, function: str) -> Mesh:
+        view = ffi.new("struct gusset_mesh_view *")
+        view.struct_size = ffi.sizeof("struct gusset_mesh_view")
+        status = getattr(lib, function)(self._handle, view)
+        if status != 0:
+            raise error(status, "")
+        return lent_mesh(view, self._handle)
+
+
+class Origins(Handle):
+    """Where the elements of a result come from: of each the sources in the inputs, and how much each counts."""
+
+    KIND = "origins"
+
+    def of(self, domain: Domain) -> Record:
+        """``offsets``, ``sources``, ``weights`` and ``starts`` of vertices, corners or faces."""
+        struct = ffi.new("struct gusset_origins_view *")
+        struct.struct_size = ffi.sizeof("struct gusset_origins_view")
+        status = lib.gusset_origins_get_view(self._handle, constants("GUSSET_DOMAIN_")[domain], struct)
+        if status != 0:
+            raise error(status, "")
+        return Record(struct[0], (struct, self._handle))
+
+    def carry(
+        self, values: Sequence[Optional[ArrayLike]], domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
+    ) -> NDArray[Any]:
+        """The values of the result's elements, of those of the inputs' elements: one array for each input, or None."""
+        count = self.of(domain)._struct.offsets.count - 1
+
+        def apply(channel: Any, inputs: Any, input_count: int, out: Any, room: int) -> None:
+            call(lib.gusset_attributes_apply, self._handle, channel, inputs, input_count, out, room, 0)
+
+        return carried(apply, "gusset", values, count, domain, rule, max_influences)
+
+
+class MeshResult(Handle):
+    """A mesh that was made of others, an account of it, and where its elements come from."""
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The mesh; its arrays are the result's own, and cannot be written to."""
+        return self._lent_mesh(f"gusset_{self.KIND}_get_mesh")
+
+    @cached_property
+    def origins(self) -> Origins:
+        """Where its vertices, corners and faces come from."""
+        return Origins(create("origins", self._handle, name=f"{self.KIND}_origins"))
+
+    def carry(
+        self, values: Any, domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
+    ) -> NDArray[Any]:
+        """The values of the result's elements, of those of the inputs': an array for each input in a list, or one of the only input.
+
+        Elements of one source have its value, bit for bit; new ones mix those of their sources as ``rule`` says.
+        """
+        given = values if isinstance(values, (list, tuple)) else [values]
+        return self.origins.carry(given, domain, rule, max_influences=max_influences)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.mesh.vertex_count} vertices, {self.mesh.face_count} faces>"

@@ -1,0 +1,38 @@
+"""The library that was built with this package, and its constants by name."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+# Written when the wheel is built: see build_backend.py.
+_native: Any = import_module("gusset_mesh._native")
+ffi: Any = _native.ffi
+lib: Any = _native.lib
+
+OK = 0
+#: Numbers of the interface's index and coordinate types.
+F32, F64 = 1, 2
+
+
+def constants(prefix: str) -> dict[str, int]:
+    """What begins with a prefix, by the rest of its name in lower case."""
+    return {
+        name.removeprefix(prefix).lower(): getattr(lib, name)
+        for name in dir(lib)
+        if name.startswith(prefix) and isinstance(getattr(lib, name), int)
+    }
+
+
+def text(pointer: Any) -> str:
+    """What a pointer of the library to a text says; nothing if it is NULL."""
+    return str(ffi.string(pointer).decode("utf-8")) if pointer else ""
+
+
+def holding(pointer: Any, *things: Any) -> Any:
+    """A pointer that keeps what it points to: the things live as long as it does."""
+    return ffi.gc(pointer, lambda _: things)
+
+
+STATUSES = {number: name for name, number in constants("GUSSET_ERROR_").items()}
+ELEMENTS = {number: name for name, number in constants("GUSSET_ELEMENT_").items()}

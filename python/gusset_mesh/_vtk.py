@@ -1,0 +1,76 @@
+"""Meshes of VTK, and the arrays of their points and cells."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._channels import Domain, Rule
+from .mesh import Mesh
+
+
+def _numpy(array: Any) -> NDArray[Any]:
+    from vtkmodules.util import numpy_support
+    convert: Any = numpy_support.vtk_to_numpy
+    found: NDArray[Any] = convert(array)
+    return found
+
+
+def from_polydata(polydata: Any) -> Mesh:
+    """The polygons of a vtkPolyData, or of PyVista's; points are not copied.
+
+    Raises:
+        ValueError: it has triangle strips; ``triangulate()`` makes triangles of them.
+    """
+    if polydata.GetNumberOfStrips():
+        raise ValueError("triangle strips are no polygons: triangulate() makes some of them")
+    polys = polydata.GetPolys()
+    points = _numpy(polydata.GetPoints().GetData()) if polydata.GetPoints() else np.empty((0, 3))
+    offsets, corners = _numpy(polys.GetOffsetsArray()), _numpy(polys.GetConnectivityArray())
+    sizes = np.diff(offsets)
+    if sizes.size and (sizes == sizes[0]).all():
+        return Mesh(points, corners.reshape(-1, int(sizes[0])))
+    return Mesh.from_polygons(points, offsets if offsets.size else np.zeros(1, np.uint32), corners)
+
+
+def _rule(name: str, values: NDArray[Any]) -> Rule:
+    """How values are mixed: directions as such, numbers of things never, all else linearly."""
+    if name.lower().startswith("normal") and values.ndim == 2 and values.shape[1] == 3 and values.dtype.kind == "f":
+        return "normal"
+    return "linear" if values.dtype.kind == "f" or values.dtype == np.uint8 else "nearest"
+
+
+def _arrays(polydata: Any, domain: Domain) -> dict[str, NDArray[Any]]:
+    """The arrays of points, or of the cells that are polygons, by name."""
+    if domain == "vertices":
+        data, first, count = polydata.GetPointData(), 0, polydata.GetNumberOfPoints()
+    else:
+        # Vertices and lines are cells too, and come first.
+        first, count = polydata.GetNumberOfVerts() + polydata.GetNumberOfLines(), polydata.GetNumberOfPolys()
+        data = polydata.GetCellData()
+    found = {}
+    for k in range(data.GetNumberOfArrays()):
+        array = data.GetArray(k)
+        if array is not None and array.GetName():
+            found[array.GetName()] = _numpy(array)[first:first + count]
+    return found
+
+
+def carry_arrays(carry: Callable[..., NDArray[Any]], inputs: Sequence[Any], result: Any) -> Any:
+    """Gives a result the point and cell data of what it was made of."""
+    domains: tuple[Domain, Domain] = ("vertices", "faces")
+    for domain in domains:
+        given = [_arrays(one, domain) for one in inputs]
+        for name in dict.fromkeys(name for arrays in given for name in arrays):
+            values = [arrays.get(name) for arrays in given]
+            shapes = {one.shape[1:] for one in values if one is not None}
+            kinds = np.result_type(*(one.dtype for one in values if one is not None))
+            if len(shapes) != 1 or kinds.kind not in "iufb":
+                continue  # one name for different things
+            first = next(one for one in values if one is not None)
+            made = carry(values, domain, _rule(name, first))
+            (result.point_data if domain == "vertices" else result.cell_data)[name] = made
+    return result

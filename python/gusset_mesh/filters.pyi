@@ -1,0 +1,331 @@
+"""Types of the filters. Written by generate.py; do not edit."""
+
+# fmt: off
+from collections.abc import Sequence
+from typing import Any, Literal, Optional, Union
+
+from ._call import Progress
+from ._plugin import Curves as Curves, Filter as Filter, Outputs as Outputs, Report as Report
+from .mesh import Mesh, MeshLike
+
+CurvesLike = Union[Curves, Any]
+all_filters: dict[str, Filter]
+
+
+def boundary_loops(
+    input_0: MeshLike, /, *, non_manifold: Union[int, Literal['cut', 'stop']] = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface lies to the left of a loop. Where the boundary touches itself it is divided into simple loops."""
+
+
+def stitch(
+    input_0: MeshLike, *inputs: MeshLike, loop_a: int = ..., loop_b: int = ..., meridians: Union[int, Literal['continuation',
+    'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] = ..., orientation:
+    Union[int, Literal['reverse_it', 'refuse', 'ignore']] = ..., twist: int = ..., extent: Union[int, Literal['whole_loops',
+    'facing_arcs', 'automatic']] = ..., run: Union[int, Literal['closest', 'longest']] = ..., tolerance: float = ..., rows:
+    Union[int, Literal['none', 'by_mean_edge', 'given_number']] = ..., row_count: int = ..., cells: Union[int, Literal['triangles',
+    'quads']] = ..., fairing: Union[int, Literal['straight', 'fair']] = ..., finish: Union[int, Literal['strip', 'blend']] = ...,
+    intersections: Union[int, Literal['automatic', 'ignore', 'report']] = ..., outward: bool = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or their facing arcs by a strip. Vertices stay where they are and no face is lost."""
+
+
+def weld(
+    input_0: MeshLike, /, *, vertices: Union[int, Literal['borders', 'all_vertices']] = ..., tolerance: float = ..., collapse:
+    Union[int, Literal['keep', 'collapse']] = ..., unused: Union[int, Literal['keep', 'remove']] = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all coincident vertices are merged, as a triangle soup requires."""
+
+
+def orient(
+    input_0: MeshLike, /, *, outward: Union[int, Literal['majority', 'outwards']] = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Reverses faces until neighbours are consistently oriented, as few as possible in each component. One-sided components, such as a Moebius strip, stay as they are."""
+
+
+def fill_holes(
+    input_0: MeshLike, /, *, inside: Union[int, Literal['rim_only', 'refined', 'refined_and_fair']] = ..., weight: Union[int,
+    Literal['best_continuation', 'area_and_bend', 'largest_bend', 'area']] = ..., max_edges: int = ..., max_length: float = ...,
+    keep: Union[int, Literal['none', 'the_longest', 'borders']] = ..., together: Union[int, Literal['each_by_itself',
+    'all_by_one_patch', 'where_it_costs_less']] = ..., max_diameter: float = ..., max_area: float = ..., intersections: Union[int,
+    Literal['automatic', 'ignore', 'report']] = ..., plan_only: bool = ..., continuity: Union[int, Literal['tangents', 'curvature']]
+    = ..., ignore_creases: bool = ..., outward: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, refined to the density of the surrounding mesh and faired. Vertices stay where they are and no face is lost."""
+
+
+def assemble(
+    input_0: MeshLike, *inputs: MeshLike, weld: Union[int, Literal['sew', 'keep', 'edge_to_edge']] = ..., tolerance: float = ...,
+    max_gap: float = ..., extent: Union[int, Literal['loops_and_parts_of_them', 'whole_loops']] = ..., meridians: Union[int,
+    Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy', 'shortest_meridians', 'least_bend', 'quads']] =
+    ..., rows: Union[int, Literal['none', 'by_mean_edge']] = ..., fairing: Union[int, Literal['straight', 'fair']] = ..., finish:
+    Union[int, Literal['strip', 'blend']] = ..., holes: Union[int, Literal['leave', 'fill', 'fill_refined_and_fair']] = ...,
+    keep_inside_out: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Joins many open pieces to one mesh: overlaps are trimmed on request, coincident borders sewn, orientations made consistent, loops that face each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face none are left as they are."""
+
+
+def outline(
+    input_0: CurvesLike, /, *, curve: Union[int, Literal['composite', 'cubic_spline', 'blend', 'smooth_blend', 'single', 'chain']] =
+    ..., method: Union[int, Literal['bisector', 'median', 'normal', 'symmedian']] = ..., lock: Union[int, Literal['parameter',
+    'own_triangle', 'guide']] = ..., joint: Union[int, Literal['halves', 'knots', 'curvature']] = ..., ends: Union[int,
+    Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., chord_error: float =
+    ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a quadratic section whose control point lies on the bisector, the median or the normal at the point."""
+
+
+def net_shape(
+    *, shape: Union[int, Literal['sphere', 'one_pole_sphere', 'plane', 'tube', 'cylinder', 'cone', 'torus', 'cube', 'moebius_strip',
+    'klein_bottle', 'prism', 'pyramid', 'projective_plane', 'pillow']] = ..., rows: int = ..., columns: int = ..., radius: float =
+    ..., minor_radius: float = ..., height: float = ..., triangles: bool = ..., sides: int = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Makes a standard shape as a quad grid, closed by gluing: rows and columns of faces continue across its seams, and a side contracted to a pole is one vertex."""
+
+
+def deform(
+    input_0: MeshLike, /, *, field: Union[int, Literal['twist', 'taper', 'bend', 'shear', 'spherify']] = ..., axis: Union[int,
+    Literal['z', 'x', 'y']] = ..., amount: float = ..., strength: float = ..., threads: int = ..., progress: Optional[Progress] =
+    ...,
+) -> Mesh:
+    """Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, or projection towards a sphere. Faces are unchanged, and coincident vertices stay coincident."""
+
+
+def smooth_surface(
+    input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., deviation: float = ..., parts: int = ...,
+    triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Draws a smooth surface through the vertices of a quad grid and returns it as a finer mesh, whose vertices lie on the surface and whose faces are within the deviation of it."""
+
+
+def smooth_sections(
+    input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., direction: Sequence[float] = ...,
+    placement: Union[int, Literal['even', 'given']] = ..., number: int = ..., offset: float = ..., distance: float = ...,
+    chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve is missed, and points lie on the surface, not on the quads."""
+
+
+def smooth_silhouette(
+    input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., direction: Sequence[float] = ..., angle:
+    float = ..., chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds where the normals of the smooth surface through the vertices of a quad grid make an angle with a direction: at pi / 2 the silhouettes seen along it, otherwise lines of equal slope."""
+
+
+def smooth_distance(
+    input_0: MeshLike, input_1: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., strength: float = ...,
+    threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Measures the distances of the vertices of a mesh from the smooth surface through the vertices of a quad grid, the second mesh, and moves them towards their nearest points on it."""
+
+
+def check(
+    input_0: MeshLike, /, *, listed: int = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> Report:
+    """Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the number of components, the Euler characteristic and the genus."""
+
+
+def facing_arcs(
+    input_0: CurvesLike, /, *, curve_a: int = ..., curve_b: int = ..., run: Union[int, Literal['closest', 'longest']] = ...,
+    centres: Union[int, Literal['mean_of_the_points', 'mean_of_the_curve']] = ..., tolerance: float = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds the points of two loops that face each other: those on the other loop's side of the plane through their own loop's centre. The arcs that stitching would join come first, then all others."""
+
+
+def strip(
+    input_0: CurvesLike, /, *, meridians: Union[int, Literal['continuation', 'least_area', 'by_index', 'by_arc_length', 'greedy',
+    'shortest_meridians', 'least_bend', 'quads']] = ..., start: Union[int, Literal['automatic', 'closest_pair', 'first_points']] =
+    ..., reversed: bool = ..., rows: Union[int, Literal['none', 'by_mean_edge', 'given_number']] = ..., row_count: int = ..., cells:
+    Union[int, Literal['triangles', 'quads']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Spans a strip of faces between two polylines of one direction that run side by side, both closed or both open."""
+
+
+def net_resample(
+    input_0: MeshLike, /, *, rows: int = ..., columns: int = ..., interpolation: Union[int, Literal['cubic', 'bilinear']] = ...,
+    triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Resamples a quad grid to other numbers of rows and columns, evenly spaced over the old ones. Closed sides stay closed, and poles stay poles."""
+
+
+def net_decimate(
+    input_0: MeshLike, /, *, tolerance: float = ..., triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Removes rows and columns of a quad grid as long as the surface hardly changes, always the one of least cost. The remaining vertices stay where they were."""
+
+
+def net_join(
+    input_0: MeshLike, input_1: MeshLike, *inputs: MeshLike, direction: Union[int, Literal['below', 'right']] = ..., bridge:
+    Union[int, Literal['quads', 'nothing', 'weld']] = ..., tolerance: float = ..., sizes: Union[int, Literal['repeat_evenly',
+    'repeat_the_first', 'repeat_the_last', 'refuse']] = ..., twist: int = ..., turn: bool = ..., triangles: bool = ..., threads: int
+    = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Joins quad grids side by side to one: the rows, or columns, of each follow those of the one before, with a row of new quads between them, or welded. Smaller grids have rows replicated to fit."""
+
+
+def net_measures(
+    input_0: MeshLike, /, *, planarity: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> Report:
+    """Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a closed one also volume, centroid and inertia tensor."""
+
+
+def net_analyse(
+    input_0: MeshLike, input_1: MeshLike, /, *, tolerance: float = ..., listed: int = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as segments of the original grid, and quads that were folded over. Without any the deformation is soft."""
+
+
+def net_lathe(
+    input_0: CurvesLike, /, *, point: Sequence[float] = ..., direction: Sequence[float] = ..., columns: int = ..., rows: int = ...,
+    between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., triangles: bool = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Revolves a curve about an axis: a quad grid whose rows are closed circles, with a pole where the curve meets the axis. Of each point of the curve its height along the axis and its distance from it are used."""
+
+
+def displace(
+    input_0: MeshLike, /, *, distance: float = ..., triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> Mesh:
+    """Moves every vertex of a quad grid along the surface normal, at poles and across seams too; glued vertices stay glued."""
+
+
+def project(
+    input_0: MeshLike, /, *, plane: Sequence[float] = ..., along: Union[int, Literal['normal', 'direction',
+    'lines_through_a_point']] = ..., direction: Sequence[float] = ..., eye: Sequence[float] = ..., strength: float = ..., threads:
+    int = ..., progress: Optional[Progress] = ...,
+) -> Mesh:
+    """Projects the vertices of a mesh onto a plane, along a direction or through a centre, or moves them a fraction of the way. Faces are unchanged."""
+
+
+def curve_measures(
+    input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Report:
+    """Measures curves: length, bounding box and enclosed area. The area of a curve that is not plane is that of its largest projection; an open curve is closed by its chord."""
+
+
+def curve_resample(
+    input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., spacing: Union[int,
+    Literal['number', 'step', 'chord_error']] = ..., number: int = ..., step: float = ..., chord_error: float = ..., threads: int =
+    ..., progress: Optional[Progress] = ...,
+) -> Curves:
+    """Resamples curves: a number of points at equal arc lengths, points at a given spacing, or as few points as keep the polyline within a distance of the curve."""
+
+
+def curve_offset(
+    input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., plane: Sequence[float] =
+    ..., distance: float = ..., chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Draws the offset curves of plane curves, to their left seen against the normal of the plane. Corners are joined by straight segments; where the distance exceeds the radius of curvature the offset intersects itself."""
+
+
+def curve_meet(
+    input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., within: float = ...,
+    threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds where curves intersect, or pass each other within a distance: a curve of one point for each place, midway between the two. Self-intersections of curves in the plane z = 0 are found too."""
+
+
+def curve_nearest(
+    input_0: CurvesLike, input_1: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ...,
+    threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds for each point of the first input the nearest point on any curve of the second, draws the segments between them, and reports their lengths."""
+
+
+def curve_svg(
+    input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., plane: Sequence[float] =
+    ..., downwards: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> Report:
+    """Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth curves are written as Bezier curves."""
+
+
+def loft(
+    input_0: CurvesLike, /, *, nodes: Union[int, Literal['by_arc_length', 'by_number', 'by_angle']] = ..., columns: int = ...,
+    through: Union[int, Literal['nodes', 'curves']] = ..., ring: bool = ..., point: Sequence[float] = ..., direction:
+    Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Draws a smooth surface through consecutive sections of a body, all closed or all open: nodes are placed on the sections, curves are drawn along the body, and the surface through both is returned as a mesh."""
+
+
+def smooth_net(
+    input_0: CurvesLike, *inputs: CurvesLike, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., ring: bool =
+    ..., tolerance: float = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Draws the smooth surface that contains all curves of a network: curves across, and in a second input curves along, each of which meets all of the first in their order. Curves across alone are skinned. The result is a mesh."""
+
+
+def smooth_isophotes(
+    input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., direction: Sequence[float] = ..., number:
+    int = ..., sides: Union[int, Literal['both', 'alike']] = ..., chord_error: float = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Draws isophotes of the smooth surface through the vertices of a quad grid: the curves on which its normals make one of several equally spaced angles with a direction. Where isophotes are not smooth the surface is not fair."""
+
+
+def smooth_intersect(
+    input_0: MeshLike, input_1: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., chord_error: float =
+    ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed; points where the surfaces touch, or branches cross, are resolved; cells where they touch along a curve or coincide are counted as unresolved."""
+
+
+def smooth_line(
+    input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., point: Sequence[float] = ..., direction:
+    Sequence[float] = ..., which: Union[int, Literal['all_of_the_line', 'all_of_the_ray', 'first_of_the_ray']] = ..., threads: int =
+    ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid: a curve of one point for each intersection, with its distance from the given point and the normal. None is missed."""
+
+
+def smooth_curve(
+    input_0: MeshLike, input_1: CurvesLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., between: Union[int,
+    Literal['straight', 'smooth', 'cubic_spline']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each intersection. None is missed."""
+
+
+def smooth_nearest(
+    input_0: MeshLike, input_1: CurvesLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> tuple[Curves, Report]:
+    """Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, draws the segments between them, and reports their lengths."""
+
+
+def sew(
+    input_0: MeshLike, /, *, tolerance: float = ..., unused: Union[int, Literal['keep', 'remove']] = ..., threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Welds borders that lie on one another, also where their vertices do not match: edges are split where vertices of another border lie on them, if the parts then coincide two by two. Triangles with split edges are cut into triangles, larger faces gain corners."""
+
+
+def align(
+    input_0: MeshLike, *inputs: MeshLike, start: Union[int, Literal['as_they_lie', 'principal_axes', 'rims']] = ..., max_distance:
+    float = ..., samples: int = ..., max_rounds: int = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Moves pieces that overlap, or that are parts of one broken surface, rigidly to where they fit, all at once; the first one stays. The result is one mesh of all pieces side by side, not joined. The report says of each piece, counted from 0, whether it can be trusted to lie right, and gives its motion as three rows of four numbers, a rotation and a shift. Normals that vertices carry are not turned with them."""
+
+
+def trim(
+    input_0: MeshLike, *inputs: MeshLike, max_distance: float = ..., max_angle: float = ..., min_faces: int = ..., threads: int =
+    ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Keeps of each overlap of pieces, which must lie where they belong, one piece, and leaves a narrow gap to the others. The result is one mesh of the faces that are kept, side by side and not joined. No vertex moves and no face is cut. The report counts pieces from 0."""
+
+
+def develop(
+    input_0: MeshLike, /, *, distortion: Union[int, Literal['lengths_and_areas', 'as_rigid_as_possible', 'angles']] = ..., darts:
+    int = ..., stretch: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Lays a surface out in the plane: the pattern to cut it from. What is no disc is opened along short paths. A surface that can be unfolded keeps every length; any other one has the least distortion, without folds or overlaps. Darts lower it further."""

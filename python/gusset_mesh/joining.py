@@ -1,0 +1,328 @@
+"""Meshes that come in pieces: their borders, and what joins, mends and checks them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._call import Progress
+from ._handles import Handle, MeshResult, create
+from ._keywords import options as structs
+from ._library import ffi, holding, lib
+from ._options import (AlignOptions, AssemblyOptions, BoundaryOptions, DevelopmentOptions, FillOptions, OrientOptions, StitchOptions, TrimOptions,
+                       Unpack, WeldOptions)
+from ._records import Record, filled, indices_struct
+from .mesh import Mesh, MeshLike, as_mesh, indices_of, of_one_precision, view_of, views_of
+
+__all__ = ["Aligned", "Assembled", "Boundary", "Checked", "Developed", "Filled", "Oriented", "Sewn", "Stitched", "Trimmed", "Welded",
+           "align", "assemble", "boundary_loops", "check", "develop", "fill", "orient", "sew", "stitch", "trim", "weld"]
+
+
+def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
+    """What is made of meshes, by a call of which they are the first arguments."""
+    return create(kind, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=_are_small(meshes))
+
+
+def _are_small(meshes: Sequence[Mesh]) -> bool:
+    return sum(len(mesh.corners) for mesh in meshes) < 3000
+
+
+class Boundary(Handle, Sequence[Record]):
+    """The boundary loops of a mesh: each has ``vertices``, ``half_edges``, ``faces`` and ``length``."""
+
+    KIND = "boundary"
+
+    def __len__(self) -> int:
+        return int(lib.gusset_boundary_loop_count(self._handle))
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [self[k] for k in range(*index.indices(len(self)))]
+        if not -len(self) <= index < len(self):
+            raise IndexError(index)
+        place = index % len(self)
+        return filled(lambda handle, view: lib.gusset_boundary_get_loop(handle, place, view), "gusset_loop_view", self._handle)
+
+    def __iter__(self) -> Iterator[Record]:
+        return (self[k] for k in range(len(self)))
+
+
+def boundary_loops(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[BoundaryOptions]) -> Boundary:
+    """The loops of edges that have one face each, with the surface on their left.
+
+    Args:
+        mesh: a :class:`Mesh`, points and faces, or a mesh of another library.
+        threads: 0 for as many as there are cores; results do not depend on it.
+        progress: called with the part done and what is being done; what it raises cancels, as Ctrl-C does.
+        options: see :class:`~gusset_mesh.BoundaryOptions`.
+
+    Raises:
+        InputError: the mesh cannot be used; ``element`` and ``index`` say what is wrong.
+
+    >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
+    >>> [loop.vertices.tolist() for loop in boundary_loops(square)]
+    [[0, 1, 2, 3]]
+    """
+    return Boundary(_create("boundary", [as_mesh(mesh)], structs("boundary_options", options), threads=threads, progress=progress))
+
+
+class Checked(Handle):
+    """What a mesh is: ``account`` has the elements at fault."""
+
+    KIND = "check"
+
+    def _has(self, bit: str) -> bool:
+        return bool(self.account.properties & getattr(lib, f"GUSSET_MESH_{bit}"))
+
+    @property
+    def is_manifold(self) -> bool:
+        """No edge has three faces or more, and no vertex several fans."""
+        return self._has("MANIFOLD")
+
+    @property
+    def is_oriented(self) -> bool:
+        """Neighbouring faces run the same way."""
+        return self._has("ORIENTED")
+
+    @property
+    def is_closed(self) -> bool:
+        """Every edge has two faces."""
+        return self._has("CLOSED")
+
+    def __repr__(self) -> str:
+        said = [word for word, holds in (("manifold", self.is_manifold), ("oriented", self.is_oriented), ("closed", self.is_closed)) if holds]
+        return f"<Checked: {', '.join(said) or 'none of manifold, oriented, closed'}>"
+
+
+def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Checked:
+    """Whether a mesh is manifold, oriented and closed, and where it is not.
+
+    >>> check(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+    <Checked: manifold, oriented>
+    """
+    return Checked(_create("check", [as_mesh(mesh)], threads=threads, progress=progress))
+
+
+class Welded(MeshResult):
+    """A mesh whose vertices that lay together are one."""
+
+    KIND = "weld"
+
+
+def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Welded:
+    """Makes vertices that lie together one; ``tolerance=0.1`` says how near, else no farther than rounding can have put them.
+
+    >>> apart = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [3, 4, 5]]
+    >>> weld(apart, unused="remove").mesh.vertex_count
+    4
+    """
+    return Welded(_create("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+
+
+class Sewn(MeshResult):
+    """A mesh whose borders that lay together are joined, edges split where they had to be."""
+
+    KIND = "sew"
+
+
+def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Sewn:
+    """Joins borders that lie together although their vertices do not match: edges are split.
+
+    >>> long = [[0, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2]]
+    >>> short = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, -1, 0]], [[1, 0, 3], [2, 1, 3]]
+    >>> both = long[0] + short[0], long[1] + [[v + 3 for v in face] for face in short[1]]
+    >>> sew(both, unused="remove").account.splits
+    1
+    """
+    return Sewn(_create("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+
+
+class Oriented(MeshResult):
+    """A mesh whose faces run the same way within each component."""
+
+    KIND = "orient"
+
+
+def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OrientOptions]) -> Oriented:
+    """Turns over faces so that neighbours run the same way; ``outward="closed"``: closed components face outwards.
+
+    >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).account.turned_faces
+    1
+    """
+    return Oriented(_create("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
+
+
+def _loops(loops: Sequence[ArrayLike]) -> Any:
+    arrays = [indices_of(loop, "a loop").reshape(-1) for loop in loops]
+    return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays]), arrays) if arrays else ffi.NULL
+
+
+class Stitched(MeshResult):
+    """Two rims and what joins them."""
+
+    KIND = "stitch"
+
+    @cached_property
+    def strip(self) -> Mesh:
+        """The strip alone."""
+        return self._lent_mesh("gusset_stitch_get_strip")
+
+    @cached_property
+    def quality(self) -> Record:
+        """Measures of the strip and of the result."""
+        return filled(lib.gusset_stitch_get_quality, "gusset_quality_report", self._handle)
+
+
+def stitch(
+    a: MeshLike, b: Optional[MeshLike] = None, *, loop_a: Optional[ArrayLike] = None, loop_b: Optional[ArrayLike] = None, threads: int = 0,
+    progress: Optional[Progress] = None, **options: Unpack[StitchOptions]
+) -> Stitched:
+    """Joins two boundary loops by a strip of faces, or by a blend that goes on both surfaces smoothly (``finish="blend"``).
+
+    Args:
+        a: the first mesh.
+        b: the second one, or None for two loops of the first.
+        loop_a: the vertices of the first loop; None: the only loop of ``a``, or the nearest ones.
+        loop_b: those of the second.
+        threads, progress: as for :func:`boundary_loops`.
+        options: see :class:`~gusset_mesh.StitchOptions`.
+
+    >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [.5, .5, -1]], [[0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]]
+    >>> above = [[x, y, 2 - z] for x, y, z in square[0]], [face[::-1] for face in square[1]]
+    >>> joined = stitch(square, above, outward="closed")
+    >>> joined.mesh.face_count, check(joined.mesh).is_closed
+    (16, True)
+    """
+    of = [ffi.NULL if loop is None else _loops([loop]) for loop in (loop_a, loop_b)]
+    meshes = of_one_precision([a] if b is None else [a, b])
+    views = [view_of(mesh) for mesh in meshes]
+    return Stitched(create("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
+                           threads=threads, progress=progress, is_short=_are_small(meshes)))
+
+
+class Filled(MeshResult):
+    """A mesh whose holes are filled."""
+
+    KIND = "fill"
+
+    @property
+    def holes(self) -> NDArray[Any]:
+        """An account of each loop that was looked at."""
+        found: NDArray[Any] = self.account.holes
+        return found
+
+    @cached_property
+    def quality(self) -> Record:
+        """Measures of the new faces and of the result."""
+        return filled(lib.gusset_fill_get_quality, "gusset_quality_report", self._handle)
+
+
+def fill(
+    mesh: MeshLike, loops: Optional[Sequence[ArrayLike]] = None, *, threads: int = 0, progress: Optional[Progress] = None,
+    **options: Unpack[FillOptions]
+) -> Filled:
+    """Fills holes: all loops, or those given by their vertices.
+
+    ``refine="rim_density", fairing="thin_plate"`` makes patches as fine as their rims that go on the surface round them.
+
+    >>> cone = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]]
+    >>> check(fill(cone).mesh).is_closed
+    True
+    """
+    given = _loops(loops) if loops is not None else ffi.NULL
+    return Filled(_create("fill", [as_mesh(mesh)], given, 0 if loops is None else len(loops), structs("fill_options", options),
+                         threads=threads, progress=progress))
+
+
+class Assembled(MeshResult):
+    """Many pieces in one mesh."""
+
+    KIND = "assembly"
+
+    @property
+    def joints(self) -> list[Record]:
+        """The pairs of loops that face each other, and what became of them."""
+        found: list[Record] = self.account.joints
+        return found
+
+
+def assemble(
+    pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AssemblyOptions]
+) -> Assembled:
+    """Joins many pieces: borders that lie together are welded, those that face each other joined by strips.
+
+    ``fill=True`` fills what holes are left; ``overlaps="trim"`` keeps one of surfaces that lie on one another, as scans do.
+
+    >>> left = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]], [[0, 1, 4, 3], [1, 2, 5, 4]]
+    >>> right = [[x + 2, y, z] for x, y, z in left[0]], left[1]
+    >>> assemble([left, right]).account.welded_vertices
+    2
+    """
+    given = of_one_precision(pieces)
+    return Assembled(_create("assembly", given, len(given), structs("assembly_options", options), threads=threads, progress=progress))
+
+
+class Aligned(Handle):
+    """Motions that bring pieces onto one another."""
+
+    KIND = "alignment"
+
+    @cached_property
+    def poses(self) -> NDArray[np.float64]:
+        """(pieces, 4, 4): what moves each piece, as a matrix that points are multiplied by from the left."""
+        made = np.zeros((self.account.piece_count, 4, 4))
+        for pose, piece in zip(made, self.account.pieces["pose"]["rows"]):
+            pose[:3] = piece.reshape(3, 4)
+            pose[3, 3] = 1
+        return made
+
+    def moved(self, pieces: Sequence[MeshLike]) -> list[Mesh]:
+        """The pieces where they belong."""
+        out = []
+        for pose, mesh in zip(self.poses, map(as_mesh, pieces)):
+            out.append(mesh.with_points(mesh.points @ pose[:3, :3].T + pose[:3, 3]))
+        return out
+
+
+def align(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AlignOptions]) -> Aligned:
+    """Turns and shifts pieces so that their overlaps fit; the first one stays."""
+    given = of_one_precision(pieces)
+    return Aligned(_create("alignment", given, len(given), structs("alignment_options", options), threads=threads, progress=progress))
+
+
+class Trimmed(Handle):
+    """Which faces of overlapping pieces stay."""
+
+    KIND = "trim"
+
+
+def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[TrimOptions]) -> Trimmed:
+    """Of surfaces that lie on one another one stays: which faces of each piece do is in ``account``."""
+    given = of_one_precision(pieces)
+    return Trimmed(_create("trim", given, len(given), structs("trim_options", options), threads=threads, progress=progress))
+
+
+class Developed(MeshResult):
+    """A surface laid out flat."""
+
+    KIND = "development"
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 2): the vertices in the plane."""
+        found: NDArray[np.float64] = self.account.points
+        return found
+
+
+def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopmentOptions]) -> Developed:
+    """Lays a surface out flat: cut along ``cuts``, unfolded where it can be, else with the least distortion.
+
+    >>> roof = [[0, 0, 0], [0, 2, 0], [1, 0, 1], [1, 2, 1], [2, 0, 0], [2, 2, 0]], [[0, 2, 3, 1], [2, 4, 5, 3]]
+    >>> float(develop(roof).account.stretches.max().round(9))
+    1.0
+    """
+    return Developed(_create("development", [as_mesh(mesh)], structs("development_options", options), threads=threads, progress=progress))

@@ -1,0 +1,241 @@
+"""Polygon meshes: numpy arrays that the library reads where they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._library import F32, F64, ffi, holding
+from ._records import lent
+
+__all__ = ["Mesh", "MeshLike", "as_mesh"]
+
+_SCALARS = {np.dtype(np.float32): F32, np.dtype(np.float64): F64}
+
+
+def points_of(values: ArrayLike) -> NDArray[Any]:
+    """Points as the library reads them: 32- or 64-bit floats, x, y, z together; the same array where it can be."""
+    array = np.asarray(values)
+    if array.dtype not in _SCALARS:
+        array = array.astype(np.float64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"points have the shape {array.shape}, not (n, 3)")
+    rows, step = array.strides
+    if array.size and (step != array.itemsize or rows < 3 * array.itemsize):
+        array = np.ascontiguousarray(array)
+    return array
+
+
+def indices_of(values: ArrayLike, what: str = "indices") -> NDArray[np.uint32]:
+    """Whole numbers as 32-bit ones without a sign, in a row; the same array where it can be."""
+    array = np.asarray(values)
+    if array.dtype == np.int32:
+        # A negative one is too large then, which the library says with its place.
+        array = array.view(np.uint32) if array.flags.c_contiguous else np.ascontiguousarray(array).view(np.uint32)
+    elif array.dtype != np.uint32:
+        if array.size and array.dtype.kind not in "iu":
+            raise ValueError(f"{what} are of the type {array.dtype}, not whole numbers")
+        if array.size and (array.min() < 0 or array.max() >= 2**32):
+            bad = int(np.flatnonzero((array < 0) | (array >= 2**32))[0])
+            raise ValueError(f"{what}: number {bad} is {array.flat[bad]}, which is no index")
+        array = array.astype(np.uint32)
+    return np.ascontiguousarray(array)
+
+
+class Mesh:
+    """A polygon mesh: points, and faces that run through them.
+
+    Args:
+        points: (n, 3); arrays of 32- or 64-bit floats whose rows are packed are not copied.
+        faces: (m, k) for m faces of k corners, or a sequence of faces of any number of corners; whole numbers from 0.
+            Arrays of 32-bit whole numbers are not copied.
+        merge: for each vertex the one that it is one with, or None: vertices that are kept apart at seams.
+
+    >>> quad = Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
+    >>> quad.vertex_count, quad.face_count
+    (4, 1)
+    """
+
+    __slots__ = ("points", "corners", "offsets", "face_size", "merge", "__weakref__")
+
+    #: (n, 3).
+    points: NDArray[Any]
+    #: The vertex at each corner, face after face.
+    corners: NDArray[np.uint32]
+    #: Where each face begins among the corners, and the end of the last; None if all have ``face_size`` corners.
+    offsets: Optional[NDArray[np.uint32]]
+    #: The number of corners of all faces, or 0.
+    face_size: int
+    merge: Optional[NDArray[np.uint32]]
+
+    def __init__(self, points: ArrayLike, faces: Union[ArrayLike, Iterable[Sequence[int]]], *, merge: Optional[ArrayLike] = None):
+        self.points = points_of(points)
+        self.offsets = None
+        self.face_size = 0
+        try:
+            array = np.asarray(faces)
+        except ValueError:  # faces of different sizes
+            array = np.empty(0, object)
+        if array.ndim == 2 and array.dtype != object:
+            self.corners = indices_of(array, "faces").reshape(-1)
+            self.face_size = array.shape[1]
+        elif array.dtype == object or array.size == 0:
+            lists = [indices_of(face, "faces").reshape(-1) for face in faces]  # type: ignore[union-attr]
+            self.offsets = np.zeros(len(lists) + 1, np.uint32)
+            np.cumsum([len(face) for face in lists], out=self.offsets[1:])
+            self.corners = np.concatenate(lists) if lists else np.empty(0, np.uint32)
+        else:
+            raise ValueError(f"faces have the shape {array.shape}, not (m, k)")
+        self._merged(merge)
+
+    @classmethod
+    def from_polygons(cls, points: ArrayLike, offsets: ArrayLike, corners: ArrayLike, *, merge: Optional[ArrayLike] = None) -> Mesh:
+        """Of faces in a row: face f has the corners ``offsets[f]`` to ``offsets[f + 1] - 1``."""
+        made = cls.__new__(cls)
+        made.points = points_of(points)
+        made.offsets = indices_of(offsets, "offsets")
+        made.corners = indices_of(corners, "corners").reshape(-1)
+        made.face_size = 0
+        if made.offsets.size == 0 or made.offsets[-1] > made.corners.size:
+            raise ValueError("the last of the offsets is not the number of corners")
+        made._merged(merge)
+        return made
+
+    def _merged(self, merge: Optional[ArrayLike]) -> None:
+        self.merge = None if merge is None else indices_of(merge, "merge")
+        if self.merge is not None and self.merge.shape != (len(self.points),):
+            raise ValueError(f"merge has the shape {self.merge.shape}, not ({len(self.points)},)")
+
+    @property
+    def vertex_count(self) -> int:
+        return len(self.points)
+
+    @property
+    def face_count(self) -> int:
+        if self.offsets is not None:
+            return len(self.offsets) - 1
+        return len(self.corners) // self.face_size if self.face_size else 0
+
+    @property
+    def faces(self) -> Union[NDArray[np.uint32], list[NDArray[np.uint32]]]:
+        """(m, k) if all faces have k corners, else a list of arrays."""
+        if self.offsets is None:
+            return self.corners.reshape(-1, self.face_size) if self.face_size else self.corners.reshape(-1, 3)
+        sizes = np.diff(self.offsets)
+        if sizes.size and (sizes == sizes[0]).all():
+            return self.corners.reshape(-1, int(sizes[0]))
+        return np.split(self.corners, self.offsets[1:-1]) if sizes.size else []
+
+    def triangles(self) -> NDArray[np.uint32]:
+        """(m, 3): polygons are cut into triangles from their first corners."""
+        if self.offsets is None and self.face_size == 3:
+            return self.corners.reshape(-1, 3)
+        offsets = self.offsets if self.offsets is not None else np.arange(self.face_count + 1, dtype=np.uint32) * self.face_size
+        parts = np.diff(offsets).astype(np.int64) - 2
+        face = np.repeat(np.arange(len(parts)), parts)
+        place = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+        first = offsets[:-1].astype(np.int64)[face]
+        return np.stack([self.corners[first], self.corners[first + place + 1], self.corners[first + place + 2]], axis=1)
+
+    def with_points(self, points: ArrayLike) -> Mesh:
+        """The same faces through other points."""
+        made = Mesh.__new__(Mesh)
+        made.points = points_of(points)
+        made.corners, made.offsets, made.face_size, made.merge = self.corners, self.offsets, self.face_size, self.merge
+        return made
+
+    def __repr__(self) -> str:
+        return f"<Mesh of {self.vertex_count} vertices and {self.face_count} faces>"
+
+
+#: What is taken for a mesh: a :class:`Mesh`, points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh.
+MeshLike = Union[Mesh, tuple[Any, Any], Any]
+
+
+def as_mesh(given: MeshLike) -> Mesh:
+    """A mesh of another library, or of points and faces, without a copy of what need not be copied.
+
+    >>> as_mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+    <Mesh of 3 vertices and 1 faces>
+    """
+    if isinstance(given, Mesh):
+        return given
+    if isinstance(given, (tuple, list)) and len(given) == 2:
+        return Mesh(*given)
+    if hasattr(given, "GetPolys"):  # vtkPolyData, and so PyVista's
+        from ._vtk import from_polydata
+        return from_polydata(given)
+    if callable(getattr(given, "face_vertex_indices", None)):  # OpenMesh
+        faces = given.face_vertex_indices()
+        return Mesh(given.points(), faces if (faces >= 0).all() else [face[face >= 0] for face in faces])
+    for points, faces in (("vertices", "faces"), ("vertices", "triangles")):  # trimesh; Open3D
+        if hasattr(given, points) and hasattr(given, faces):
+            return Mesh(np.asarray(getattr(given, points)), np.asarray(getattr(given, faces)))
+    if hasattr(given, "points") and hasattr(given, "cells"):  # meshio
+        kept = [np.asarray(block.data) for block in given.cells if block.type in ("triangle", "quad", "polygon")]
+        return Mesh(given.points, kept[0] if len(kept) == 1 else [face for block in kept for face in block])
+    raise TypeError(f"{type(given).__name__} is no mesh: points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh")
+
+
+def pointer(array: Optional[NDArray[Any]]) -> Any:
+    """Where an array is; NULL for none."""
+    return ffi.NULL if array is None else ffi.cast("void *", array.__array_interface__["data"][0])
+
+
+def fill_view(view: Any, mesh: Mesh) -> None:
+    """Makes a gusset_mesh_view, or the same of a plugin, that of a mesh, which must stay alive."""
+    # Arrays of none have addresses too: a mesh without faces is told from one without an array of them.
+    view.struct_size = ffi.sizeof(ffi.typeof(view).item if ffi.typeof(view).kind == "pointer" else ffi.typeof(view))
+    view.positions = pointer(mesh.points)
+    view.position_stride = mesh.points.strides[0] if mesh.points.size else 0
+    view.vertex_count = len(mesh.points)
+    view.face_offsets = pointer(mesh.offsets)
+    view.face_corners = pointer(mesh.corners)
+    view.face_count = mesh.face_count
+    view.scalar = _SCALARS[mesh.points.dtype]
+    view.face_size = mesh.face_size if mesh.offsets is None else 0
+    view.merge = pointer(mesh.merge)
+
+
+def view_of(mesh: Mesh) -> Any:
+    """A gusset_mesh_view of a mesh, which it keeps."""
+    view = ffi.new("struct gusset_mesh_view *")
+    fill_view(view, mesh)
+    return holding(view, mesh)
+
+
+def of_one_precision(given: Iterable[MeshLike]) -> list[Mesh]:
+    """Meshes; if some have 64-bit points, 32-bit ones of others become such."""
+    meshes = [as_mesh(one) for one in given]
+    wide = np.dtype(np.float64)
+    if len({mesh.points.dtype for mesh in meshes}) > 1:
+        meshes = [mesh if mesh.points.dtype == wide else mesh.with_points(mesh.points.astype(wide)) for mesh in meshes]
+    return meshes
+
+
+def views_of(meshes: Sequence[Mesh]) -> Any:
+    """The same of several in a row."""
+    views = ffi.new("struct gusset_mesh_view[]", len(meshes))
+    for k, mesh in enumerate(meshes):
+        fill_view(ffi.addressof(views, k), mesh)
+    return holding(views, meshes)
+
+
+def lent_mesh(view: Any, owner: object) -> Mesh:
+    """The mesh of a view that the library filled: its arrays are not copied and keep their owner."""
+    made = Mesh.__new__(Mesh)
+    dtype = np.float32 if view.scalar == F32 else np.float64
+    made.points = lent(view.positions, (view.vertex_count, 3), dtype, owner)
+    made.face_size = 0
+    made.merge = lent(view.merge, (view.vertex_count,), np.uint32, owner) if view.merge else None
+    if view.face_offsets:
+        made.offsets = lent(view.face_offsets, (view.face_count + 1,), np.uint32, owner)
+        count = int(made.offsets[-1])
+    else:
+        made.offsets, made.face_size = None, view.face_size
+        count = view.face_count * view.face_size
+    made.corners = lent(view.face_corners, (count,), np.uint32, owner)
+    return made

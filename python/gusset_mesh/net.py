@@ -1,0 +1,171 @@
+"""Regular nets of quads: rows and columns of nodes, whose sides may be glued."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, Literal, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._call import Progress, call
+from ._handles import Handle, MeshResult, create
+from ._keywords import options as structs
+from ._library import constants, ffi, lib
+from ._options import JoinOptions, NetMeshOptions, Unpack
+from ._records import Record, filled, lent
+from .mesh import MeshLike, as_mesh, pointer, view_of
+
+__all__ = ["Net", "NetMesh"]
+
+_SIDES = constants("GUSSET_SIDES_")
+_TURNS = constants("GUSSET_DIRECTION_")
+_BETWEEN = constants("GUSSET_INTERPOLATION_")
+
+#: What becomes of the sides of a net; several words for several.
+Sides = Literal["sheet", "tube", "torus", "two_poles", "one_pole", "rows_closed", "columns_closed", "pole_top", "pole_bottom", "pole_left", "pole_right"]
+
+
+class NetMesh(MeshResult):
+    """The faces of a net."""
+
+    KIND = "net_mesh"
+
+
+class Net(Handle):
+    """A regular net.
+
+    Args:
+        nodes: (rows, columns, 3), 32- or 64-bit floats; NaN where a node is missing.
+        sides: what is glued, as ``"torus"`` or ``["rows_closed", "pole_top"]``.
+
+    >>> import numpy as np
+    >>> u, v = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 2, 9), indexing="ij")
+    >>> plane = Net(np.stack([u, v, 0 * u], axis=2))
+    >>> plane.measure().area, plane.mesh().mesh.face_count
+    (2.0, 32)
+    """
+
+    KIND = "net"
+
+    def __init__(self, nodes: ArrayLike, sides: Union[Sides, Sequence[Sides]] = "sheet"):
+        array = np.asarray(nodes)
+        if array.dtype not in (np.float32, np.float64):
+            array = array.astype(np.float64)
+        if array.ndim != 3 or array.shape[2] != 3:
+            raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
+        if array.size and min(array.strides) <= 0:
+            array = np.ascontiguousarray(array)
+        view = ffi.new("struct gusset_net_view *")
+        view.struct_size = ffi.sizeof("struct gusset_net_view")
+        view.rows, view.columns = array.shape[:2]
+        if array.size:
+            start = array.ctypes.data
+            view.x, view.y, view.z = (ffi.cast("void *", start + k * array.strides[2]) for k in range(3))
+            view.row_stride, view.column_stride = array.strides[:2]
+        view.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
+        glued = ffi.new("struct gusset_net_gluing *")
+        glued.struct_size = ffi.sizeof("struct gusset_net_gluing")
+        for word in [sides] if isinstance(sides, str) else sides:
+            if word not in _SIDES:
+                raise ValueError(f"sides is {word!r}: there are {', '.join(map(repr, _SIDES))}")
+            glued.sides |= _SIDES[word]
+        super().__init__(create("net", view, glued))
+
+    @classmethod
+    def _of(cls, handle: Any) -> Net:
+        made = cls.__new__(cls)
+        Handle.__init__(made, handle)
+        return made
+
+    @classmethod
+    def from_heights(
+        cls, heights: ArrayLike, spacing: Sequence[float] = (1.0, 1.0), origin: Sequence[float] = (0.0, 0.0, 0.0),
+        no_data: Optional[float] = None
+    ) -> Net:
+        """A net over a grid of heights (rows, columns); NaN, or ``no_data``, is missing."""
+        array = np.asarray(heights)
+        if array.dtype not in (np.float32, np.float64):
+            array = array.astype(np.float64)
+        if array.ndim != 2:
+            raise ValueError(f"heights have the shape {array.shape}, not (rows, columns)")
+        if array.size and (array.strides[1] != array.itemsize or array.strides[0] < array.shape[1] * array.itemsize):
+            array = np.ascontiguousarray(array)
+        given = ffi.new("struct gusset_heights *")
+        given.struct_size = ffi.sizeof("struct gusset_heights")
+        given.rows, given.columns = array.shape
+        given.values, given.row_stride = pointer(array), array.strides[0] if array.size else 0
+        given.spacing, given.origin = list(spacing), list(origin)
+        if no_data is not None:
+            given.no_data, given.has_no_data = no_data, 1
+        given.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
+        return cls._of(create("net", given, name="net_from_heights"))
+
+    @classmethod
+    def from_mesh(cls, mesh: MeshLike, face: int = 0) -> Net:
+        """The net that the quads of a mesh are, from a face on."""
+        grid = create("net_grid", view_of(as_mesh(mesh)), face)
+        return cls._of(create("net", grid, name="net_grid_net"))
+
+    @cached_property
+    def account(self) -> Record:
+        return filled(lib.gusset_net_get_view, "gusset_net_view", self._handle)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns of nodes."""
+        return int(self.account.rows), int(self.account.columns)
+
+    @property
+    def nodes(self) -> NDArray[Any]:
+        """(rows, columns, 3): a copy of the nodes."""
+        view = self.account._struct
+        dtype = np.dtype(np.float32 if view.scalar == lib.GUSSET_F32 else np.float64)
+        rows, columns = self.shape
+        across = view.column_stride or dtype.itemsize
+        down = view.row_stride or columns * across
+        out = np.empty((rows, columns, 3), dtype)
+        for k, start in enumerate((view.x, view.y, view.z)):
+            span = ((rows - 1) * down + (columns - 1) * across) // dtype.itemsize + 1
+            flat = lent(start, (span,), dtype, self._handle)
+            out[..., k] = np.lib.stride_tricks.as_strided(flat, (rows, columns), (down, across), writeable=False)
+        return out
+
+    def measure(self) -> Record:
+        """Its area, volume, area vector and box."""
+        made = ffi.new("struct gusset_net_measure_report *")
+        made.struct_size = ffi.sizeof("struct gusset_net_measure_report")
+        call(lib.gusset_net_measure, self._handle, made)
+        return Record(made[0], made)
+
+    def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
+        """Its faces, as quads or triangles, nodes that are glued as one vertex."""
+        return NetMesh(create("net_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
+
+    def resampled(self, rows: int, columns: int, interpolation: Literal["bicubic", "bilinear"] = "bicubic") -> Net:
+        """The same shape with other numbers of rows and columns."""
+        return self._of(create("net", self._handle, rows, columns, _BETWEEN[interpolation], name="net_resample"))
+
+    def transposed(self) -> Net:
+        """Rows as columns."""
+        return self._of(create("net", self._handle, name="net_transpose"))
+
+    def flipped(self, direction: Literal["right", "down"] = "right") -> Net:
+        """Columns, or rows, in the reverse order."""
+        return self._of(create("net", self._handle, _TURNS[direction], name="net_flip"))
+
+    def displaced(self, distance: float) -> Net:
+        """A copy, moved along its normals."""
+        copy = self._of(create("net", self._handle, name="net_clone"))
+        call(lib.gusset_net_displace, copy._handle, float(distance))
+        return copy
+
+    @classmethod
+    def concatenate(cls, nets: Sequence[Net], **options: Unpack[JoinOptions]) -> Net:
+        """Nets beside one another, with bridges between them."""
+        handles = ffi.new("struct gusset_net *[]", [net._handle for net in nets])
+        return cls._of(create("net", handles, len(nets), structs("join_options", options), name="net_concatenate"))
+
+    def __repr__(self) -> str:
+        return f"<Net of {self.shape[0]} x {self.shape[1]} nodes>"
