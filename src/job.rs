@@ -5,7 +5,7 @@ use crate::reserve;
 use std::ops::{ControlFlow, Range};
 
 /// Elements of simple work that are done within a few milliseconds.
-const ELEMENTS_PER_REPORT: usize = 1 << 19;
+const ELEMENTS_PER_REPORT: usize = 1 << 17;
 
 /// Receives progress and notes. All calls come from the thread that started the computation.
 pub trait Progress {

@@ -121,15 +121,36 @@ impl<T: Copy> Buckets<T> {
     /// Puts items, fewer than 2^32, each into the bucket named with it, of `count`; within a bucket
     /// they keep their order. `blank` fills memory until then. O(items + count).
     pub(crate) fn new(count: usize, blank: T, given: impl Iterator<Item = (usize, T)> + Clone) -> Result<Self> {
+        Buckets::new_cancellable(count, blank, given, &Job::default(), "")
+    }
+
+    /// The same of so many that a host would wait.
+    pub(crate) fn new_cancellable(
+        count: usize,
+        blank: T,
+        given: impl Iterator<Item = (usize, T)> + Clone,
+        job: &Job<'_>,
+        stage: &'static str,
+    ) -> Result<Self> {
+        let job = job.part(0.0, 0.0);
         // Counted two buckets further on, so that the sums are the starts of buckets one further on
         // while they are filled.
         let mut start = alloc::filled(0u32, count + 2)?;
-        given.clone().for_each(|(bucket, _)| start[bucket + 2] += 1);
+        for (k, (bucket, _)) in given.clone().enumerate() {
+            job.step_within(k, stage)?;
+            start[bucket + 2] += 1;
+        }
         for bucket in 2..count + 2 {
             start[bucket] += start[bucket - 1];
         }
-        let mut items = alloc::filled(blank, start[count + 1] as usize)?;
-        for (bucket, item) in given {
+        let total = start[count + 1] as usize;
+        let mut items = alloc::with_capacity(total)?;
+        job.ranges(stage, total, |range| {
+            items.resize(range.end, blank);
+            Ok(())
+        })?;
+        for (k, (bucket, item)) in given.enumerate() {
+            job.step_within(k, stage)?;
             let place = &mut start[bucket + 1];
             items[*place as usize] = item;
             *place += 1;

@@ -52,7 +52,7 @@ impl ChartMesh {
         let vertices = split.vertices[chart].clone();
         let first = vertices.start;
         let at = |v: u32| mesh.positions().get(split.vertex_map[v as usize]) / unit;
-        let points = alloc::collect(vertices.map(at))?;
+        let points = alloc::collect_cancellable(vertices.map(at), &job.part(0.0, 0.0), STAGE)?;
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         let (mut corners, mut own, mut sides) = (Vec::new(), Vec::new(), Vec::<Side>::new());
         for (k, &f) in (0..).zip(split.faces.get(chart)) {
@@ -78,12 +78,14 @@ impl ChartMesh {
                 alloc::push(&mut faces, k)?;
             }
         }
+        job.step(1.0, STAGE)?;
         let at = |t: &[u32; 3]| t.map(|v| points[v as usize]);
         let perimeter = |[a, b, c]: [DVec3; 3]| a.distance(b) + b.distance(c) + c.distance(a);
         let mean = triangles.iter().map(|t| perimeter(at(t))).sum::<f64>() / (3 * triangles.len()) as f64;
         // A chart that is a point has no mean edge; in the unit the surface is about 1.
         let least = MIN_HEIGHT * mean.max(MIN_HEIGHT);
-        let shapes = alloc::collect(triangles.iter().map(|t| shape(at(t), least)))?;
+        let shapes = triangles.iter().map(|t| shape(at(t), least));
+        let shapes = alloc::collect_cancellable(shapes, &job.part(1.0, 1.0), STAGE)?;
         job.step(1.0, STAGE)?;
         let across = neighbours(sides, &job.part(1.0, 1.0))?;
         job.step(1.0, STAGE)?;

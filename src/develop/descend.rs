@@ -131,6 +131,7 @@ fn assemble(
     let whole = chart.area();
     let mut trace = 0.0;
     system.clear();
+    job.step(0.0, STAGE)?;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));

@@ -80,7 +80,9 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     }
     job.step(0.0, STAGE)?;
     let corners = 0..mesh.faces().half_edge_count() as u32;
-    let points = alloc::collect(corners.map(|h| mesh.positions().get(mesh.faces().corner(h))))?;
+    let points = corners.map(|h| mesh.positions().get(mesh.faces().corner(h)));
+    let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
+    job.step(0.0, STAGE)?;
     let unit = common_unit(&points);
     drop(points);
     let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
@@ -169,8 +171,9 @@ fn flatten(
 ) -> Result<Flat> {
     let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
     let exact = |x| measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
-    let (lengths, turned) = (Lengths::of(&chart), turned_down(&chart, &job.part(0.05, 0.05))?);
-    if lengths.are_kept(&turned) {
+    let lengths = Lengths::of(&chart, &job.part(0.05, 0.05))?;
+    let turned = turned_down(&chart, &job.part(0.05, 0.05))?;
+    if lengths.are_kept(&turned, &job.part(0.05, 0.05))? {
         return exact(turned);
     }
     let mut system = System::new(&chart, &job.part(0.05, 0.1))?;

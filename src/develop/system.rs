@@ -49,7 +49,8 @@ impl System {
             if k % 2 == 0 { (u as usize, v) } else { (v as usize, u) }
         });
         job.step(0.0, STAGE)?;
-        let neighbours = Buckets::new(n, 0u32, sides)?;
+        let neighbours = Buckets::new_cancellable(n, 0u32, sides, job, STAGE)?;
+        job.step(0.1, STAGE)?;
         let mut order = alloc::collect(0..n as u32)?;
         dissect(&mut order, &chart.points, Edges(&neighbours), &job.part(0.1, 0.6))?;
         let mut place = alloc::filled(0, n)?;
@@ -64,7 +65,8 @@ impl System {
         }
         job.step(0.8, STAGE)?;
         pairs.dedup();
-        let earlier = Buckets::new(n, 0u32, pairs.iter().copied())?;
+        let earlier = Buckets::new_cancellable(n, 0u32, pairs.iter().copied(), &job.part(0.8, 0.8), STAGE)?;
+        job.step(0.8, STAGE)?;
         // Column 2 k has the rows of both coordinates of the earlier places; 2 k + 1 one more.
         let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
         start.push(0);
@@ -76,6 +78,7 @@ impl System {
                 start.push(entries.len());
             }
         }
+        job.step(1.0, STAGE)?;
         let matrix = Symmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
         let right = alloc::filled(DVec3::ZERO, 2 * n)?;
         Ok(System { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })

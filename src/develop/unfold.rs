@@ -34,10 +34,15 @@ pub(super) struct Lengths<'a> {
 }
 
 impl<'a> Lengths<'a> {
-    pub(super) fn of(chart: &'a ChartMesh) -> Self {
+    pub(super) fn of(chart: &'a ChartMesh, job: &Job<'_>) -> Result<Self> {
         let mut lengths = Lengths { chart, mean: 0.0 };
-        lengths.mean = lengths.edges().map(|[u, v]| chart.length(u, v)).sum::<f64>() / lengths.edges().count() as f64;
-        lengths
+        let mut sum = 0.0;
+        for (k, [u, v]) in lengths.edges().enumerate() {
+            job.step_within(k, STAGE)?;
+            sum += chart.length(u, v);
+        }
+        lengths.mean = sum / (3 * chart.triangles.len()) as f64;
+        Ok(lengths)
     }
 
     /// Edges of two triangles twice.
@@ -50,40 +55,53 @@ impl<'a> Lengths<'a> {
 
     /// The largest error of an edge in the plane, in its length, or in [`SHORT`] mean edges if that is
     /// more; NaN if there is one without a place.
-    fn error(&self, x: &[DVec2]) -> f64 {
+    fn error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
         let of = |[u, v]: [u32; 2]| {
             let wanted = self.chart.length(u, v);
             (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT * self.mean)
         };
         let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
-        self.edges().map(of).fold(0.0, largest)
+        let mut worst = 0.0;
+        for (k, edge) in self.edges().enumerate() {
+            job.step_within(k, STAGE)?;
+            worst = largest(worst, of(edge));
+        }
+        Ok(worst)
     }
 
     /// True if every edge has its length, and no triangle is turned over. One without area may come
     /// to lie either way.
-    pub(super) fn are_kept(&self, x: &[DVec2]) -> bool {
+    pub(super) fn are_kept(&self, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
         let stands = |t: usize| {
             let [a, b, c] = self.chart.triangles[t].map(|v| self.chart.points[v as usize]);
             let least = (b - a).cross(c - a).length() - MAX_AREA_ERROR * self.mean * self.mean;
             self.chart.double_area(t, x) >= least
         };
-        self.error(x) <= MAX_LENGTH_ERROR && (0..self.chart.triangles.len()).all(stands)
+        let job = job.part(0.0, 0.0);
+        let is_long_enough = self.error(x, &job)? <= MAX_LENGTH_ERROR;
+        for t in 0..self.chart.triangles.len() {
+            job.step_within(t, STAGE)?;
+            if !is_long_enough || !stands(t) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// The places near `x` at which every edge has its length; `None` if there are none. O(T) for T
     /// triangles, and up to three factors where `x` is near but not there.
     pub(super) fn restored(&self, system: &mut System, mut x: Vec<DVec2>, job: &Job<'_>) -> Result<Option<Vec<DVec2>>> {
         for step in 0..MAX_STEPS {
-            let error = self.error(&x);
+            let job = job.share(step, MAX_STEPS);
+            let error = self.error(&x, &job)?;
             if error <= MAX_LENGTH_ERROR || error.is_nan() || error > MAX_CLOSING_ERROR {
                 break;
             }
-            let job = job.share(step, MAX_STEPS);
             job.step(0.0, STAGE)?;
             x = closer(self.chart, system, &x, &job)?;
             job.step(1.0, STAGE)?;
         }
-        Ok(self.are_kept(&x).then_some(x))
+        Ok(self.are_kept(&x, &job.part(1.0, 1.0))?.then_some(x))
     }
 }
 
@@ -132,6 +150,7 @@ fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
 fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
     let still = alloc::filled(DVec2::ZERO, x.len())?;
     system.clear();
+    job.step(0.0, STAGE)?;
     for (k, triangle) in chart.triangles.iter().enumerate() {
         job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {

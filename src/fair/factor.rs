@@ -28,6 +28,8 @@ pub(crate) struct Factor {
     pub(super) inverse: Vec<f64>,
 }
 
+const STAGE: &str = "solving";
+
 impl Symmetric {
     /// The factor. An unknown whose pivot is not positive is left out: its solution will be 0, and
     /// the others are found as if its row and column did not exist.
@@ -35,8 +37,10 @@ impl Symmetric {
     /// O(sum of the squares of the columns' lengths); memory: some 10 bytes an entry of L, less
     /// than that on the stack, and 100 a row.
     pub(crate) fn factor(&self, job: &Job<'_>) -> Result<Factor> {
-        let below = self.below()?;
+        job.step(0.0, STAGE)?;
+        let below = self.below(&job.part(0.0, 0.0))?;
         let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;
+        job.step(0.1, STAGE)?;
         let costs = Costs::of(&supernodes);
         let mut elimination = Elimination {
             matrix: self,
@@ -50,6 +54,7 @@ impl Symmetric {
         };
         let (entries, inverse) = (alloc::with_capacity(costs.entries)?, alloc::filled(0.0, self.len())?);
         let mut factor = Factor { supernodes, entries, inverse };
+        job.step(0.1, STAGE)?;
         for s in 0..factor.supernodes.len() {
             elimination.eliminate(s, &mut factor)?;
         }
@@ -112,7 +117,7 @@ struct Work<'a> {
 impl Work<'_> {
     fn spend(&mut self, work: f64) -> Result<()> {
         if self.done >= self.reported + REPORT_INTERVAL {
-            self.job.step(self.done / self.whole, "solving")?;
+            self.job.step(self.done / self.whole, STAGE)?;
             self.reported = self.done;
         }
         self.done += work;

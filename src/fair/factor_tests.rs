@@ -264,7 +264,7 @@ fn counts_and_groups_are_those_of_the_pattern() {
             }
         }
         let matrix = sparse(&a);
-        let below = matrix.below().unwrap();
+        let below = matrix.below(&Job::default()).unwrap();
         let parent = parents(&matrix, &Job::default()).unwrap();
         let counts = column_counts(&below, &parent, &Job::default()).unwrap();
         for k in 0..n {

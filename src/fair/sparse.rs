@@ -1,6 +1,7 @@
 //! Sparse symmetric matrices.
 
 use crate::error::Result;
+use crate::job::Job;
 use crate::sort::Buckets;
 
 /// A symmetric matrix: its diagonal, and what is above it, column by column as (row, value).
@@ -22,8 +23,9 @@ impl Symmetric {
     }
 
     /// What is below the diagonal, column by column. 16 bytes an entry.
-    pub(crate) fn below(&self) -> Result<Buckets<(u32, f64)>> {
+    pub(crate) fn below(&self, job: &Job<'_>) -> Result<Buckets<(u32, f64)>> {
         let columns = (0..self.len()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));
-        Buckets::new(self.len(), (0, 0.0), columns.map(|(k, i, value)| (i as usize, (k as u32, value))))
+        let items = columns.map(|(k, i, value)| (i as usize, (k as u32, value)));
+        Buckets::new_cancellable(self.len(), (0, 0.0), items, job, "solving")
     }
 }

@@ -115,7 +115,7 @@ impl Search<'_> {
         let job = job.part(0.2, 1.0);
         for (at, &([i, k], distance)) in near.iter().enumerate() {
             job.step(at as f64 / near.len() as f64, "triangulating holes")?;
-            let Some((rim, _)) = self.surroundings.rim([i, k].into_iter().map(|k| self.loops[k]))? else {
+            let Some((rim, _)) = self.surroundings.rim([i, k].into_iter().map(|k| self.loops[k]), &job)? else {
                 continue;
             };
             let polygons = rim.polygons()?;
@@ -227,7 +227,7 @@ impl Search<'_> {
 
     /// Loops closed together; `None` if two of them share a vertex.
     fn triangulated(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Triangles)>> {
-        let Some((rim, names)) = self.surroundings.rim(loops.iter().map(|&k| self.loops[k]))? else {
+        let Some((rim, names)) = self.surroundings.rim(loops.iter().map(|&k| self.loops[k]), job)? else {
             return Ok(None);
         };
         let taken = |u: u32, v: u32| self.surroundings.share_face(names[u as usize], names[v as usize]);

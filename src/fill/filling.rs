@@ -96,13 +96,13 @@ impl<'a> Filling<'a> {
     }
 
     /// The rim of a group's patch, and its vertices in the mesh; `None` if two of the loops share one.
-    fn rim(&mut self, group: &[usize]) -> Result<Option<(Rim, Vec<u32>)>> {
-        self.surroundings.rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()))
+    fn rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Vec<u32>)>> {
+        self.surroundings.rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()), job)
     }
 
     /// The first patch that can be had.
     fn first_patch(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<Placed>> {
-        let Some((rim, names)) = self.rim(group)? else {
+        let Some((rim, names)) = self.rim(group, job)? else {
             return Ok(None);
         };
         let taken =
@@ -145,7 +145,7 @@ impl<'a> Filling<'a> {
 
     /// Puts the patch that cuts least in the place of patch `k`, of equals the first.
     fn try_others(&mut self, k: usize, trials: &Trials<'_>, job: &Job<'_>) -> Result<()> {
-        let Some((rim, names)) = self.rim(self.made.groups[k])? else {
+        let Some((rim, names)) = self.rim(self.made.groups[k], job)? else {
             return Ok(());
         };
         if rim.count == 3 && self.options.refinement == Refinement::None {

@@ -25,8 +25,11 @@ pub(super) struct Surroundings<'a> {
     names: Vec<u32>,
 }
 
-/// Faces between two progress reports.
+/// Faces between two progress reports; where they are taken for a rim, which is more work, fewer.
 const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 14;
+
+const STAGE: &str = "looking round the holes";
 
 impl<'a> Surroundings<'a> {
     /// `near`: faces, ascending; all that touch a rim are among them. For continuous curvature the
@@ -41,7 +44,7 @@ impl<'a> Surroundings<'a> {
     ) -> Result<Self> {
         let mut corners = Vec::new();
         for (k, &f) in near.iter().enumerate() {
-            job.step_every(REPORT_INTERVAL, k, near.len(), "looking round the holes")?;
+            job.step_every(REPORT_INTERVAL, k, near.len(), STAGE)?;
             for v in mesh.face(f as usize).filter(|&v| passes[v as usize] > 0) {
                 alloc::push(&mut corners, (v, f))?;
             }
@@ -68,7 +71,12 @@ impl<'a> Surroundings<'a> {
 
     /// The rim of a patch of loops, each with the surface on the left, and the rim's vertices in
     /// the mesh; `None` if two of the loops have a vertex in common.
-    pub(super) fn rim<'b>(&mut self, loops: impl Iterator<Item = &'b [u32]>) -> Result<Option<(Rim, Vec<u32>)>> {
+    pub(super) fn rim<'b>(
+        &mut self,
+        loops: impl Iterator<Item = &'b [u32]>,
+        job: &Job<'_>,
+    ) -> Result<Option<(Rim, Vec<u32>)>> {
+        let job = job.part(0.0, 0.0);
         let mesh = self.mesh;
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for vertices in loops {
@@ -88,14 +96,19 @@ impl<'a> Surroundings<'a> {
             rim.iter().for_each(|&v| self.names[v as usize] = NONE);
             return Ok(None);
         }
-        let mut faces = alloc::gather(rim.iter().flat_map(|&v| self.faces_at(v)).map(|&(_, face)| face))?;
+        let mut faces = Vec::new();
+        for (k, &v) in rim.iter().enumerate() {
+            ask_within(k, &job)?;
+            alloc::extend(&mut faces, self.faces_at(v).iter().map(|&(_, face)| face))?;
+        }
         sort_distinct(&mut faces);
 
         let mut around = Vec::new();
         let mut sides = Vec::new();
         let mut across = alloc::filled(DVec3::ZERO, n)?;
         let mut own = Vec::new();
-        for &f in &faces {
+        for (k, &f) in faces.iter().enumerate() {
+            ask_within(k, &job)?;
             self.name(f, &mut names, &mut own)?;
             let point = |name: u32| mesh.positions().get(names[name as usize]);
             let area = direction(&own, point);
@@ -112,15 +125,21 @@ impl<'a> Surroundings<'a> {
         let mut next_to = alloc::gather(next_to.map(|&(_, face)| face))?;
         sort_distinct(&mut next_to);
         let mut beyond = Vec::new();
-        for &f in &next_to {
+        for (k, &f) in next_to.iter().enumerate() {
+            ask_within(k, &job)?;
             self.name(f, &mut names, &mut own)?;
             alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
         }
-        let points = alloc::collect(names.iter().map(|&v| mesh.positions().get(v)))?;
+        let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
         let whole = alloc::collect(rim.iter().map(|&v| self.passes[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
         Ok(Some((Rim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
     }
+}
+
+/// Asks within a long list, at none of a short one.
+fn ask_within(k: usize, job: &Job<'_>) -> Result<()> {
+    if k % FACES_PER_REPORT == FACES_PER_REPORT - 1 { job.step(0.0, STAGE) } else { Ok(()) }
 }
 
 fn corners_of(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
@@ -137,7 +156,7 @@ fn beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<
     }
     let mut found = Vec::new();
     for f in 0..mesh.faces().len() {
-        job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "looking round the holes")?;
+        job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
         if mesh.face(f).all(|v| passes[v as usize] == 0) {
             alloc::extend(&mut found, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
         }

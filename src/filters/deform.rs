@@ -144,6 +144,6 @@ fn copied(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Mesh> {
     job.step(0.0, "copying the mesh")?;
     let positions = mesh.positions();
     let mut buffer = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
-    buffer.append(positions)?;
+    buffer.append(positions, 0..positions.len())?;
     with_positions(mesh, buffer)
 }

@@ -40,7 +40,10 @@ impl BoxTree {
             nodes.extend(boxes.by_ref().take(range.len()));
             Ok(())
         })?;
-        nodes.resize(2 * leaves, Aabb::EMPTY);
+        job.ranges(stage, leaves - count, |range| {
+            nodes.resize(nodes.len() + range.len(), Aabb::EMPTY);
+            Ok(())
+        })?;
         job.ranges(stage, leaves, |range| {
             for k in range.map(|k| leaves - k).filter(|&k| k < leaves) {
                 nodes[k] = nodes[2 * k].union(nodes[2 * k + 1]);

@@ -121,6 +121,9 @@ pub(crate) struct UnresolvedCluster {
     pub(crate) high: DVec3,
 }
 
+/// Boxes looked at before a host is asked again.
+const BOXES_PER_REPORT: usize = 1 << 11;
+
 /// How much larger than they are boxes count: those that touch do so but for rounding.
 const GROWTH: f64 = 1.000_001;
 
@@ -132,8 +135,13 @@ impl UnresolvedBox {
 }
 
 /// Adds the clusters of boxes, by their first box, and returns the place of each box's cluster among
-/// them. O(n log n + pairs that overlap along the first parameter).
-pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedCluster>) -> Result<Vec<u32>> {
+/// them; `ask` is called now and then, and what it returns as an error ends the work. O(n log n + pairs
+/// that overlap along the first parameter).
+pub(crate) fn cluster(
+    boxes: &[UnresolvedBox],
+    clusters: &mut Vec<UnresolvedCluster>,
+    mut ask: impl FnMut() -> Result<()>,
+) -> Result<Vec<u32>> {
     // A sweep along the first parameter finds the pairs; each tree of the forest has its first box
     // as its root.
     let ends = |k: u32| {
@@ -144,7 +152,10 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
     sort::stable(&mut order, &|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
     let mut sets = DisjointSets::new(boxes.len())?;
     let mut active: Vec<u32> = alloc::with_capacity(boxes.len())?;
-    for &k in &order {
+    for (place, &k) in order.iter().enumerate() {
+        if place.is_multiple_of(BOXES_PER_REPORT) {
+            ask()?;
+        }
         // Ends are rounded, so those that just touch are kept.
         let low = ends(k)[0] - f64::EPSILON * ends(k)[0].abs();
         active.retain(|&other| ends(other)[1] >= low);
@@ -155,6 +166,7 @@ pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedClus
         }
         active.push(k);
     }
+    ask()?;
     let mut cluster_of = order;
     for (k, part) in boxes.iter().enumerate() {
         let (low, high) = (part.middle - part.half, part.middle + part.half);
@@ -259,7 +271,7 @@ mod tests {
             part(2.0, 1.0, 5.0),
         ];
         let mut clusters = Vec::new();
-        assert_eq!(cluster(&boxes, &mut clusters).unwrap(), [0, 1, 0, 0, 0, 0]);
+        assert_eq!(cluster(&boxes, &mut clusters, || Ok(())).unwrap(), [0, 1, 0, 0, 0, 0]);
         assert_eq!(clusters.len(), 2);
         assert_eq!((clusters[0].best.middle, clusters[0].best.residual), (boxes[2].middle, 1.0));
         assert_eq!((clusters[0].low, clusters[0].high), (DVec3::new(-0.5, -0.5, 0.0), DVec3::new(2.5, 2.5, 0.0)));

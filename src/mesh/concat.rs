@@ -71,8 +71,8 @@ pub(crate) fn append(
     mut turn: impl FnMut(usize) -> bool,
 ) -> Result<Piece> {
     let place = Piece { first_vertex: whole.positions.len() as u32, first_face: whole.face_count() as u32 };
-    job.step(0.0, STAGE)?;
-    whole.positions.append(piece.positions())?;
+    let (positions, place_them) = (piece.positions(), job.part(0.0, 0.0));
+    place_them.ranges(STAGE, positions.len(), |range| whole.positions.append(positions, range))?;
     job.step(0.0, STAGE)?;
     for f in 0..piece.faces().len() {
         job.step_within(f, STAGE)?;

@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::geom::scale::distance;
 use crate::job::Job;
 use glam::DVec3;
+use std::ops::Range;
 
 /// Positions of one scalar type, packed.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,13 +27,13 @@ impl PositionBuffer {
         })
     }
 
-    /// Appends all positions of `from`: the same bits where the types agree, exact where `f32`
+    /// Appends positions `range` of `from`: the same bits where the types agree, exact where `f32`
     /// becomes `f64`.
-    pub(crate) fn append(&mut self, from: &Positions<'_>) -> Result<()> {
+    pub(crate) fn append(&mut self, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
         match self {
-            PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from),
-            PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_bits(out, from),
-            _ => self.extend((0..from.len()).map(|v| from.get(v as u32))),
+            PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from, range),
+            PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_bits(out, from, range),
+            _ => self.extend(range.map(|v| from.get(v as u32))),
         }
     }
 
@@ -81,11 +82,14 @@ impl PositionBuffer {
     }
 }
 
-fn append_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>) -> Result<()> {
-    alloc::reserve(out, from.len())?;
+fn append_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>, range: Range<usize>) -> Result<()> {
+    alloc::reserve(out, range.len())?;
     match from.packed_bytes() {
-        Some(bytes) => out.extend(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>)),
-        None => out.extend((0..from.len()).map(|v| bytemuck::pod_read_unaligned::<T>(from.bits(v)))),
+        Some(bytes) => {
+            let bytes = &bytes[range.start * size_of::<T>()..range.end * size_of::<T>()];
+            out.extend(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>));
+        }
+        None => out.extend(range.map(|v| bytemuck::pod_read_unaligned::<T>(from.bits(v)))),
     }
     Ok(())
 }

@@ -42,7 +42,7 @@ const REPORT_INTERVAL: usize = 1 << 10;
 const LEAVES_PER_REPORT: usize = 1 << 16;
 
 /// Faces between two progress reports.
-const FACES_PER_REPORT: usize = 1 << 18;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 const STAGE: &str = "finding T-junctions";
 
@@ -122,7 +122,8 @@ impl Border<'_> {
 
     /// All places on edges, by edges and along each edge. `reach`: of each member; empty for 0.
     fn places(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<Split>> {
-        let points = alloc::collect(self.members.iter().map(|&v| self.mesh.positions().get(v)))?;
+        let points = self.members.iter().map(|&v| self.mesh.positions().get(v));
+        let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
         let unit = common_unit(&points);
         let ends = |e: u32| self.edges[e as usize].ends.map(|v| self.mesh.positions().get(v) / unit);
@@ -140,7 +141,7 @@ impl Border<'_> {
         let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
         let groups = alloc::collect_cancellable(order.chunks(GROUP).map(around), &job.part(0.2, 0.2), STAGE)?;
-        let tree = BoxTree::new(groups.into_iter())?;
+        let tree = BoxTree::new_cancellable(groups.into_iter(), &job.part(0.2, 0.2), STAGE)?;
         let mut found: Vec<Split> = Vec::new();
         let mut leaves = 0;
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {

@@ -34,9 +34,9 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
     check_size((vertices + splits.len()) as u64, (mesh.faces().half_edge_count() + 6 * splits.len()) as u64)?;
     let mut positions = PositionBuffer::with_capacity(mesh.positions().scalar(), vertices + splits.len())?;
-    positions.append(mesh.positions())?;
+    job.part(0.0, 0.0).ranges(STAGE, vertices, |range| positions.append(mesh.positions(), range))?;
     let sources = alloc::collect(splits.iter().map(|split| split.vertex))?;
-    positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view())?;
+    positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view(), 0..sources.len())?;
 
     // A split adds two faces or a corner at the most.
     let (corners, count) = (mesh.faces().half_edge_count() + 6 * splits.len(), faces + 2 * splits.len());

@@ -334,7 +334,7 @@ impl NearMissSearch<'_> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
         sort::stable(&mut unresolved, &|x, y| by_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
-        let cluster_of = cluster(&unresolved, &mut clusters)?;
+        let cluster_of = cluster(&unresolved, &mut clusters, || job.step(0.0, STAGE))?;
         let mut valleys = Vec::new();
         for (k, start) in unresolved.iter().enumerate() {
             job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), STAGE)?;

@@ -111,7 +111,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
     let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
     let Ok(()) = subdivide(&mut search, first, stack, limits);
-    cluster(search.boxes, &mut found.unresolved)?;
+    cluster(search.boxes, &mut found.unresolved, || Ok(()))?;
     found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
     Ok(())
 }

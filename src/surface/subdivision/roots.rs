@@ -64,7 +64,7 @@ pub(crate) fn roots<const N: usize>(
     found: &mut Roots<N>,
 ) -> Result<()> {
     search(fields, rounding_error, tolerance, false, found);
-    cluster(&found.boxes, &mut found.unresolved)?;
+    cluster(&found.boxes, &mut found.unresolved, || Ok(()))?;
     Ok(())
 }
 
