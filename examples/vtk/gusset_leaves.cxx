@@ -38,18 +38,20 @@ void warn_of(vtkDataObject *data, const std::string &name, const char *fate, con
 
 } // namespace
 
-void add_leaves(std::vector<Leaf> &leaves, vtkDataObject *input, const Run &run) {
+std::vector<Leaf> leaves(vtkDataObject *input, const Run &run) {
+    std::vector<Leaf> found;
     if (auto *whole = vtkPolyData::SafeDownCast(input)) {
-        leaves.push_back({whole, {}});
+        found.push_back({whole, {}});
     } else if (auto *tree = vtkDataObjectTree::SafeDownCast(input)) {
         for_each_data_set(tree, [&](vtkDataObject *data, const std::string &name, vtkDataObjectTreeIterator *) {
             if (auto *leaf = vtkPolyData::SafeDownCast(data)) {
-                leaves.push_back({leaf, name});
+                found.push_back({leaf, name});
             } else {
                 warn_of(data, name, "is left out", run);
             }
         });
     }
+    return found;
 }
 
 void each_leaf(vtkDataObject *input, vtkDataObject *output, Run &run,

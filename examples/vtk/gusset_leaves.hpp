@@ -18,8 +18,8 @@ struct Leaf {
     std::string name;
 };
 
-/// Appends all of `input`: a vtkPolyData, or those of a partitioned data set, of a collection of such or of blocks. Warns of others.
-void add_leaves(std::vector<Leaf> &leaves, vtkDataObject *input, const Run &run);
+/// A vtkPolyData, or those of a partitioned data set, of a collection of such or of blocks. Warns of others.
+std::vector<Leaf> leaves(vtkDataObject *input, const Run &run);
 
 /// Makes `output`, of the type of `input`, of it: `work(from, to)` for each vtkPolyData. Ones without faces pass as they are, and so
 /// do data sets of other types, with a warning.

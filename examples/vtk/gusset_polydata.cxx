@@ -159,19 +159,25 @@ void Piece::add_strips() {
     });
 }
 
-void with_cells(const std::vector<Piece> &pieces, const std::function<void()> &call) {
+void with_names(const std::vector<Piece> &pieces, const std::vector<std::string> &names, const std::function<void()> &call) {
     try {
         call();
     } catch (const gusset::Error &error) {
         const gusset_error_report &report = error.report();
-        if (report.element != GUSSET_ELEMENT_FACE || report.input >= pieces.size() || report.index >= pieces[report.input].face_count()) {
+        if (report.element == GUSSET_ELEMENT_NONE || report.input >= pieces.size()) {
             throw;
         }
-        const vtkIdType cell = pieces[report.input].cell(static_cast<std::size_t>(report.index));
-        if (cell == static_cast<vtkIdType>(report.index)) {
-            throw;
+        std::string text = error.what();
+        if (report.input < names.size()) {
+            text = names[report.input] + ": " + text;
         }
-        throw gusset::Error((std::string(error.what()) + " (cell " + std::to_string(cell) + ")").c_str(), report);
+        const Piece &piece = pieces[report.input];
+        if (report.element == GUSSET_ELEMENT_FACE && report.index < piece.face_count()) {
+            const vtkIdType cell = piece.cell(static_cast<std::size_t>(report.index));
+            // Vertices and lines are cells, but no faces, and strips are several.
+            text += cell != static_cast<vtkIdType>(report.index) ? " (cell " + std::to_string(cell) + ")" : "";
+        }
+        throw gusset::Error(text.c_str(), report);
     }
 }
 

@@ -45,8 +45,9 @@ private:
     gusset_mesh_view view_;
 };
 
-/// A call of the library on pieces. Its errors name cells of VTK beside the library's faces.
-void with_cells(const std::vector<Piece> &pieces, const std::function<void()> &call);
+/// A call of the library on pieces. Its errors name cells of VTK beside the library's faces, and of many pieces the one that they are
+/// about. `names`: those of the pieces, or empty.
+void with_names(const std::vector<Piece> &pieces, const std::vector<std::string> &names, const std::function<void()> &call);
 
 /// Fills `output` with a result and all that its pieces have: vertices and lines, arrays of points and cells. `vertices`: of each
 /// piece its points in the result, empty if they keep their numbers. `precision`: one of vtkAlgorithm::DesiredPrecision.

@@ -36,17 +36,23 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
     gusset_vtk::Run run(this, this->NumberOfThreads);
     return gusset_vtk::guarded(run, output, [&] {
         run.section(0.0, 1.0);
-        std::vector<gusset_vtk::Leaf> leaves;
-        for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i) {
-            gusset_vtk::add_leaves(leaves, vtkDataObject::GetData(inputs[0], i), run);
-        }
         std::vector<gusset_vtk::Piece> pieces;
+        std::vector<std::string> names;
         std::vector<gusset::MeshView> views;
-        for (const gusset_vtk::Leaf &leaf : leaves) {
-            pieces.emplace_back(leaf.data);
-            views.push_back(pieces.back().view());
+        for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i) {
+            for (const gusset_vtk::Leaf &leaf : gusset_vtk::leaves(vtkDataObject::GetData(inputs[0], i), run)) {
+                // What is empty has no part in it, and is no mistake: a part of a pipeline may have nothing to do.
+                if (leaf.data->GetNumberOfPoints() + leaf.data->GetNumberOfCells() > 0) {
+                    pieces.emplace_back(leaf.data);
+                    names.push_back("input " + std::to_string(i) + (leaf.name.empty() ? "" : ", " + leaf.name));
+                    views.push_back(pieces.back().view());
+                }
+            }
         }
-        gusset_vtk::with_cells(pieces, [&] {
+        if (pieces.empty()) {
+            return;
+        }
+        gusset_vtk::with_names(pieces, names, [&] {
             const gusset::Assembly assembly(views, options, run.context());
             std::vector<gusset::Indices> vertices;
             for (const gusset_piece_map &piece : assembly.pieces()) {

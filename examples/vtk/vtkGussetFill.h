@@ -66,7 +66,7 @@ public:
 
     ///@{
     /**
-     * Loops of a larger diameter are left open; 0, the default, is no limit.
+     * Loops whose bounding box has a longer diagonal are left open; 0, the default, is no limit.
      */
     vtkSetClampMacro(MaxDiameter, double, 0.0, VTK_DOUBLE_MAX);
     vtkGetMacro(MaxDiameter, double);

@@ -44,11 +44,13 @@ int vtkGussetStitch::RequestData(vtkInformation *, vtkInformationVector **inputs
     gusset_vtk::Run run(this, this->NumberOfThreads);
     const auto join = [&](vtkPolyData *from, vtkPolyData *to) {
         std::vector<gusset_vtk::Piece> pieces;
+        std::vector<std::string> names;
         pieces.emplace_back(from);
         if (second != nullptr) {
             pieces.emplace_back(second);
+            names = {"input 0", "input 1"};
         }
-        gusset_vtk::with_cells(pieces, [&] {
+        gusset_vtk::with_names(pieces, names, [&] {
             const gusset::Stitch stitch = second != nullptr ? gusset::stitch(pieces[0].view(), pieces[1].view(), options, run.context())
                                                             : gusset::stitch_within(pieces[0].view(), options, run.context());
             std::vector<gusset::Indices> vertices{stitch.vertex_map(0)};
