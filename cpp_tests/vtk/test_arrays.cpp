@@ -164,6 +164,28 @@ TEST_CASE("arrays go with an assembly; those that not all pieces have stay behin
     CHECK(heard.errors.empty());
 }
 
+TEST_CASE("polygons after vertices and lines have their own values") {
+    const auto data = tube({});
+    const vtkIdType line[2] = {3, 7}, vertex = 5;
+    vtkNew<vtkCellArray> vertices, lines;
+    vertices->InsertNextCell(1, &vertex);
+    lines->InsertNextCell(2, line);
+    lines->InsertNextCell(2, line);
+    data->SetVerts(vertices);
+    data->SetLines(lines);
+    give_arrays(data);
+    vtkNew<vtkGussetFill> filter;
+    filter->SetInputData(data);
+    vtkPolyData *made = run(filter);
+    REQUIRE(made->GetNumberOfCells() == 3 + 48 + 2 * 10);
+    check_cells(made, 51);
+    auto *part = vtkIntArray::SafeDownCast(made->GetCellData()->GetArray("part"));
+    for (vtkIdType c = 51; c < made->GetNumberOfCells(); ++c) {
+        // That of a quad of the first or the last row.
+        CHECK(((part->GetValue(c) <= -3 && part->GetValue(c) > -15) || part->GetValue(c) <= -39));
+    }
+}
+
 TEST_CASE("arrays of other layouts, bits, ghost flags, tables of colours and names of components") {
     const auto data = tube({});
     const vtkIdType count = data->GetNumberOfPoints();
