@@ -348,7 +348,7 @@ TEST_CASE("empty inputs give empty outputs") {
     vtkNew<vtkGussetFill> fill;
     vtkNew<vtkGussetStitch> stitch;
     vtkNew<vtkGussetAssemble> assemble;
-    for (vtkAlgorithm *filter : {static_cast<vtkAlgorithm *>(fill), static_cast<vtkAlgorithm *>(stitch), static_cast<vtkAlgorithm *>(assemble)}) {
+    for (vtkAlgorithm *filter : std::vector<vtkAlgorithm *>{fill, stitch, assemble}) {
         const Messages heard(filter);
         filter->SetInputDataObject(nothing);
         filter->Update();
@@ -371,4 +371,10 @@ TEST_CASE("empty inputs give empty outputs") {
     fill->SetInputData(cloud);
     fill->Update();
     CHECK(vtkPolyData::SafeDownCast(fill->GetOutputDataObject(0))->GetNumberOfPoints() == 60);
+    // In an assembly they have no part, and that is said.
+    const Messages heard(assemble);
+    assemble->AddInputData(cloud);
+    assemble->Update();
+    CHECK(heard.warnings.find("input 2, which has no polygons, is left out") != std::string::npos);
+    CHECK(assemble->GetOutput()->GetNumberOfPolys() == 48);
 }

@@ -188,7 +188,7 @@ TEST_CASE("a filter runs again when its options or its input change, and only th
     CHECK(output(stitch)->GetNumberOfPoints() == 60 + 2 * 24);
     count_runs(assemble.Get(), [](vtkGussetAssemble *filter) { filter->FillHolesOn(); });
     CHECK(open_edges(output(assemble)) == 0);
-    for (vtkAlgorithm *filter : {static_cast<vtkAlgorithm *>(fill), static_cast<vtkAlgorithm *>(stitch), static_cast<vtkAlgorithm *>(assemble)}) {
+    for (vtkAlgorithm *filter : std::vector<vtkAlgorithm *>{fill, stitch, assemble}) {
         std::ostringstream text;
         filter->Print(text);
         CHECK(has(text.str(), "NumberOfThreads: 0"));

@@ -120,7 +120,8 @@ void Carrier::mix(vtkAbstractArray *made, vtkIdType first, Rule rule, const Arra
             array = copies.back();
             from = 0;
         }
-        inputs.push_back({array->GetVoidPointer(from * array->GetNumberOfComponents()), static_cast<std::size_t>(source.count), 0});
+        const void *values = array->GetVoidPointer(from * array->GetNumberOfComponents());
+        inputs.push_back({values, static_cast<std::size_t>(source.count), 0});
     }
     const std::size_t count = origins_.size(domain_);
     if (count > 0) {
@@ -164,7 +165,8 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
         Arrays arrays;
         bool active = attribute >= 0 && attribute != vtkDataSetAttributes::GLOBALIDS, everywhere = true;
         for (const Source &source : sources_) {
-            vtkAbstractArray *found = &source == &*base && array->GetNumberOfTuples() == source.total ? array : same(source, array, attribute);
+            const bool own = &source == &*base && array->GetNumberOfTuples() == source.total;
+            vtkAbstractArray *found = own ? array : same(source, array, attribute);
             arrays.push_back(found);
             if (has_elements(source)) {
                 everywhere = everywhere && found != nullptr;
@@ -173,8 +175,8 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
         }
         const std::string name = array->GetName() != nullptr ? array->GetName() : "without a name";
         if (!everywhere) {
-            vtkWarningWithObjectMacro(run_.filter(), << run_.where << "the array " << name
-                                                     << " is left behind: not all pieces have it for all elements, of one type and number of components");
+            vtkWarningWithObjectMacro(run_.filter(), << run_.where << "the array " << name << " is left behind: not all pieces have it for "
+                                                     << "all elements, of one type and number of components");
             continue;
         }
         const auto made = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(array->GetDataType()));
@@ -199,8 +201,8 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
                 if (error.status() != GUSSET_ERROR_NOT_FINITE) {
                     throw;
                 }
-                vtkWarningWithObjectMacro(run_.filter(), << run_.where << "the array " << name << " is not mixed, but copied from the nearest: "
-                                                         << error.what());
+                vtkWarningWithObjectMacro(run_.filter(), << run_.where << "the array " << name
+                                                         << " is not mixed, but copied from the nearest: " << error.what());
                 pick(made, first, arrays);
             }
         }

@@ -41,12 +41,17 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
         std::vector<gusset::MeshView> views;
         for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i) {
             for (const gusset_vtk::Leaf &leaf : gusset_vtk::leaves(vtkDataObject::GetData(inputs[0], i), run)) {
-                // What is empty has no part in it, and is no mistake: a part of a pipeline may have nothing to do.
-                if (leaf.data->GetNumberOfPoints() + leaf.data->GetNumberOfCells() > 0) {
-                    pieces.emplace_back(leaf.data);
-                    names.push_back("input " + std::to_string(i) + (leaf.name.empty() ? "" : ", " + leaf.name));
-                    views.push_back(pieces.back().view());
+                const std::string name = "input " + std::to_string(i) + (leaf.name.empty() ? "" : ", " + leaf.name);
+                if (leaf.data->GetNumberOfPolys() + leaf.data->GetNumberOfStrips() == 0) {
+                    // What is empty is no mistake: a part of a pipeline may have nothing to do.
+                    if (leaf.data->GetNumberOfPoints() + leaf.data->GetNumberOfCells() > 0) {
+                        vtkWarningMacro(<< name << ", which has no polygons, is left out");
+                    }
+                    continue;
                 }
+                pieces.emplace_back(leaf.data);
+                names.push_back(name);
+                views.push_back(pieces.back().view());
             }
         }
         if (pieces.empty()) {

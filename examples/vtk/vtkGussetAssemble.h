@@ -7,7 +7,7 @@
  * joined by a strip or a blend, and with FillHoles the holes that are left are filled.
  *
  * Values of points and cells are carried as vtkGussetFill does it, of arrays that all pieces have. Vertices and lines are kept;
- * strips become triangles. Field data are those of the first input.
+ * strips become triangles. Field data are those of the first input. A vtkPolyData without polygons is left out, with a warning.
  *
  * @sa vtkGussetFill vtkGussetStitch vtkAppendPolyData
  */
