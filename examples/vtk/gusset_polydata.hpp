@@ -1,0 +1,59 @@
+// What the filters share: vtkPolyData as the library's input and output.
+#ifndef GUSSET_VTK_POLYDATA_HPP
+#define GUSSET_VTK_POLYDATA_HPP
+
+#include "gusset_run.hpp"
+
+#include <vtkDataArray.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <vector>
+
+namespace gusset_vtk {
+
+/// The polygons and strips of a vtkPolyData as a mesh. Points of floats and doubles side by side are read where they are, and so
+/// are polygons of 32-bit ids; all else is copied. Strips are read as triangles.
+class Piece {
+public:
+    /// Throws std::out_of_range if a cell has an id that no point can have.
+    explicit Piece(vtkPolyData *data);
+    Piece(Piece &&) = default;
+    Piece &operator=(Piece &&) = default;
+
+    gusset::MeshView view() const { return gusset::MeshView(view_); }
+    vtkPolyData *data() const { return data_; }
+    std::size_t face_count() const { return view_.face_count; }
+    /// The cells before the polygons: vertices and lines, which the library does not see.
+    vtkIdType loose_count() const { return data_->GetNumberOfVerts() + data_->GetNumberOfLines(); }
+    /// The cells of triangles of strips, and of polygons beside them; empty if face f is the cell loose_count() + f.
+    const std::vector<vtkIdType> &cells() const { return cells_; }
+    /// The cell that a face is of.
+    vtkIdType cell(std::size_t face) const {
+        return cells_.empty() ? loose_count() + static_cast<vtkIdType>(face) : cells_[face];
+    }
+
+private:
+    void copy_polygons();
+    void add_strips();
+
+    vtkSmartPointer<vtkPolyData> data_;
+    vtkSmartPointer<vtkDataArray> points_;
+    std::vector<uint32_t> offsets_, corners_;
+    std::vector<vtkIdType> cells_;
+    gusset_mesh_view view_;
+};
+
+/// A call of the library on pieces. Its errors name cells of VTK beside the library's faces, and of many pieces the one that they are
+/// about. `names`: those of the pieces, or empty.
+void with_names(const std::vector<Piece> &pieces, const std::vector<std::string> &names, const std::function<void()> &call);
+
+/// Fills `output` with a result and all that its pieces have: vertices and lines, arrays of points and cells. `vertices`: of each
+/// piece its points in the result, empty if they keep their numbers. `precision`: one of vtkAlgorithm::DesiredPrecision.
+void build(vtkPolyData *output, const gusset::MeshView &mesh, const gusset::Origins &origins, const std::vector<Piece> &pieces,
+           const std::vector<gusset::Indices> &vertices, int precision, const Run &run);
+
+} // namespace gusset_vtk
+
+#endif // GUSSET_VTK_POLYDATA_HPP

@@ -1,0 +1,121 @@
+/**
+ * @class   vtkGussetFill
+ * @brief   fill holes of surfaces, carrying point and cell data
+ *
+ * Fills the boundary loops of a vtkPolyData, or of each one of a vtkPartitionedDataSet, a vtkPartitionedDataSetCollection or a
+ * vtkMultiBlockDataSet; the output is of the type of the input. Old points and cells keep their numbers and values; new points and
+ * cells come after them. Patches go on with the curvature of the surface round the hole; with Refine they get new points as dense as
+ * those of the rim, and with Fair these lie on a thin plate.
+ *
+ * Floats, doubles and bytes of points are mixed by where a new point is, normals on the sphere; integers and strings are those of the
+ * nearest. New cells have the values of the cell across the nearest edge of the rim. Vertices and lines are kept; strips become
+ * triangles.
+ *
+ * @sa vtkGussetAssemble vtkGussetStitch vtkFillHolesFilter
+ */
+#ifndef vtkGussetFill_h
+#define vtkGussetFill_h
+
+#include "vtkGussetModule.h" // For export macro
+#include "vtkPassInputTypeAlgorithm.h"
+
+class VTKGUSSET_EXPORT vtkGussetFill : public vtkPassInputTypeAlgorithm {
+public:
+    static vtkGussetFill *New();
+    vtkTypeMacro(vtkGussetFill, vtkPassInputTypeAlgorithm);
+    void PrintSelf(ostream &os, vtkIndent indent) override;
+
+    ///@{
+    /**
+     * New points in patches, as dense as those of the rim. Off by default.
+     */
+    vtkSetMacro(Refine, vtkTypeBool);
+    vtkGetMacro(Refine, vtkTypeBool);
+    vtkBooleanMacro(Refine, vtkTypeBool);
+    ///@}
+
+    ///@{
+    /**
+     * The new points lie on a thin plate that goes on with the surface. Read with Refine. Off by default.
+     */
+    vtkSetMacro(Fair, vtkTypeBool);
+    vtkGetMacro(Fair, vtkTypeBool);
+    vtkBooleanMacro(Fair, vtkTypeBool);
+    ///@}
+
+    enum KeepLoops { KEEP_NONE = 0, KEEP_LONGEST = 1, KEEP_BORDERS = 2 };
+    ///@{
+    /**
+     * The loops that are no holes: none; the longest, as the outline of an open sheet; or all that go round a sheet rather than a
+     * hole in it. KEEP_NONE by default.
+     */
+    vtkSetClampMacro(Keep, int, KEEP_NONE, KEEP_BORDERS);
+    vtkGetMacro(Keep, int);
+    void SetKeepToNone() { this->SetKeep(KEEP_NONE); }
+    void SetKeepToLongest() { this->SetKeep(KEEP_LONGEST); }
+    void SetKeepToBorders() { this->SetKeep(KEEP_BORDERS); }
+    ///@}
+
+    ///@{
+    /**
+     * Loops of more edges are left open; 0, the default, is no limit.
+     */
+    vtkSetClampMacro(MaxEdges, int, 0, VTK_INT_MAX);
+    vtkGetMacro(MaxEdges, int);
+    ///@}
+
+    ///@{
+    /**
+     * Loops whose bounding box has a longer diagonal are left open; 0, the default, is no limit.
+     */
+    vtkSetClampMacro(MaxDiameter, double, 0.0, VTK_DOUBLE_MAX);
+    vtkGetMacro(MaxDiameter, double);
+    ///@}
+
+    ///@{
+    /**
+     * Closed components of the result face outwards. Off by default.
+     */
+    vtkSetMacro(OrientOutwards, vtkTypeBool);
+    vtkGetMacro(OrientOutwards, vtkTypeBool);
+    vtkBooleanMacro(OrientOutwards, vtkTypeBool);
+    ///@}
+
+    ///@{
+    /**
+     * The precision of the output's points, one of vtkAlgorithm::DesiredPrecision. By default that of the input.
+     */
+    vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+    vtkGetMacro(OutputPointsPrecision, int);
+    ///@}
+
+    ///@{
+    /**
+     * How many threads compute, on which the result does not depend. 0, the default, is as many as the machine has.
+     */
+    vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+    vtkGetMacro(NumberOfThreads, int);
+    ///@}
+
+protected:
+    vtkGussetFill() = default;
+    ~vtkGussetFill() override = default;
+
+    int FillInputPortInformation(int port, vtkInformation *info) override;
+    int RequestData(vtkInformation *request, vtkInformationVector **inputs, vtkInformationVector *outputs) override;
+
+    vtkTypeBool Refine = 0;
+    vtkTypeBool Fair = 0;
+    int Keep = KEEP_NONE;
+    int MaxEdges = 0;
+    double MaxDiameter = 0.0;
+    vtkTypeBool OrientOutwards = 0;
+    int OutputPointsPrecision = DEFAULT_PRECISION;
+    int NumberOfThreads = 0;
+
+private:
+    vtkGussetFill(const vtkGussetFill &) = delete;
+    void operator=(const vtkGussetFill &) = delete;
+};
+
+#endif
