@@ -43,7 +43,7 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) nlohmann-json3-dev
 figures_packages := $(host_packages)
 
-.PHONY: help build scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build wheel check-wheel scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -72,6 +72,8 @@ help:
 	@echo 'make install-debug                the same with line tables and symbols, for debuggers and profilers'
 	@echo 'make dist [DIST_URL=]             an archive for those without Rust, and recipes of conan and vcpkg for it, into build/dist'
 	@echo 'make check-dist                   whether another checkout makes the same bytes of it; builds the library again'
+	@echo 'make wheel                        the Python package, into target/wheels'
+	@echo 'make check-wheel                  it, in a new environment without Rust'
 	@echo 'make check-conan                  the recipe of conan by conan, which it installs from PyPI into build'
 	@echo 'make check-abi                    whether the binary interface is that of packaging/abi; it is in make test too'
 	@echo 'make abi-baseline [UNRELEASED=1]  writes it anew, where its rule allows; UNRELEASED=1: although programs would break'
@@ -231,6 +233,14 @@ install-debug:
 # For those without Rust: docs/guides/linking.md.
 dist: cli
 	@scripts/dist.sh '$(archive)' '$(DIST_URL)'
+
+# Compiled by itself: a shared library alone is another thing to cargo.
+wheel:
+	@scripts/install-packages.sh python3-venv
+	@scripts/wheel.sh $(released)
+
+check-wheel: wheel
+	@scripts/check-wheel.sh
 
 check-dist: dist
 	@scripts/check-dist.sh '$(archive)'

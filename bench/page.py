@@ -44,6 +44,12 @@ beside the default, the best continuation.""",
     "join-strip": """## Joins, the strip alone
 
 Everything else is known: for gusset two rims and their first meridian, for the peers a mesh with its holes found.""",
+    "python": """## A call from Python
+
+One triangle is checked: by the Python package, and by a loop in C. `overhead_us`: what Python adds to a call, in microseconds.""",
+    "dask": """## Models over Dask
+
+Bumpy balls in four quarters assembled over a cluster of this machine: milliseconds a model with two workers beside one.""",
     "truth": """## Joins beside the surface that was there
 
 Slabs cut out of closed meshes, 1, 2, 4 and 8 % of their size wide, exactly or along their own edges: six of CGAL's collection

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import fills
+import hosts
 import surface
 import meshes
 import outlines
@@ -75,6 +76,8 @@ def main():
         fills.run(library, report, options.tools, folder, options.only)
     if scans.wanted(options.only):
         scans.run(library, report, options.tools, folder, options.only)
+    if hosts.wanted(options.only):
+        hosts.run(options.prefix, report, options.tools, options.only)
     report.write(options.out)
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
     if options.docs:

@@ -1,0 +1,56 @@
+"""Hosts that are not written in C: a small call through the Python package beside C's, and models over Dask by two workers beside one."""
+
+import os
+import re
+import statistics
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+ROWS = "python/call/c", "dask/two-workers/one-worker"
+RUNS, MODELS = 5, 400
+
+CALL = """
+import statistics, time
+import numpy as np
+import gusset_mesh as gm
+mesh = gm.Mesh(np.eye(3), np.array([[0, 1, 2]], np.uint32))
+times = []
+for _ in range(9):
+    start = time.perf_counter()
+    for _ in range(20000):
+        gm.check(mesh)
+    times.append((time.perf_counter() - start) / 20000 * 1e6)
+print(statistics.median(times))
+"""
+
+
+def wanted(only):
+    return any(only in row for row in ROWS)
+
+
+def run(library, report, tools, only):
+    venv, package = ROOT / "build/python", ROOT / "python"
+    subprocess.run([ROOT / "scripts/venv.sh", venv, package / "requirements.txt"], check=True)
+    python, native = venv / "bin/python", [library / "lib/libgusset.so", "gusset_mesh"]
+    subprocess.run([python, "-B", "build_backend.py", *native], cwd=package, check=True)
+    environment = {**os.environ, "PYTHONPATH": str(package)}
+
+    def output(*command):
+        return subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout
+
+    if only in ROWS[0]:
+        ours, theirs = [], []
+        for _ in range(RUNS):
+            ours.append(float(output(python, "-B", "-c", CALL)))
+            theirs.append(float(output(tools / "call")))
+        mine, other = statistics.median(ours), statistics.median(theirs)
+        report.add("python/call", "c", mine, other, {"overhead_us": mine - other}, "us")
+    if only in ROWS[1]:
+        rates = {1: [], 2: []}
+        for _ in range(RUNS):
+            for workers, seen in rates.items():
+                said = output(python, "-B", ROOT / "examples/dask/assemble_many.py", "--jobs", str(MODELS), "--workers", str(workers))
+                seen.append(float(re.search(r"([\d.]+) a second", said).group(1)))
+        one, two = (1000 / statistics.median(rates[workers]) for workers in (1, 2))
+        report.add("dask/two-workers", "one-worker", two, one, {"models": MODELS})
