@@ -40,7 +40,7 @@ bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libcgal-demo l
 cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian $(cli_packages)
 demo_packages  := $(host_packages) libcgal-demo
-pictures_packages := $(demo_packages) $(browser_packages) nlohmann-json3-dev
+pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
 .PHONY: help build wheel check-wheel scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
