@@ -40,14 +40,14 @@ int joined(const Options &options, const diy::mpi::communicator &world) {
         }
     }
     world.barrier();
-    const auto begin = std::chrono::steady_clock::now();
+    const Seconds begin = Seconds::now();
     const Outcome outcome = run(options, world);
     RankReport mine;
     mine.tiles = outcome.tiles.size();
     mine.peak_megabytes = peak_megabytes();
     mine.disk_megabytes = outcome.disk_megabytes;
-    mine.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    mine.stages = outcome.watch.seconds();
+    mine.whole.add(begin, Seconds::now());
+    mine.stages = outcome.watch.stages();
 
     // O(1) for each tile. Ranks in order have the tiles in order.
     std::vector<std::vector<char>> gathered;

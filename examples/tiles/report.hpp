@@ -11,8 +11,9 @@ namespace tiles {
 /// What a rank tells the first one, beside the records of its tiles.
 struct RankReport {
     uint64_t tiles = 0;
-    double peak_megabytes = 0, disk_megabytes = 0, seconds = 0;
-    std::array<double, stage_count> stages{};
+    double peak_megabytes = 0, disk_megabytes = 0;
+    Seconds whole;
+    std::array<Seconds, stage_count> stages{};
 };
 
 /// The sums over all tiles; their hashes in the order of the tiles make the whole's.
@@ -79,12 +80,14 @@ inline bool report(const Options &options, const std::vector<TileRecord> &record
     std::cout << std::fixed;
     for (std::size_t r = 0; r < ranks.size(); ++r) {
         std::cout << "rank " << r << ": " << ranks[r].tiles << " tiles, " << std::setprecision(1) << ranks[r].peak_megabytes
-                  << " MB of memory at the peak, " << ranks[r].disk_megabytes << " MB on disk; " << std::setprecision(2)
-                  << ranks[r].seconds << " s:";
-        for (std::size_t s = 0; s < stage_count; ++s) {
-            std::cout << ' ' << stage_names[s] << ' ' << ranks[r].stages[s];
+                  << " MB of memory at the peak, " << ranks[r].disk_megabytes << " MB on disk\n" << std::setprecision(2);
+        for (const auto &[clock, field] : {std::pair("elapsed", &Seconds::elapsed), std::pair("processor", &Seconds::processor)}) {
+            std::cout << "  " << clock << ' ' << ranks[r].whole.*field << " s:";
+            for (std::size_t s = 0; s < stage_count; ++s) {
+                std::cout << ' ' << stage_names[s] << ' ' << ranks[r].stages[s].*field;
+            }
+            std::cout << '\n';
         }
-        std::cout << '\n';
         hold(options.max_megabytes <= 0 || ranks[r].peak_megabytes <= options.max_megabytes,
              "rank " + std::to_string(r) + " needs no more memory than was allowed");
     }

@@ -83,41 +83,8 @@ inline std::vector<uint8_t> foreign_vertices(const Plan &plan, uint32_t tile, co
     return foreign;
 }
 
-/// Cleans a soup.
-inline void clean(const Plan &plan, uint32_t tile, Soup &&soup, const gusset::Context &context, Stopwatch &watch, Mesh &mesh,
-                  Rim &rim, Cleaned &cleaned) {
-    cleaned.soup_faces += soup.size() / 3;
-    //! [clean]
-    std::vector<uint32_t> corners(soup.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i] = static_cast<uint32_t>(i);
-    }
-    gusset::WeldOptions options;
-    options.vertices = gusset::WeldVertices::all;
-    options.tolerance = 0.0;
-    options.collapse = options.remove_unused = true;
-    std::optional<gusset::Weld> weld(std::in_place, gusset::MeshView::triangles(soup, corners), options, context);
-    Soup().swap(soup); // the largest of all that a tile needs
-    std::vector<uint32_t>().swap(corners);
-    watch.lap(Stage::weld);
-    const gusset::Orient orient(weld->mesh(), gusset::Outward::keep, context);
-    cleaned.dropped += weld->dropped_faces();
-    cleaned.turned += orient.turned_faces();
-    weld.reset();
-    watch.lap(Stage::orient);
-    const gusset::MeshView view = orient.mesh();
-    {
-        const gusset::Check check(view, context);
-        const gusset_check_view found = check.view();
-        if (!check.is_manifold() || !check.is_oriented() || found.component_count != 1 || found.degenerate_faces.count != 0) {
-            throw std::runtime_error("the clean tile is no oriented manifold in one piece");
-        }
-        rim.edges = found.edge_count;
-        rim.faces = found.face_count;
-    }
-    rim.vertices = cut_rim(view, TileGrid(plan, tile), context);
-    //! [clean]
-
+/// Copies the clean mesh of a tile, with its own vertices before foreign ones.
+inline void keep(const Plan &plan, uint32_t tile, const gusset::MeshView &view, Mesh &mesh, Rim &rim) {
     const std::vector<uint8_t> foreign = foreign_vertices(plan, tile, rim, view.vertex_count());
     std::vector<uint32_t> place(view.vertex_count());
     for (const uint8_t kind : {uint8_t{0}, uint8_t{1}}) {
@@ -144,6 +111,43 @@ inline void clean(const Plan &plan, uint32_t tile, Soup &&soup, const gusset::Co
             rim.points[k].push_back(mesh.points[v]);
         }
     }
+}
+
+/// Cleans a soup.
+inline void clean(const Plan &plan, uint32_t tile, Soup &&soup, const gusset::Context &context, Stopwatch &watch, Mesh &mesh,
+                  Rim &rim, Cleaned &cleaned) {
+    cleaned.soup_faces += soup.size() / 3;
+    //! [clean]
+    std::vector<uint32_t> corners(soup.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = static_cast<uint32_t>(i);
+    }
+    gusset::WeldOptions options;
+    options.vertices = gusset::WeldVertices::all;
+    options.tolerance = 0.0;
+    options.collapse = options.remove_unused = true;
+    auto weld = std::make_unique<gusset::Weld>(gusset::MeshView::triangles(soup, corners), options, context);
+    Soup().swap(soup); // the largest of all that a tile needs
+    std::vector<uint32_t>().swap(corners);
+    watch.lap(Stage::weld);
+    const gusset::Orient orient(weld->mesh(), gusset::Outward::keep, context);
+    cleaned.dropped += weld->dropped_faces();
+    cleaned.turned += orient.turned_faces();
+    weld.reset();
+    watch.lap(Stage::orient);
+    const gusset::MeshView view = orient.mesh();
+    {
+        const gusset::Check check(view, context);
+        const gusset_check_view found = check.view();
+        if (!check.is_manifold() || !check.is_oriented() || found.component_count != 1 || found.degenerate_faces.count != 0) {
+            throw std::runtime_error("the clean tile is no oriented manifold in one piece");
+        }
+        rim.edges = found.edge_count;
+        rim.faces = found.face_count;
+    }
+    rim.vertices = cut_rim(view, TileGrid(plan, tile), context);
+    //! [clean]
+    keep(plan, tile, view, mesh, rim);
     watch.lap(Stage::check);
 }
 } // namespace tiles
