@@ -64,7 +64,8 @@ fn wanted(page: &str, makefile: &str) -> (String, Vec<String>) {
 #[test]
 fn pages_show_what_is_compiled_and_run() {
     let makefile = read("Makefile");
-    let built = ["cpp_tests/CMakeLists.txt", "cpp_tests/docs.cmake"].map(read).concat();
+    let built =
+        ["cpp_tests/CMakeLists.txt", "cpp_tests/docs.cmake", "cpp_tests/tiles/CMakeLists.txt"].map(read).concat();
     let project = read("examples/guides/CMakeLists.txt");
     let mut shown = 0;
     for path in pages() {
