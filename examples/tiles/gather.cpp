@@ -1,9 +1,8 @@
 // Reads all files of a folder of finished tiles as one mesh, which must fit in memory, and checks it: it knows nothing of how
-// they were made.
-//   tiles_gather folder
+// they were made. With --sums it has one tile in memory, and checks ids, hashes and the sums over half-edges.
+//   tiles_gather [--sums] folder
 #include "output.hpp"
 
-#include <iomanip>
 #include <iostream>
 
 namespace {
@@ -13,8 +12,9 @@ using namespace tiles;
 struct Whole {
     std::vector<Point3> points;
     std::vector<uint32_t> corners;
+    uint64_t vertices = 0, faces = 0, first_id = 0;
+    EdgeSums sums;
     Hash hash;
-    uint64_t first_id = 0;
 };
 
 template <class T>
@@ -24,7 +24,7 @@ void read(const File &file, T *to, std::size_t count, const std::string &name) {
     }
 }
 
-void add_tile(Whole &whole, uint32_t tile, const std::string &name) {
+void add_tile(Whole &whole, uint32_t tile, const std::string &name, bool keep) {
     const File file(std::fopen(name.c_str(), "rb"));
     if (!file) {
         throw std::runtime_error("cannot read " + name);
@@ -39,7 +39,7 @@ void add_tile(Whole &whole, uint32_t tile, const std::string &name) {
     if (tile == 0) {
         whole.first_id = header.first_id;
     }
-    if (header.first_id != whole.first_id + whole.points.size()) {
+    if (header.first_id != whole.first_id + whole.vertices) {
         throw std::runtime_error(name + ": ids do not go on where the tile before ended");
     }
     Hash hash = hash_of(header);
@@ -54,32 +54,41 @@ void add_tile(Whole &whole, uint32_t tile, const std::string &name) {
     }
     for (const uint64_t id : ids) {
         hash.add(id);
-        if (id - whole.first_id >= UINT32_MAX) {
-            throw std::runtime_error(name + ": too large to be checked as one mesh, or with a wrong id");
-        }
-        whole.corners.push_back(static_cast<uint32_t>(id - whole.first_id));
     }
     if (hash.value() != header.hash) {
         throw std::runtime_error(name + ": the hash does not fit");
     }
-    whole.points.insert(whole.points.end(), points.begin(), points.end());
+    for (std::size_t i = 0; i < ids.size(); i += 3) {
+        whole.sums.add({ids[i], ids[i + 1], ids[i + 2]});
+    }
     whole.hash.add(header.hash);
+    whole.vertices += header.vertex_count;
+    whole.faces += header.face_count;
+    if (keep) {
+        whole.points.insert(whole.points.end(), points.begin(), points.end());
+        for (const uint64_t id : ids) {
+            if (id - whole.first_id >= UINT32_MAX) {
+                throw std::runtime_error(name + ": too large to be checked as one mesh, or with a wrong id");
+            }
+            whole.corners.push_back(static_cast<uint32_t>(id - whole.first_id));
+        }
+    }
 }
-} // namespace
+class Claims {
+public:
+    void hold(bool so, const char *what) {
+        if (!so) {
+            std::cerr << "does not hold: " << what << '\n';
+            holds_ = false;
+        }
+    }
+    int status() const { return holds_ ? 0 : 1; }
 
-int main(int argc, char **argv) try {
-    if (argc != 2) {
-        std::cerr << "usage: tiles_gather folder\n";
-        return 2;
-    }
-    Whole whole;
-    uint32_t count = 0;
-    for (std::string name; std::filesystem::exists(name = tile_file(argv[1], count, "bin")); ++count) {
-        add_tile(whole, count, name);
-    }
-    if (count == 0) {
-        throw std::runtime_error(std::string("no tiles in ") + argv[1]);
-    }
+private:
+    bool holds_ = true;
+};
+
+void check(const Whole &whole, Claims &claims) {
     const gusset::MeshView mesh = gusset::MeshView::triangles(whole.points, whole.corners);
     const gusset::Check check(mesh);
     const gusset_check_view found = check.view();
@@ -88,23 +97,44 @@ int main(int argc, char **argv) try {
     for (uint32_t v = 0; v < merge.size(); ++v) {
         apart = apart && merge[v] == v;
     }
-    std::cout << count << " tiles: " << found.vertex_count << " vertices, " << found.edge_count << " edges, " << found.face_count
-              << " faces, " << found.component_count << " components, genus " << found.genus << ", Euler characteristic " << found.euler
-              << "\nhash: " << std::hex << std::setw(16) << std::setfill('0') << whole.hash.value() << std::endl;
-    bool holds = true;
-    const auto hold = [&](bool so, const char *what) {
-        if (!so) {
-            std::cerr << "does not hold: " << what << '\n';
-            holds = false;
-        }
-    };
-    hold(check.is_closed(), "the whole is closed");
-    hold(check.is_manifold(), "the whole is manifold");
-    hold(check.is_oriented(), "the whole is oriented");
-    hold(found.component_count == 1 && found.genus == 1 && found.euler == 0, "the whole is one torus");
-    hold(found.duplicate_faces.count + found.degenerate_faces.count + found.unused_vertices.count == 0, "no face or vertex is too many");
-    hold(apart, "no two vertices are in one place");
-    return holds ? 0 : 1;
+    std::cout << found.vertex_count << " vertices, " << found.edge_count << " edges, " << found.face_count << " faces, "
+              << found.component_count << " components, genus " << found.genus << ", Euler characteristic " << found.euler << '\n';
+    claims.hold(check.is_closed(), "the whole is closed");
+    claims.hold(check.is_manifold(), "the whole is manifold");
+    claims.hold(check.is_oriented(), "the whole is oriented");
+    claims.hold(found.component_count == 1 && found.genus == 1 && found.euler == 0, "the whole is one torus");
+    claims.hold(found.duplicate_faces.count + found.degenerate_faces.count + found.unused_vertices.count == 0,
+                "no face or vertex is too many");
+    claims.hold(apart, "no two vertices are in one place");
+}
+} // namespace
+
+int main(int argc, char **argv) try {
+    const bool keep = argc == 2;
+    if (!keep && (argc != 3 || std::string(argv[1]) != "--sums")) {
+        std::cerr << "usage: tiles_gather [--sums] folder\n";
+        return 2;
+    }
+    const std::string folder = argv[argc - 1];
+    Whole whole;
+    uint32_t count = 0;
+    for (std::string name; std::filesystem::exists(name = tile_file(folder, count, "bin")); ++count) {
+        add_tile(whole, count, name, keep);
+    }
+    if (count == 0) {
+        throw std::runtime_error("no tiles in " + folder);
+    }
+    Claims claims;
+    std::cout << count << " tiles: ";
+    if (keep) {
+        check(whole, claims);
+    } else {
+        std::cout << whole.vertices << " vertices, " << whole.faces << " faces\n";
+    }
+    claims.hold(whole.sums.forth == whole.sums.back, "each edge is run once in each direction");
+    claims.hold(2 * whole.vertices == whole.faces, "a closed torus of triangles has twice as many faces as vertices");
+    std::cout << "hash: " << hexadecimal(whole.hash.value()) << std::endl;
+    return claims.status();
 } catch (const std::exception &error) {
     std::cerr << "tiles_gather: " << error.what() << '\n';
     return 1;

@@ -34,6 +34,12 @@ inline uint64_t word(double x) {
     return bits;
 }
 
+inline std::string hexadecimal(uint64_t x) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(x));
+    return text;
+}
+
 /// The hash of a tile's header, before its vertices and faces follow.
 inline Hash hash_of(const TileHeader &header) {
     Hash hash;

@@ -5,7 +5,6 @@
 
 #include <iomanip>
 #include <iostream>
-#include <sstream>
 
 namespace tiles {
 /// What a rank tells the first one, beside the records of its tiles.
@@ -43,12 +42,6 @@ struct Totals {
     }
     int64_t euler() const { return static_cast<int64_t>(vertices - edges + faces); }
 };
-
-inline std::string hexadecimal(uint64_t x) {
-    std::ostringstream text;
-    text << std::hex << std::setw(16) << std::setfill('0') << x;
-    return text.str();
-}
 
 /// Prints it all. Returns whether what must hold does.
 inline bool report(const Options &options, const std::vector<TileRecord> &records, const std::vector<RankReport> &ranks) {
