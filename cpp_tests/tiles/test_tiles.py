@@ -131,9 +131,9 @@ class Tiles(unittest.TestCase):
 
     def test_memory(self):
         """Memory does not grow with the number of tiles, and it would."""
-        few, many = ["--tiles", 3, 3, "--cells", 130, "--gap"], ["--tiles", 9, 9, "--cells", 130, "--gap"]
+        few, many = ["--tiles", 3, 3, "--cells", 110, "--gap"], ["--tiles", 8, 8, "--cells", 110, "--gap"]
         disk = ["--in-memory", 1, "--scratch", "scratch"]
-        all_blocks = 72 * (131 * 131 * 24 + 130 * 130 * 24) / 1e6
+        all_blocks = 55 * (111 * 111 * 24 + 110 * 110 * 24) / 1e6
         small, large = peak(run(1, *few, *disk)), run(1, *many, *disk)
         self.assertLess(peak(large) - small, 0.15 * all_blocks)
         self.assertGreater(peak(run(1, *many)) - small, 0.7 * all_blocks)
