@@ -25,7 +25,7 @@ inline Soup soup_by_formula(const Plan &plan, uint32_t tile) {
             const std::array<PointF, 4> p{grid.point(j, i), grid.point(j, i + 1), grid.point(j + 1, i + 1), grid.point(j + 1, i)};
             const uint64_t chance = mixed_bits((uint64_t{tile} << 32) ^ (uint64_t{j} * n + i));
             const bool turned = chance % 64 == 0;
-            for (const std::size_t k : {0, turned ? 2 : 1, turned ? 1 : 2, 0, 2, 3}) {
+            for (const std::size_t k : std::array<std::size_t, 6>{0, turned ? 2u : 1u, turned ? 1u : 2u, 0, 2, 3}) {
                 soup.push_back(p[k]);
             }
             if (chance % 256 == 1) {
