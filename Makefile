@@ -43,13 +43,14 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build wheel check-wheel scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-vtk wheel check-wheel scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo 'make demo                         stitch two halves of a real mesh, with a page to turn it and pictures, into build/demo'
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, header drift, C and C++'
+	@echo 'make test-vtk                     those that need VTK and MPI, which `make test` skips where they are not'
 	@echo 'make lint                         formatting, lints and the Rust documentation'
 	@echo 'make check                        both of Rust, without C and C++'
 	@echo 'make exhaustive                   all cases of the tests that try many, and long searches by brute force; minutes'
@@ -132,6 +133,13 @@ test-hosts: dist openmfx
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx) -DGUSSET_ARCHIVE=$(archive)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2
+
+# Of VTK's packages, half a gigabyte, `make test` does without: what needs them is skipped there, and run here.
+test-vtk: stage
+	@scripts/install-packages.sh $(test_packages) libopenmpi-dev libvtk9-dev openmpi-bin
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
+	ctest --test-dir build/cpp -R '^(vtk|tiles)' --output-on-failure --no-tests=error
 
 # `cmake --install build/cli --prefix PREFIX` installs it.
 cli: stage

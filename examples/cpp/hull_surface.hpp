@@ -103,7 +103,10 @@ struct Hull {
                 cut = i;
             }
         }
-        transom.push_back(stern(faired(stations[0], columns)));
+        // A stern as sharp as the stem has none.
+        if (std::any_of(stations[0].begin(), stations[0].end(), [](const Point3 &p) { return p[1] > 0; })) {
+            transom.push_back(stern(faired(stations[0], columns)));
+        }
         if (cut == 0) {
             add(stations);
             return;
