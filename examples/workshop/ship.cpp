@@ -224,9 +224,12 @@ int main(int argc, char **argv) try {
     water = water != 0 ? water : low + 0.6 * (deck - low);
 
     const ship::Hull hull(stations);
+    const auto fineness = static_cast<uint32_t>(std::max<std::size_t>(2, 50 / stations.size())); // parts of a cell
+    // Straight lines between few stations lose as the square of their distance.
+    const double coarseness = std::pow(std::max(1.0, 20.0 / static_cast<double>(stations.size())), 2);
     //! [hull]
     gusset::SheetMeshOptions even;
-    even.min_u = even.min_v = 2; // not by a tolerance: borders of pieces that meet have the same vertices
+    even.min_u = even.min_v = fineness; // not by a tolerance: borders of pieces that meet have the same vertices
     std::vector<gusset::SheetMesh> meshes;
     for (const auto *pieces : {&hull.port, &hull.starboard, &hull.decks, &hull.transom}) {
         for (const gusset::Sheet &piece : *pieces) {
@@ -274,7 +277,7 @@ int main(int argc, char **argv) try {
     print("mesh", mesh, mesh);
     print("surface", surface, mesh);
     print("table", table, mesh);
-    for (const auto &[other, within] : {std::pair(&surface, 0.5), std::pair(&table, 3.0)}) {
+    for (const auto &[other, within] : {std::pair(&surface, 0.5), std::pair(&table, 3.0 * coarseness)}) {
         claims.hold(std::abs(workshop::percent(mesh.volume, other->volume)) < within, "the volumes agree");
         claims.hold(std::abs(workshop::percent(mesh.area, other->area)) < within, "the waterplanes agree");
         const double long_by = bow / 100 * within;

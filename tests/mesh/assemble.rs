@@ -483,6 +483,15 @@ fn pieces_side_by_side_are_joined_along_the_gap_only() {
         assert_eq!((euler(faces_of(&done.mesh)), done.loops_left), (1, 1));
     }
 
+    // However coarse they are, although then all vertices are about as far from the other piece.
+    for size in [2, 3, 4] {
+        let mut beside = sheet(size, size);
+        beside.points.iter_mut().for_each(|p| p[0] += 1.05 * f64::from(size));
+        let done = run(&[sheet(size, size), beside], &Options::default());
+        assert_eq!(done.joints.iter().map(|joint| joint.whole).collect::<Vec<_>>(), [false], "{size}");
+        assert_eq!((euler(faces_of(&done.mesh)), done.loops_left), (1, 1), "{size}");
+    }
+
     // Two halves of a pipe make a pipe: one gap on each side.
     let halves = [0.0, std::f64::consts::PI].map(|t| pipe(20, t + 0.02..t + 3.12, 1.0, 0.0, 0.0..3.0));
     let done = run(&halves, &Options { max_gap: MaxGap::Given(0.05), ..Options::default() });

@@ -7,9 +7,9 @@
 //!
 //! * if they look at each other, and nearly all vertices of each that have any loop before them have
 //!   the other not much farther away than the nearest of those, or
-//! * if nearly all vertices of each have their nearest vertex on the other, and their distances are
-//!   alike or these nearest points wind once round the other loop: from a loop that lies beside
-//!   another they run forth and back.
+//! * if nearly all vertices of each have their nearest vertex on the other, and these nearest points
+//!   wind once round the other loop, or the distances are alike: but not of a loop that lies beside
+//!   another, from which the ways run all in one direction, while its conormals look all round.
 //!
 //! Of these, pairs are chosen so that the sum of what each saves is greatest (see
 //! [`assignment`](super::assignment)): the nearer, the better they look at each other and the more
@@ -51,6 +51,13 @@ const MIN_SHARE_NEAR: f64 = 0.9;
 /// Distances are alike if the greatest is at most so many times the least, or the spacing.
 const MAX_DISTANCE_RATIO: f64 = 4.0;
 
+/// Ways run in one direction if the mean of their unit vectors is longer than this.
+const MIN_ONE_WAY: f64 = 0.5;
+
+/// And a loop lies beside another if it looks there, or away from there, by less than so much of that
+/// mean.
+const MAX_LOOK_ASIDE: f64 = 0.5;
+
 /// The widest gap that is closed by itself, as a part of the size of the larger component.
 const MAX_PART_OF_SIZE: f64 = 0.2;
 
@@ -73,7 +80,8 @@ struct Look {
     gap: f64,
     /// The mean cosine between its conormals and the way there.
     cosine: f64,
-    /// Its distances are alike, or its nearest points wind once round the other.
+    /// Its nearest points wind once round the other, or its distances are alike and it does not lie
+    /// beside it.
     round: bool,
 }
 
@@ -227,7 +235,7 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTre
     let edge = |i: usize| from.points[i].distance(from.points[(i + 1) % n]);
     let around = lengths.last().copied().unwrap_or_default();
     let shorter = |by: f64| if around > 0.0 { by - around * (by / around).round() } else { 0.0 };
-    let (mut sum, mut gap, mut cosine) = (0.0, 0.0, 0.0);
+    let (mut sum, mut gap, mut cosine, mut one_way) = (0.0, 0.0, 0.0, DVec3::ZERO);
     let (mut turned, mut first, mut last) = (0.0, None, 0.0);
     let mut distances = alloc::with_capacity(n.min(SAMPLE_VERTICES))?;
     for i in (0..n).step_by(n.div_ceil(SAMPLE_VERTICES)) {
@@ -240,6 +248,7 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTre
         sum += weight;
         distances.push(distance);
         gap += weight * distance;
+        one_way += weight * way.normalize_or_zero();
         cosine += weight * if distance > 0.0 { way.dot(conormals[i]) / distance } else { 1.0 };
         let place = lengths[v as usize];
         turned += shorter(place - first.map_or(place, |_| last));
@@ -251,7 +260,9 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTre
     let [low, high] = [1, 9].map(|tenth| distances.get(distances.len().saturating_sub(1) * tenth / 10));
     let spacing = sum / 2.0 / distances.len().max(1) as f64;
     let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_DISTANCE_RATIO * low.max(spacing));
-    let round = alike || winds;
+    let one_way = if sum > 0.0 { one_way.length() / sum } else { 0.0 };
+    let beside = one_way > MIN_ONE_WAY && cosine.abs() < MAX_LOOK_ASIDE * one_way * sum;
+    let round = winds || alike && !beside;
     Ok(if sum > 0.0 {
         Look { gap: gap / sum, cosine: cosine / sum, round }
     } else {
