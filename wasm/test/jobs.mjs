@@ -20,6 +20,15 @@ const INPUTS = {
   smooth_curve: [SHEET, CROSSING], smooth_nearest: [SHEET, CROSSING], net_lathe: [part(LINES, 0)], curve_offset: [part(RINGS, 0)],
   curve_svg: [part(RINGS, 0)],
 };
+/** A mesh turned about z, bent a little and moved. */
+function moved({ positions, faces }, angle) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)], points = positions.slice();
+  for (let k = 0; k < points.length; k += 3) {
+    const [x, y, z] = points.subarray(k, k + 3);
+    points.set([c * x - s * y + 0.05, s * x + c * y + 0.03, c * z + 0.1 * s * x], k);
+  }
+  return new Mesh(points, faces);
+}
 const PARAMS = { smooth_net: { tolerance: 0.5 } };
 
 /** Jobs on larger shapes, in single precision, with parameters, and some that fail. */
@@ -39,6 +48,8 @@ const MORE = [
   ["fill_holes", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair", continuity: "curvature" }],
   ["weld", [sheet(40, 50)], { vertices: "all_vertices", tolerance: 0.03 }],
   ["align", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })]],
+  // What turns pieces must not depend on functions of the system.
+  ...Array.from({ length: 20 }, (_, k) => ["align", [cap(1, 10, 36, { ripple: 0.05 + 0.005 * k, end: 1.4 + 0.04 * k }), moved(cap(1, 9, 31, { ripple: 0.15 - 0.005 * k, end: 2.2 - 0.04 * k }), 0.015 * k)], { start: "principal_axes" }]),
   ["trim", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })]],
   ["develop", [cap(1, 12, 40, { ripple: 0.1 })]],
   ["develop", [sheet(15, 12)], { distortion: "angles" }],
