@@ -43,7 +43,7 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build test-vtk wheel check-wheel scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-vtk wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check lint exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -68,6 +68,7 @@ help:
 	@echo 'make scans FOLDER=views OUT=model.ply  overlapping scans of a folder, PLY files, made one closed mesh; pictures if PyVista is there'
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
+	@echo 'make wasm                         the npm package in wasm: the library as WebAssembly, with its tests under node; minutes'
 	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
 	@echo 'make install [PREFIX=/usr/local] [LIBDIR=] [DESTDIR=]   libraries, headers, pkg-config file, CMake package, docs'
 	@echo 'make install-debug                the same with line tables and symbols, for debuggers and profilers'
@@ -149,6 +150,10 @@ cli: stage
 
 scans: cli
 	@python3 scripts/scans.py build/cli/gusset '$(FOLDER)' '$(or $(OUT),scans.ply)'
+
+# Beside the native library, whose bytes must be the same.
+wasm: stage
+	@CARGO='$(CARGO)' scripts/wasm.sh '$(stage)'
 
 torture: stage
 	@scripts/install-packages.sh $(test_packages)

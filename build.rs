@@ -13,6 +13,13 @@ fn main() {
     let statuses = fs::read_to_string(root.join("src/ffi/status.rs")).expect("the list of statuses can be read");
     fs::write(out.join("status_text.rs"), status_text(&statuses)).expect("OUT_DIR can be written to");
 
+    if env::var("TARGET").is_ok_and(|target| target == "wasm32-unknown-unknown") {
+        // Hosts call the plugin's functions through their table, and add callbacks of their own to
+        // it. The stack is that of a helping thread elsewhere.
+        for argument in ["--export-table", "--growable-table", "-z", "stack-size=2097152"] {
+            println!("cargo:rustc-cdylib-link-arg={argument}");
+        }
+    }
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "linux") {
         // Threads that still run when a host closes the library would run into unmapped code: never
         // unmap it.

@@ -45,6 +45,13 @@ add_test(NAME guides/cli COMMAND ${CMAKE_COMMAND} -E env "PATH=$<TARGET_FILE_DIR
 set_tests_properties(guides/cli PROPERTIES FIXTURES_REQUIRED generated PASS_REGULAR_EXPRESSION
                      "joined loops of.*boundary loops? by.*boundary_loops .*-p meridians=")
 
+# With what `make wasm` built, if it did.
+find_program(NODE node)
+if(NODE AND EXISTS ${root}/wasm/gusset.wasm)
+  add_test(NAME guides/wasm COMMAND ${NODE} ${root}/examples/wasm/first.mjs)
+  set_tests_properties(guides/wasm PROPERTIES PASS_REGULAR_EXPRESSION "index_out_of_range")
+endif()
+
 # The commands of the guides: by hand, and as a project of a reader's.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/guides)
 add_test(NAME guides/commands COMMAND ${guides}/build.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/guides)

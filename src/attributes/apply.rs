@@ -219,14 +219,15 @@ fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> 
         // To where the directions are on the plane that touches at the mean, by angles.
         let step = units().map(|(direction, weight)| {
             let off = direction - mean * direction.dot(mean);
-            off.normalize_or_zero() * (off.length().atan2(direction.dot(mean)) * weight / total)
+            off.normalize_or_zero() * (libm::atan2(off.length(), direction.dot(mean)) * weight / total)
         });
         let step: DVec3 = step.sum();
         let angle = step.length();
         if angle <= ROUNDING {
             break;
         }
-        mean = (mean * angle.cos() + step * (angle.sin() / angle)).normalize();
+        let (sine, cosine) = libm::sincos(angle);
+        mean = (mean * cosine + step * (sine / angle)).normalize();
     }
     mean
 }

@@ -1,9 +1,8 @@
 //! A host as the core sees it.
 
 use crate::job::Progress;
-use libc::{c_char, c_int, c_void};
 use std::cell::Cell;
-use std::ffi::CString;
+use std::ffi::{CString, c_char, c_int, c_void};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 

@@ -6,6 +6,7 @@ use super::status::gusset_status::{
     GUSSET_ERROR_SIZE_OVERFLOW,
 };
 use crate::job::Job;
+use std::ffi::c_void;
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -108,7 +109,7 @@ pub(crate) fn handles<'a, T>(
 
 /// `count` elements of the caller's, read as bytes: any alignment will do.
 pub(crate) fn bytes<'a>(
-    pointer: *const libc::c_void,
+    pointer: *const c_void,
     count: usize,
     size: usize,
     name: &'static str,

@@ -40,7 +40,7 @@ mod prelude {
     pub(crate) use crate::error::{Element, Error};
     pub(crate) use crate::job::Job;
     pub(crate) use glam::DVec3;
-    pub(crate) use libc::c_void;
+    pub(crate) use std::ffi::c_void;
     pub(crate) use std::ptr;
 }
 

@@ -6,6 +6,7 @@
 
 use crate::error::{Element, Error, PairFault, Side};
 use std::borrow::Cow;
+use std::ffi::c_char;
 
 /// What a function returns; `GUSSET_OK` is 0.
 #[repr(i32)]
@@ -389,6 +390,6 @@ pub(super) fn text(status: i32) -> &'static std::ffi::CStr {
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
+pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
     status_text(status).as_ptr()
 }

@@ -1,6 +1,6 @@
 //! What is loaded.
 
-use std::ffi::CStr;
+use std::ffi::{CStr, c_char};
 
 /// The library's version, "major.minor.patch".
 ///
@@ -10,7 +10,7 @@ use std::ffi::CStr;
 /// @complexity O(1).
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub extern "C" fn gusset_version() -> *const libc::c_char {
+pub extern "C" fn gusset_version() -> *const c_char {
     const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
         Ok(text) => text,
         Err(_) => panic!("the version has no NUL"),

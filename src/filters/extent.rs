@@ -27,7 +27,7 @@ pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
 
 /// A length of about two digits, so that dialogs show what can be read.
 pub(super) fn rounded(value: f64) -> f64 {
-    let unit = libm::pow(10.0, value.abs().log10().floor() - 1.0);
+    let unit = libm::pow(10.0, libm::log10(value.abs()).floor() - 1.0);
     let round = (value / unit).round() * unit;
     if round.is_finite() { round } else { value }
 }

@@ -1,7 +1,7 @@
 //! The rotation that brings points nearest to others.
 
 use super::linear::eigen::eigen;
-use glam::{DMat3, DQuat};
+use glam::{DMat3, DQuat, DVec3};
 
 /// The rotation R for which the trace of R^T M is greatest: B. K. P. Horn, *Closed-form solution of
 /// absolute orientation using unit quaternions* (1987). It is the eigenvector of the greatest
@@ -18,4 +18,14 @@ pub(crate) fn best_rotation(m: DMat3) -> DQuat {
     let turn = DQuat::from_xyzw(x, y, z, w).normalize();
     // Of the two quaternions of a rotation, that of the shorter way.
     if turn.w < 0.0 { -turn } else { turn }
+}
+
+/// The part `t` of a rotation about its axis, of length 1: glam's own would take the functions of
+/// the system.
+pub(crate) fn part_of(turn: DQuat, t: f64) -> DQuat {
+    let axis = DVec3::new(turn.x, turn.y, turn.z);
+    let length = axis.length();
+    let (sine, cosine) = libm::sincos(t * libm::atan2(length, turn.w));
+    let [x, y, z] = (if length > 0.0 { axis * (sine / length) } else { axis }).to_array();
+    DQuat::from_xyzw(x, y, z, cosine)
 }

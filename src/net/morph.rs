@@ -5,7 +5,7 @@
 
 use super::{Classes, Net, Real, each};
 use crate::error::{Error, Result};
-use crate::geom::rotation::best_rotation;
+use crate::geom::rotation::{best_rotation, part_of};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use glam::{DMat3, DVec3};
@@ -102,8 +102,8 @@ impl Way {
             let (p, q) = (p - means[0], q - means[1]);
             covariance += DMat3::from_cols(p.x * q, p.y * q, p.z * q);
         });
-        let (axis, angle) = best_rotation(covariance).to_axis_angle();
-        let part = |t: f64| DMat3::from_axis_angle(axis, t * angle);
+        let turn = best_rotation(covariance);
+        let part = |t: f64| DMat3::from_quat(part_of(turn, t));
         Ok(Way { t, unit, means, rotations: Some([part(t), part(t - 1.0)]) })
     }
 

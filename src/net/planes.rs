@@ -53,7 +53,7 @@ impl<'a, T: Real> Planes<'a, T> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn zeroed(shape: Shape) -> Result<Self> {
-        let each = (shape.node_count() * size_of::<T>()).div_ceil(CACHE_LINE) * CHUNKS_PER_LINE;
+        let each = shape.node_count().saturating_mul(size_of::<T>()).div_ceil(CACHE_LINE) * CHUNKS_PER_LINE;
         let chunks: Vec<AlignedChunk> = alloc::zeroed(CHUNKS_PER_LINE - 1 + 3 * each)?;
         let start = first_aligned(&chunks);
         Ok(Planes { shape, stride: shape.columns(), store: Store::Own { chunks, start, each } })

@@ -34,7 +34,7 @@ pub(super) fn finite_nodes(nodes: impl IntoIterator<Item = impl Borrow<DVec3>>) 
 
 /// The first `count` of the points of an array, all finite.
 pub(super) fn finite_points<'a>(given: &'a [DVec3], count: u64, what: &'static str) -> Result<&'a [DVec3]> {
-    let Some(points) = given.get(..count as usize) else {
+    let Some(points) = usize::try_from(count).ok().and_then(|count| given.get(..count)) else {
         return Err(Error::ArrayTooShort { what, needed: 24 * count, given: 24 * given.len() as u64 });
     };
     finite_nodes(points)?;

@@ -2,7 +2,7 @@
 
 use crate::ffi::curve::{gusset_curve, view};
 use crate::ffi::prelude::*;
-use libc::c_char;
+use std::ffi::c_char;
 
 /// A curve in another form. Opaque and immutable; it keeps nothing of the curve.
 #[derive(Default)]

@@ -5,7 +5,7 @@ use crate::ffi::net::{edit, gusset_net};
 use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::net::field::*;
-use libc::c_int;
+use std::ffi::c_int;
 
 /// What a field does, and what its values are. An axis and those that follow it: y and z after x, z
 /// and x after y, x and y after z.

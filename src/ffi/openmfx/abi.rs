@@ -1,8 +1,7 @@
 //! The structs, statuses and names of the standard that the effects use. Handles are blind pointers
 //! of the host's.
 
-use libc::{c_char, c_int, c_uint, c_void};
-use std::ffi::CStr;
+use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 
 /// Whatever the host wants to be handed back: property sets, effects, inputs, meshes, parameters.
 pub type Handle = *mut c_void;

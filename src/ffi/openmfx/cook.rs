@@ -11,7 +11,7 @@ use crate::ffi::guard::caught;
 use crate::ffi::status::{Failure, gusset_status};
 use crate::filters::data::{Curves, Input, InputKind, Output};
 use crate::job::{Job, Progress};
-use libc::c_int;
+use std::ffi::c_int;
 use std::ops::ControlFlow;
 
 /// Asks the host whether to go on.

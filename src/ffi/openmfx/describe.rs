@@ -9,7 +9,7 @@ use super::abi::{
 };
 use super::effects::{Effect, Knob, KnobKind, SUIT, SUIT_HINT, SUIT_LABEL};
 use super::suites::{Parameters, Properties, Suites};
-use libc::c_int;
+use std::ffi::c_int;
 
 /// The action of this name.
 pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Handle) -> Result<(), Status> {

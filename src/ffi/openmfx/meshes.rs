@@ -15,8 +15,7 @@ use crate::filters::data::{Curves, Input};
 use crate::job::Job;
 use crate::mesh::{Faces, Mesh, MeshView, Positions, Scalar};
 use glam::{DMat4, DVec3};
-use libc::c_int;
-use std::ffi::CStr;
+use std::ffi::{CStr, c_int};
 
 /// A mesh of the host's. Positions stay where they are unless they must be moved.
 pub(super) struct Read<'a> {

@@ -6,8 +6,7 @@ use super::abi::{
 };
 use crate::ffi::input;
 use crate::ffi::status::Failure;
-use libc::{c_int, c_void};
-use std::ffi::{CStr, CString};
+use std::ffi::{CStr, CString, c_int, c_void};
 use std::ptr;
 
 /// Why an effect gave nothing.

@@ -15,7 +15,7 @@ use crate::ffi::input::{self, choice, lent};
 use crate::ffi::mesh::attributes::{carry_over, gusset_channel};
 use crate::ffi::status::{self, Failure};
 use crate::job::Job;
-use libc::c_void;
+use std::ffi::c_void;
 
 pub(super) static ATTRIBUTES: gusset_plugin_attributes =
     gusset_plugin_attributes { struct_size: size_of::<gusset_plugin_attributes>(), has_origins, origins, apply };

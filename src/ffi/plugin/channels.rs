@@ -5,7 +5,7 @@ use super::outcome::gusset_outputs;
 use crate::ffi::glue::{fixed, laid_out_like, versioned};
 use crate::ffi::mesh::attributes::{self as library, gusset_channel, gusset_channel_values};
 use crate::ffi::mesh::origins as domains;
-use libc::c_void;
+use std::ffi::c_void;
 
 /// Elements of a mesh: vertices.
 pub const GUSSET_PLUGIN_VERTICES: u32 = 0;

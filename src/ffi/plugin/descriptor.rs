@@ -2,7 +2,7 @@
 
 use super::outcome::gusset_outputs;
 use crate::ffi::glue::versioned;
-use libc::{c_char, c_void};
+use std::ffi::{c_char, c_void};
 
 /// The version of this header's tables, for gusset_plugin_entry.
 pub const GUSSET_PLUGIN_ABI: u32 = 1;

@@ -10,11 +10,16 @@
 //! | [`inputs`] | what a host gives: meshes, curves, callbacks |
 //! | [`outcome`] | what a run leaves: outputs, or a failure |
 //! | [`outputs`] | how a host reads it |
+//! | `memory` | as WebAssembly: room for what a host gives |
 
 mod attributes;
 pub mod channels;
 pub mod descriptor;
 mod inputs;
+/// cbindgen:ignore
+// In unit tests always, so that it is tested and linted with the rest.
+#[cfg(any(target_family = "wasm", test))]
+pub mod memory;
 pub mod outcome;
 mod outputs;
 mod table;

@@ -10,8 +10,7 @@ use crate::ffi::handle;
 use crate::ffi::input::lent;
 use crate::ffi::mesh::{self, gusset_mesh_view};
 use crate::ffi::status::Failure;
-use libc::c_char;
-use std::ffi::{CStr, CString};
+use std::ffi::{CStr, CString, c_char};
 use std::ptr;
 
 impl gusset_outputs {

@@ -17,8 +17,7 @@ use crate::filters::data::{Input, InputKind, Output, OutputKind};
 use crate::filters::param::{Param, ParamKind};
 use crate::filters::{FILTERS, Filter};
 use crate::job::Job;
-use libc::{c_char, c_void};
-use std::ffi::{CStr, CString};
+use std::ffi::{CStr, CString, c_char, c_void};
 use std::ptr;
 use std::sync::OnceLock;
 

@@ -14,8 +14,8 @@ pub(crate) fn eigen<const N: usize>(mut k: [[f64; N]; N]) -> ([f64; N], [[f64; N
             continue;
         }
         let theta = (k[q][q] - k[p][p]) / (2.0 * k[p][q]);
-        let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
-        let cosine = 1.0 / tangent.hypot(1.0);
+        let tangent = theta.signum() / (theta.abs() + libm::hypot(theta, 1.0));
+        let cosine = 1.0 / libm::hypot(tangent, 1.0);
         let sine = tangent * cosine;
         for row in &mut k {
             (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);

@@ -22,7 +22,7 @@ pub(crate) fn build_planes<T: Real>(
     write: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
 ) -> Result<Planes<'static, T>> {
     let columns = shape.columns();
-    if 3 * shape.node_count() * size_of::<T>() < MIN_FRESH_BYTES && columns <= BLOCK {
+    if shape.node_count().saturating_mul(3 * size_of::<T>()) < MIN_FRESH_BYTES && columns <= BLOCK {
         job.step(0.0, "nodes")?;
         let planes = Planes::from_rows(shape, write)?;
         job.step(1.0, "nodes")?;

@@ -137,7 +137,7 @@ fn mean_distance(p: DVec3, q: DVec3) -> f64 {
     let (h, s) = (p.cross(q).length() / length, p.dot(q) / length);
     let integral = |s: f64| {
         let bent = if h > 1e-300 { h * h * libm::asinh(s / h) } else { 0.0 };
-        (s * h.hypot(s) + bent) / 2.0
+        (s * libm::hypot(h, s) + bent) / 2.0
     };
     (integral(s + length) - integral(s)) / length
 }

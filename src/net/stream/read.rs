@@ -44,13 +44,13 @@ impl Prelude {
         let size = usize::try_from(info.structure_size).map_err(|_| too_long)?;
         let table_at = HEADER_SIZE as u64 + info.structure_size;
         let structure = from.raw(size)?;
-        let table = from.raw(info.table_size() as usize)?;
+        let table = from.raw(usize::try_from(info.table_size()).unwrap_or(usize::MAX))?;
         let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
         if checksum(checked) != info.checksum {
             return Err(bad("the checksum of gluing and table is wrong", HEADER_SIZE as u64));
         }
         let padding = info.prelude_size - table_at - info.table_size();
-        if from.raw(padding as usize)?.iter().any(|&byte| byte != 0) {
+        if from.raw(usize::try_from(padding).unwrap_or(usize::MAX))?.iter().any(|&byte| byte != 0) {
             return Err(from.bad("what fills up the stream before the first block is not zero"));
         }
         let (entries, end) = read_table(&info, Reader::new(table, table_at))?;

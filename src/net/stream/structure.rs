@@ -315,7 +315,8 @@ fn read_bridge(shape: Shape, adaptations: &[Arc<Adaptation>], from: &mut Reader<
     for adaptation in &mut bridge.adaptations {
         let number = from.varint()?;
         if number > 0 {
-            let found = adaptations.get((number - 1) as usize).filter(|adaptation| is_possible(adaptation, direction));
+            let place = usize::try_from(number - 1).unwrap_or(usize::MAX);
+            let found = adaptations.get(place).filter(|adaptation| is_possible(adaptation, direction));
             *adaptation = Some(Arc::clone(found.ok_or_else(|| from.bad("what was done to a net is impossible"))?));
         }
     }

@@ -78,7 +78,7 @@ impl CurveView<'_> {
             _ if angle <= SPECIAL_ANGLE => Sought::Parallel(1.0),
             _ if PI - angle <= SPECIAL_ANGLE => Sought::Parallel(-1.0),
             _ if (angle - FRAC_PI_2).abs() <= SPECIAL_ANGLE => Sought::Right,
-            _ => Sought::Other(angle.cos(), angle.sin()),
+            _ => Sought::Other(libm::cos(angle), libm::sin(angle)),
         };
         let (u, v) = along.any_orthonormal_pair();
         let frame = UnitFrame::of(self.points());
@@ -155,9 +155,9 @@ impl Tangents {
         }
         match sought {
             Sought::Right => Some(t),
-            Sought::Parallel(sign) => {
-                (tangent.y.hypot(tangent.z) <= PARALLEL * tangent.length() && sign * tangent.x > 0.0).then_some(t)
-            }
+            Sought::Parallel(sign) => (libm::hypot(tangent.y, tangent.z) <= PARALLEL * tangent.length()
+                && sign * tangent.x > 0.0)
+                .then_some(t),
             // The sign that the square lost, where it is beyond doubt; else by the equation itself.
             Sought::Other(cosine, _) => {
                 let mut at = t;
@@ -193,7 +193,7 @@ impl Tangents {
             let value = DVec3::from_array([0, 1, 2].map(|k| value_and_slope(&rest[k][..count], t).0));
             let size = rest.iter().flat_map(|c| &c[..count]).fold(0.0, |most: f64, x| most.max(x.abs()));
             if value.length() > MIN_SPEED * size {
-                let makes = |x: f64| (x.clamp(-1.0, 1.0).acos() - angle).abs() <= CUSP_ANGLE;
+                let makes = |x: f64| (libm::acos(x.clamp(-1.0, 1.0)) - angle).abs() <= CUSP_ANGLE;
                 let along = value.x / value.length();
                 return (t < 1.0 && makes(along)) || (t > 0.0 && makes(sign * along));
             }
@@ -219,7 +219,7 @@ impl Tangents {
         for to in ends.filter(|&t| t > 0.0) {
             let [tangent, _] = self.at(0.5 * (from + to));
             let all_lie = match sought {
-                Sought::Parallel(_) => tangent.y.hypot(tangent.z) <= PARALLEL * tangent.length(),
+                Sought::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= PARALLEL * tangent.length(),
                 _ => true,
             };
             if to > from && all_lie && sign.is_none_or(|sign| sign * tangent.x > 0.0) {

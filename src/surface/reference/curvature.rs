@@ -35,7 +35,7 @@ impl<const N: usize> Patch<N> {
         let (su, sv) = (u.mean.length(), v.mean.length());
         let cosine = u.mean.dot(v.mean) / (su * sv);
         // The smaller singular value of two unit vectors is sqrt(1 - |cosine|).
-        let slowest = (1.0 - cosine.abs()).max(0.0).sqrt() - (u.radius / su).hypot(v.radius / sv);
+        let slowest = (1.0 - cosine.abs()).max(0.0).sqrt() - libm::hypot(u.radius / su, v.radius / sv);
         if slowest.is_nan() || slowest <= 1e-6 {
             return match depth {
                 0 => f64::INFINITY,

@@ -98,9 +98,9 @@ impl Bounds {
         self.least[1] = self.least[1].min(across(by_v).low);
         self.greatest[0] = self.greatest[0].max(size(along(by_v)));
         self.greatest[1] = self.greatest[1].max(size(across(by_u)));
-        let [from, to] = [flat[0][0], flat[0][N - 1]].map(|[x, y]| y.atan2(x));
+        let [from, to] = [flat[0][0], flat[0][N - 1]].map(|[x, y]| libm::atan2(y, x));
         self.turn += to - from;
-        self.spread = self.spread.max((size(value[1]) / value[0].low).atan());
+        self.spread = self.spread.max(libm::atan(size(value[1]) / value[0].low));
         Some(())
     }
 

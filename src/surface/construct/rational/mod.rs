@@ -243,7 +243,7 @@ impl<'a> Rational<'a> {
             // The error does not fall with the eighth power yet.
             _ if error >= 1e-3 * self.radius => 2,
             excess if excess <= 1.0 => 1,
-            excess => excess.powf(0.125).ceil().min(MAX_PARTS) as u8,
+            excess => libm::pow(excess, 0.125).ceil().min(MAX_PARTS) as u8,
         });
         match parts {
             [1, 1] if errors[0] >= errors[1] => [2, 1],

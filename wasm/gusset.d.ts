@@ -1,0 +1,1298 @@
+// Types of gusset-mesh. Written by generate.mjs; do not edit.
+
+/** Coordinates: x, y, z of one point after the other, or points. */
+export type Coordinates = Float32Array | Float64Array | ArrayLike<number> | readonly ArrayLike<number>[];
+
+/** Whole numbers from 0. */
+export type Indices = Uint32Array | ArrayLike<number>;
+
+/** Faces: the corners of triangles; or face f has the corners `offsets[f]` to `offsets[f + 1] - 1`; or the corners of each. */
+export type Faces = Indices | { offsets: Indices; corners: Indices } | readonly (readonly number[])[];
+
+/** What is taken for a mesh. `merge`: for each vertex the one that it is one with. */
+export type MeshLike = Mesh | { positions: Coordinates; faces: Faces; merge?: Indices | null };
+
+/** What is taken for polylines: `closed`, of all or of each, says whether they go on to their first points. */
+export type CurvesLike = Curves | { points: Coordinates | readonly Coordinates[]; offsets?: Indices | null; closed?: boolean | ArrayLike<number | boolean> } | readonly Coordinates[];
+
+/** A polygon mesh. */
+export class Mesh {
+  constructor(positions: Coordinates, faces: Faces, options?: { merge?: Indices | null });
+  /** x, y, z of one vertex after the other, in the precision of the input. */
+  readonly positions: Float32Array | Float64Array;
+  /** Face f has the corners `offsets[f]` to `offsets[f + 1] - 1`. */
+  readonly faces: { readonly offsets: Uint32Array; readonly corners: Uint32Array };
+  readonly merge: Uint32Array | null;
+  readonly vertexCount: number;
+  readonly faceCount: number;
+  /** The corners if all faces are triangles, else null. */
+  readonly triangles: Uint32Array | null;
+}
+
+/** Polylines: curve c has the points `offsets[c]` to `offsets[c + 1] - 1`. */
+export class Curves {
+  constructor(points: Coordinates | readonly Coordinates[], options?: { offsets?: Indices | null; closed?: boolean | ArrayLike<number | boolean> });
+  readonly points: Float32Array | Float64Array;
+  readonly offsets: Uint32Array;
+  /** For each curve 0 or 1. */
+  readonly closed: Uint8Array;
+  /** The number of curves. */
+  readonly length: number;
+  /** The points of one curve: a part of `points`. */
+  curve(index: number): Float32Array | Float64Array;
+}
+
+/** Lines of text, with the numbers in it by their names. */
+export class Report {
+  readonly text: string;
+  readonly values: Readonly<Record<string, number>>;
+  toString(): string;
+}
+
+/** A call of the library failed; nothing has changed. */
+export class GussetError extends Error {
+  /** The number of the status, as in gusset.h. */
+  readonly status: number;
+  /** Its name in lower case, as "index_out_of_range". */
+  readonly code: string;
+  /** What `index` counts, as "vertex" or "face"; "none" if nothing. */
+  readonly element: string;
+  /** The first element at fault, or null. */
+  readonly index: number | null;
+  /** Its value where it has one, or null. */
+  readonly value: number | null;
+  /** The number of the input that is at fault, or null. */
+  readonly input: number | null;
+  /** The number of the parameter that is out of range, or null. */
+  readonly param: number | null;
+}
+/** What was given cannot be used: its first offending element is named. */
+export class InputError extends GussetError {}
+/** Memory ran out. */
+export class OutOfMemory extends GussetError {}
+/** The call was cancelled. */
+export class Cancelled extends GussetError {}
+/** The library stopped, by a mistake of its own: what was loaded is of no use any more. */
+export class Stopped extends GussetError {}
+
+/** Options of each run, beside its parameters. */
+export interface RunOptions {
+  /** Called now and then during long work, with the part done, 0 to 1. Returning false cancels, and so does throwing, which is passed on. */
+  progress?: (fraction: number, stage: string) => boolean | void;
+  /** Called with remarks that are no failures. */
+  log?: (message: string) => void;
+  /** Whether outputs tell where their elements come from, for `carry`. */
+  origins?: boolean;
+}
+
+/** Arrays of values that can be carried over. */
+export type Values = Float32Array | Float64Array | Uint8Array | Uint16Array | Uint32Array;
+
+/** All that a run left: a sequence of meshes, curves and reports. */
+export class Outputs<Made = Mesh | Curves | Report> implements Iterable<Made> {
+  readonly length: number;
+  at(index: number): Made | undefined;
+  [Symbol.iterator](): Iterator<Made>;
+  /** Whether an output tells where its elements come from. */
+  hasOrigins(index?: number): boolean;
+  /** The values of the elements of an output, of those of the inputs': one array for each input, or null. */
+  carry<V extends Values>(
+    values: readonly (V | null)[],
+    options?: {
+      domain?: "vertices" | "corners" | "faces";
+      rule?: "linear" | "normal" | "skin_weights" | "nearest" | "texture";
+      index?: number;
+      maxInfluences?: number;
+      /** How many values an element has; null: as many as the first array has of each. */
+      components?: number | null;
+    },
+  ): V;
+  /** Gives the library's memory back: meshes, curves and reports stay, `carry` is over. */
+  free(): void;
+}
+
+/** A parameter of a filter. */
+export interface Param {
+  readonly id: string;
+  readonly label: string;
+  readonly help: string;
+  readonly kind: number;
+  readonly arity: number;
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  readonly defaults: readonly number[];
+  readonly choices: readonly { readonly word: string; readonly label: string; readonly help: string }[];
+}
+
+/** A filter of the table; call it with its inputs and its parameters. */
+export interface Filter<Inputs extends readonly unknown[] = readonly (MeshLike | CurvesLike)[], Result = unknown, Params = RunOptions> {
+  (...given: [...inputs: Inputs, params?: Params]): Result;
+  /** Runs it and gives all that it left; `free` it. */
+  run(inputs: Inputs, params?: Params): Outputs;
+  readonly id: string;
+  readonly scriptName: string;
+  readonly category: string;
+  readonly help: string;
+  readonly reference: string;
+  readonly inputKinds: readonly number[];
+  readonly outputKinds: readonly number[];
+  readonly minInputs: number;
+  readonly maxInputs: number;
+  readonly hasOrigins: boolean;
+  readonly params: readonly Param[];
+}
+
+/** The library, with memory of its own. */
+export interface Gusset {
+  /** "major.minor.patch". */
+  readonly version: string;
+  readonly filters: Filters;
+  /** What the library holds in memory; it grows, and never shrinks. */
+  readonly memory: WebAssembly.Memory;
+}
+
+/** Loads the library: from gusset.wasm beside this file, or from what is given. */
+export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response): Promise<Gusset>;
+
+/** Parameters of `boundary_loops`; what is not given is what suits the inputs. */
+export interface BoundaryLoopsParams extends RunOptions {
+  /**
+   * Edges with three or more faces. The course of a loop at an edge with three or more faces.
+   */
+  non_manifold?: "cut" | "stop" | number;
+}
+
+/** Parameters of `stitch`; what is not given is what suits the inputs. */
+export interface StitchParams extends RunOptions {
+  /**
+   * Loop of the first mesh. The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops. From
+   * -1 to 4294967295.
+   */
+  loop_a?: number;
+  /**
+   * Loop of the second mesh. The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops. From
+   * -1 to 4294967295.
+   */
+  loop_b?: number;
+  /**
+   * Meridians. The rule that joins vertices of one loop to vertices of the other.
+   */
+  meridians?: "continuation" | "least_area" | "by_index" | "by_arc_length" | "greedy" | "shortest_meridians" | "least_bend" | "quads" | number;
+  /**
+   * Opposite orientation. The treatment of a second piece of opposite orientation.
+   */
+  orientation?: "reverse_it" | "refuse" | "ignore" | number;
+  /**
+   * Twist. The number of vertices by which the start on the second loop is shifted from the closest pair. From -4294967295 to 4294967295.
+   */
+  twist?: number;
+  /**
+   * Join. The parts of the loops that are joined.
+   */
+  extent?: "whole_loops" | "facing_arcs" | "automatic" | number;
+  /**
+   * Facing arc. The arc that is taken where several face the other loop.
+   */
+  run?: "closest" | "longest" | number;
+  /**
+   * Facing tolerance. The smallest distance from the plane through its loop's centre at which a vertex faces the other loop; -1 takes the
+   * bound on rounding. From -1 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Rows. The rows of new vertices between the rims.
+   */
+  rows?: "none" | "by_mean_edge" | "given_number" | number;
+  /**
+   * Number of rows. The number of rows of new vertices, if given. From 0 to 10000.
+   */
+  row_count?: number;
+  /**
+   * Faces. The faces of the strip.
+   */
+  cells?: "triangles" | "quads" | number;
+  /**
+   * Shape of the rows. The positions of the new vertices.
+   */
+  fairing?: "straight" | "fair" | number;
+  /**
+   * Finish. What lies between the rims in the end. A blend has no rows: the rows, their shape and the kind of face are not read.
+   */
+  finish?: "strip" | "blend" | number;
+  /**
+   * Intersections. The search for faces that intersect each other.
+   */
+  intersections?: "automatic" | "ignore" | "report" | number;
+  /**
+   * Turn outwards. Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside others.
+   */
+  outward?: boolean;
+}
+
+/** Parameters of `weld`; what is not given is what suits the inputs. */
+export interface WeldParams extends RunOptions {
+  /**
+   * Weld. The vertices that are welded.
+   */
+  vertices?: "borders" | "all_vertices" | number;
+  /**
+   * Tolerance. The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions, -1 what rounding of
+   * the positions can do, as their type and the digits that they show tell. From -1 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Short edges. The treatment of coincident corners of one face.
+   */
+  collapse?: "keep" | "collapse" | number;
+  /**
+   * Unused vertices. The treatment of vertices that no face uses.
+   */
+  unused?: "keep" | "remove" | number;
+}
+
+/** Parameters of `orient`; what is not given is what suits the inputs. */
+export interface OrientParams extends RunOptions {
+  /**
+   * Closed components. The orientation of closed components.
+   */
+  outward?: "majority" | "outwards" | number;
+}
+
+/** Parameters of `fill_holes`; what is not given is what suits the inputs. */
+export interface FillHolesParams extends RunOptions {
+  /**
+   * Inside the holes. The interior of the patches.
+   */
+  inside?: "rim_only" | "refined" | "refined_and_fair" | number;
+  /**
+   * Best triangulation. The weight that the triangulation of a rim minimises.
+   */
+  weight?: "best_continuation" | "area_and_bend" | "largest_bend" | "area" | number;
+  /**
+   * Most edges. Loops of more edges are left open; 0 sets no limit. From 0 to 4294967295.
+   */
+  max_edges?: number;
+  /**
+   * Greatest length. Longer loops are left open; 0 sets no limit. From 0 to 1000000000000000.
+   */
+  max_length?: number;
+  /**
+   * Keep open. The loops that are no holes.
+   */
+  keep?: "none" | "the_longest" | "borders" | number;
+  /**
+   * Patches. The loops that get one patch.
+   */
+  together?: "each_by_itself" | "all_by_one_patch" | "where_it_costs_less" | number;
+  /**
+   * Greatest diameter. Loops in a box along the axes with a longer diagonal are left open; 0 sets no limit. From 0 to 1000000000000000.
+   */
+  max_diameter?: number;
+  /**
+   * Greatest area. Loops with a larger area between them and their centre, in the square of the unit, are left open; 0 sets no limit.
+   * From 0 to 1000000000000000.
+   */
+  max_area?: number;
+  /**
+   * Intersections. The search for faces of patches that cut.
+   */
+  intersections?: "automatic" | "ignore" | "report" | number;
+  /**
+   * Plan only. Nothing is filled: the report says what would be.
+   */
+  plan_only?: boolean;
+  /**
+   * Continuity. How fair patches go on the surface round them.
+   */
+  continuity?: "tangents" | "curvature" | number;
+  /**
+   * Ignore creases. No patch goes on with creases of the surface round it.
+   */
+  ignore_creases?: boolean;
+  /**
+   * Turn outwards. Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside others.
+   */
+  outward?: boolean;
+}
+
+/** Parameters of `assemble`; what is not given is what suits the inputs. */
+export interface AssembleParams extends RunOptions {
+  /**
+   * Coincident borders. The treatment of borders that coincide.
+   */
+  weld?: "sew" | "keep" | "edge_to_edge" | number;
+  /**
+   * Welding distance. The largest distance of border vertices that are welded; 0 takes equal positions, -1 what rounding of the positions
+   * can do, as their type and the digits that they show tell. From -1 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Widest gap. The largest mean width of a gap that is closed; 0 leaves all open, -1 decides by the size of the loops. From -1 to
+   * 1000000000000000.
+   */
+  max_gap?: number;
+  /**
+   * Join. The parts of the loops that are joined.
+   */
+  extent?: "loops_and_parts_of_them" | "whole_loops" | number;
+  /**
+   * Meridians. The rule that joins vertices of one loop to vertices of the other.
+   */
+  meridians?: "continuation" | "least_area" | "by_index" | "by_arc_length" | "greedy" | "shortest_meridians" | "least_bend" | "quads" | number;
+  /**
+   * Rows. The rows of new vertices between the rims.
+   */
+  rows?: "none" | "by_mean_edge" | number;
+  /**
+   * Shape of the rows. The positions of the new vertices.
+   */
+  fairing?: "straight" | "fair" | number;
+  /**
+   * Finish. What lies between the rims in the end. A blend has no rows: the rows, their shape and the kind of face are not read.
+   */
+  finish?: "strip" | "blend" | number;
+  /**
+   * Remaining holes. The treatment of holes that remain.
+   */
+  holes?: "leave" | "fill" | "fill_refined_and_fair" | number;
+  /**
+   * Keep inside out. Leaves closed components of the result as they are; otherwise the faces of those that are inside out are reversed,
+   * each by its own volume, also inside others.
+   */
+  keep_inside_out?: boolean;
+  /**
+   * Overlaps. The treatment of pieces that overlap.
+   */
+  overlaps?: "keep" | "trim" | number;
+  /**
+   * Align first. Pieces that overlap are moved to where they fit before all else, as the filter align moves them from where they lie; the
+   * first one stays.
+   */
+  align?: boolean;
+}
+
+/** Parameters of `outline`; what is not given is what suits the inputs. */
+export interface OutlineParams extends RunOptions {
+  /**
+   * Curve. The kind of curve that is drawn.
+   */
+  curve?: "composite" | "cubic_spline" | "blend" | "smooth_blend" | "single" | "chain" | number;
+  /**
+   * Method. The line that holds the control point of a section.
+   */
+  method?: "bisector" | "median" | "normal" | "symmedian" | number;
+  /**
+   * Constraint. The condition that fixes the section of a point.
+   */
+  lock?: "parameter" | "own_triangle" | "guide" | number;
+  /**
+   * Joints. The joints between the sections of a composite curve.
+   */
+  joint?: "halves" | "knots" | "curvature" | number;
+  /**
+   * Ends. The end conditions of open curves.
+   */
+  ends?: "free" | "perpendicular" | "level" | "upright" | "level_or_upright" | number;
+  /**
+   * Corners. Points where the polyline turns by more than this angle remain corners; pi for none. From 0 to 3.141592653589793.
+   */
+  corner_angle?: number;
+  /**
+   * Chord error. The largest distance of the polyline from the curve, relative to the size of the curve. From 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `net_shape`; what is not given is what suits the inputs. */
+export interface NetShapeParams extends RunOptions {
+  /**
+   * Shape. The shape, round the z axis.
+   */
+  shape?: "sphere" | "one_pole_sphere" | "plane" | "tube" | "cylinder" | "cone" | "torus" | "cube" | "moebius_strip" | "klein_bottle" | "prism" | "pyramid" | "projective_plane" | "pillow" | number;
+  /**
+   * Rows. The number of rows of nodes, from one pole or rim to the other. From 5 to 10001.
+   */
+  rows?: number;
+  /**
+   * Columns. The number of columns of nodes; in closed rows the last node repeats the first. From 5 to 10001.
+   */
+  columns?: number;
+  /**
+   * Radius. The radius; of a torus that of its centre line. From 1e-15 to 1000000000000000.
+   */
+  radius?: number;
+  /**
+   * Minor radius. The radius of the tube of a torus, smaller than the radius. From 1e-15 to 1000000000000000.
+   */
+  minor_radius?: number;
+  /**
+   * Height. The height of tubes, cylinders, cones, prisms and pyramids. From 1e-15 to 1000000000000000.
+   */
+  height?: number;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+  /**
+   * Sides. The number of sides of the base of prisms and pyramids, smaller than the number of columns. From 3 to 10000.
+   */
+  sides?: number;
+}
+
+/** Parameters of `deform`; what is not given is what suits the inputs. */
+export interface DeformParams extends RunOptions {
+  /**
+   * Field. The deformation field.
+   */
+  field?: "twist" | "taper" | "bend" | "shear" | "spherify" | number;
+  /**
+   * Axis. The axis of the field, through the origin.
+   */
+  axis?: "z" | "x" | "y" | number;
+  /**
+   * Amount. The parameter of the field; 0 leaves the mesh unchanged. The suggestion suits a twist. From -1000000000000000 to
+   * 1000000000000000.
+   */
+  amount?: number;
+  /**
+   * Strength. The fraction of the deformation that is applied, from 0 to 1. From 0 to 1.
+   */
+  strength?: number;
+}
+
+/** Parameters of `smooth_surface`; what is not given is what suits the inputs. */
+export interface SmoothSurfaceParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Deviation. The largest distance of faces from the surface, relative to the diagonal of its box. From 1e-7 to 1.
+   */
+  deviation?: number;
+  /**
+   * Parts. The smallest number of parts of each side of a cell. From 1 to 1000.
+   */
+  parts?: number;
+  /**
+   * Triangles. Makes triangles instead of quads.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `smooth_sections`; what is not given is what suits the inputs. */
+export interface SmoothSectionsParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Direction. The normal of the planes. From -1000000000000000 to 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Planes. The placement of the planes.
+   */
+  placement?: "even" | "given" | number;
+  /**
+   * Number. The number of planes. From 1 to 10000.
+   */
+  number?: number;
+  /**
+   * Offset. The distance of the first plane from the origin along the direction; for given planes. From -1000000000000000 to
+   * 1000000000000000.
+   */
+  offset?: number;
+  /**
+   * Distance. The spacing of the planes; for given planes. From 1e-15 to 1000000000000000.
+   */
+  distance?: number;
+  /**
+   * Chord error. The largest distance of the polylines from the curves, relative to the diagonal of the surface's box. From 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `smooth_silhouette`; what is not given is what suits the inputs. */
+export interface SmoothSilhouetteParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Direction. The direction of view. From -1000000000000000 to 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Angle. The angle between normals and the direction. From 0 to 3.141592653589793.
+   */
+  angle?: number;
+  /**
+   * Chord error. The largest distance of the polylines from the curves, relative to the diagonal of the surface's box. From 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `smooth_distance`; what is not given is what suits the inputs. */
+export interface SmoothDistanceParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Strength. The fraction of the way that vertices are moved: 0 leaves them, 1 puts them on the surface. From 0 to 1.
+   */
+  strength?: number;
+}
+
+/** Parameters of `check`; what is not given is what suits the inputs. */
+export interface CheckParams extends RunOptions {
+  /**
+   * Elements listed. The largest number of elements that are listed for each kind of defect. From 0 to 1000000.
+   */
+  listed?: number;
+}
+
+/** Parameters of `facing_arcs`; what is not given is what suits the inputs. */
+export interface FacingArcsParams extends RunOptions {
+  /**
+   * First loop. The number of the curve, from 0 on; the filter boundary_loops gives suitable curves. From 0 to 4294967295.
+   */
+  curve_a?: number;
+  /**
+   * Second loop. The number of the curve, from 0 on; the filter boundary_loops gives suitable curves. From 0 to 4294967295.
+   */
+  curve_b?: number;
+  /**
+   * Facing arc. The arc that is taken where several face the other loop.
+   */
+  run?: "closest" | "longest" | number;
+  /**
+   * Centres. The definition of a loop's centre.
+   */
+  centres?: "mean_of_the_points" | "mean_of_the_curve" | number;
+  /**
+   * Facing tolerance. The smallest distance from the plane at which a point faces the other loop; -1 takes the bound on rounding. From -1
+   * to 1000000000000000.
+   */
+  tolerance?: number;
+}
+
+/** Parameters of `strip`; what is not given is what suits the inputs. */
+export interface StripParams extends RunOptions {
+  /**
+   * Meridians. The rule that joins points of one curve to points of the other.
+   */
+  meridians?: "continuation" | "least_area" | "by_index" | "by_arc_length" | "greedy" | "shortest_meridians" | "least_bend" | "quads" | number;
+  /**
+   * First meridian. The start of the strip between closed curves; between open ones it is at their first points.
+   */
+  start?: "automatic" | "closest_pair" | "first_points" | number;
+  /**
+   * Reversed. Reverses the second curve.
+   */
+  reversed?: boolean;
+  /**
+   * Rows. The rows of new vertices between the rims.
+   */
+  rows?: "none" | "by_mean_edge" | "given_number" | number;
+  /**
+   * Number of rows. The number of rows of new vertices, if given. From 0 to 10000.
+   */
+  row_count?: number;
+  /**
+   * Faces. The faces of the strip.
+   */
+  cells?: "triangles" | "quads" | number;
+}
+
+/** Parameters of `net_resample`; what is not given is what suits the inputs. */
+export interface NetResampleParams extends RunOptions {
+  /**
+   * Rows. The number of rows of vertices; about as many as now are suggested. From 2 to 100001.
+   */
+  rows?: number;
+  /**
+   * Columns. The number of columns of vertices; in closed rows the last vertex repeats the first. From 2 to 100001.
+   */
+  columns?: number;
+  /**
+   * Interpolation. The interpolation between the old vertices.
+   */
+  interpolation?: "cubic" | "bilinear" | number;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `net_decimate`; what is not given is what suits the inputs. */
+export interface NetDecimateParams extends RunOptions {
+  /**
+   * Tolerance. The largest distance of removed vertices from the segments that replace them; a thousandth of the size is suggested. From
+   * 0 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `net_join`; what is not given is what suits the inputs. */
+export interface NetJoinParams extends RunOptions {
+  /**
+   * Direction. The direction from each grid to the next.
+   */
+  direction?: "below" | "right" | number;
+  /**
+   * Between them. The connection between two grids.
+   */
+  bridge?: "quads" | "nothing" | "weld" | number;
+  /**
+   * Welding distance. The largest distance of vertices that are welded; 0 for equal positions. From 0 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Different sizes. The treatment of sides with different numbers of vertices.
+   */
+  sizes?: "repeat_evenly" | "repeat_the_first" | "repeat_the_last" | "refuse" | number;
+  /**
+   * Twist. The number of vertices by which closed sides of all grids but the first are rotated before joining. From 0 to 4294967295.
+   */
+  twist?: number;
+  /**
+   * Flip. Flips grids of opposite orientation to the first along the side; otherwise the filter fails.
+   */
+  turn?: boolean;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `net_measures`; what is not given is what suits the inputs. */
+export interface NetMeasuresParams extends RunOptions {
+  /**
+   * Planarity limit. Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted. From 0 to 1.
+   */
+  planarity?: number;
+}
+
+/** Parameters of `net_analyse`; what is not given is what suits the inputs. */
+export interface NetAnalyseParams extends RunOptions {
+  /**
+   * Tolerance. The largest length that counts as 0; a billionth of the size is suggested. From 0 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Faces listed. The largest number of folded faces that are listed. From 0 to 1000000.
+   */
+  listed?: number;
+}
+
+/** Parameters of `net_lathe`; what is not given is what suits the inputs. */
+export interface NetLatheParams extends RunOptions {
+  /**
+   * Point of the axis. A point on the axis of revolution. From -1000000000000000 to 1000000000000000.
+   */
+  point?: ArrayLike<number>;
+  /**
+   * Direction of the axis. The direction of the axis; the surface runs counter-clockwise round it. From -1000000000000000 to
+   * 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Columns. The number of quads round the axis. From 3 to 100000.
+   */
+  columns?: number;
+  /**
+   * Rows. The number of rows at equal arc lengths of the curve; 0 takes the given points. From 0 to 100000.
+   */
+  rows?: number;
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `displace`; what is not given is what suits the inputs. */
+export interface DisplaceParams extends RunOptions {
+  /**
+   * Distance. The displacement: outwards if positive, inwards if negative; a hundredth of the size is suggested. From -1000000000000000
+   * to 1000000000000000.
+   */
+  distance?: number;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `project`; what is not given is what suits the inputs. */
+export interface ProjectParams extends RunOptions {
+  /**
+   * Plane. The plane of projection; the plane below the mesh is suggested. From -1000000000000000 to 1000000000000000.
+   */
+  plane?: ArrayLike<number>;
+  /**
+   * Along. The lines of projection.
+   */
+  along?: "normal" | "direction" | "lines_through_a_point" | number;
+  /**
+   * Direction. The direction of projection, if given. From -1000000000000000 to 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Point. The centre of projection, if given; a point above the mesh is suggested. From -1000000000000000 to 1000000000000000.
+   */
+  eye?: ArrayLike<number>;
+  /**
+   * Strength. The fraction of the way: 0 leaves the mesh unchanged, 1 puts the vertices in the plane. From 0 to 1.
+   */
+  strength?: number;
+}
+
+/** Parameters of `curve_measures`; what is not given is what suits the inputs. */
+export interface CurveMeasuresParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+}
+
+/** Parameters of `curve_resample`; what is not given is what suits the inputs. */
+export interface CurveResampleParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+  /**
+   * Spacing. The rule that places the new points.
+   */
+  spacing?: "number" | "step" | "chord_error" | number;
+  /**
+   * Number. The number of points of each curve, if given; both ends of an open curve are among them. From 2 to 1000000.
+   */
+  number?: number;
+  /**
+   * Step. The spacing of points along the curve, if given. From 1e-15 to 1000000000000000.
+   */
+  step?: number;
+  /**
+   * Chord error. The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves. From
+   * 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `curve_offset`; what is not given is what suits the inputs. */
+export interface CurveOffsetParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+  /**
+   * Plane. The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested. From
+   * -1000000000000000 to 1000000000000000.
+   */
+  plane?: ArrayLike<number>;
+  /**
+   * Distance. The signed distance of the offset: to the left if positive, to the right if negative. From -1000000000000000 to
+   * 1000000000000000.
+   */
+  distance?: number;
+  /**
+   * Chord error. The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves. From
+   * 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `curve_meet`; what is not given is what suits the inputs. */
+export interface CurveMeetParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+  /**
+   * Distance. The largest distance at which curves count as meeting; 0 for intersections up to rounding. From 0 to 1000000000000000.
+   */
+  within?: number;
+}
+
+/** Parameters of `curve_nearest`; what is not given is what suits the inputs. */
+export interface CurveNearestParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+}
+
+/** Parameters of `curve_svg`; what is not given is what suits the inputs. */
+export interface CurveSvgParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+  /**
+   * Plane. The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested. From
+   * -1000000000000000 to 1000000000000000.
+   */
+  plane?: ArrayLike<number>;
+  /**
+   * y downwards. Negates the second coordinate, as y points down in SVG.
+   */
+  downwards?: boolean;
+}
+
+/** Parameters of `loft`; what is not given is what suits the inputs. */
+export interface LoftParams extends RunOptions {
+  /**
+   * Nodes. The rule by which points of the sections correspond.
+   */
+  nodes?: "by_arc_length" | "by_number" | "by_angle" | number;
+  /**
+   * Columns. The number of nodes on each section; ignored if the nodes are the given points. From 2 to 100000.
+   */
+  columns?: number;
+  /**
+   * Through. The elements that the surface contains.
+   */
+  through?: "nodes" | "curves" | number;
+  /**
+   * Ring. The last section is followed by the first.
+   */
+  ring?: boolean;
+  /**
+   * Point of the axis. A point on the axis of the angles; the centre of the sections is suggested. From -1000000000000000 to
+   * 1000000000000000.
+   */
+  point?: ArrayLike<number>;
+  /**
+   * Direction of the axis. The direction of the axis of the angles; from the first section to the last is suggested. From
+   * -1000000000000000 to 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Deviation. The largest distance of faces from the surface, relative to the diagonal of its box. From 1e-7 to 1.
+   */
+  deviation?: number;
+  /**
+   * Parts. The smallest number of parts of each side of a cell. From 1 to 1000.
+   */
+  parts?: number;
+  /**
+   * Triangles. Makes triangles instead of quads.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `smooth_net`; what is not given is what suits the inputs. */
+export interface SmoothNetParams extends RunOptions {
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+  /**
+   * Ring. The last curve across is followed by the first; ignored with curves along, which determine it.
+   */
+  ring?: boolean;
+  /**
+   * Tolerance. The largest distance of curves where they meet; both are then moved to the middle. From 1e-15 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Deviation. The largest distance of faces from the surface, relative to the diagonal of its box. From 1e-7 to 1.
+   */
+  deviation?: number;
+  /**
+   * Parts. The smallest number of parts of each side of a cell. From 1 to 1000.
+   */
+  parts?: number;
+  /**
+   * Triangles. Makes triangles instead of quads.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `smooth_isophotes`; what is not given is what suits the inputs. */
+export interface SmoothIsophotesParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Direction. The direction that the light comes from. From -1000000000000000 to 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Number. The number of angles. From 1 to 10000.
+   */
+  number?: number;
+  /**
+   * Sides. The range of the angles.
+   */
+  sides?: "both" | "alike" | number;
+  /**
+   * Chord error. The largest distance of the polylines from the curves, relative to the diagonal of the surface's box. From 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `smooth_intersect`; what is not given is what suits the inputs. */
+export interface SmoothIntersectParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Chord error. The largest distance of the polylines from the curves, relative to the diagonal of the surface's box. From 1e-9 to 1.
+   */
+  chord_error?: number;
+}
+
+/** Parameters of `smooth_line`; what is not given is what suits the inputs. */
+export interface SmoothLineParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Point. A point on the line, the origin of a ray; a point below the centre of the mesh is suggested. From -1000000000000000 to
+   * 1000000000000000.
+   */
+  point?: ArrayLike<number>;
+  /**
+   * Direction. The direction of the line. From -1000000000000000 to 1000000000000000.
+   */
+  direction?: ArrayLike<number>;
+  /**
+   * Hits. The intersections that are returned.
+   */
+  which?: "all_of_the_line" | "all_of_the_ray" | "first_of_the_ray" | number;
+}
+
+/** Parameters of `smooth_curve`; what is not given is what suits the inputs. */
+export interface SmoothCurveParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+  /**
+   * Between the points. The curves through the given points.
+   */
+  between?: "straight" | "smooth" | "cubic_spline" | number;
+}
+
+/** Parameters of `smooth_nearest`; what is not given is what suits the inputs. */
+export interface SmoothNearestParams extends RunOptions {
+  /**
+   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   */
+  scheme?: "smooth" | "four_points" | number;
+}
+
+/** Parameters of `sew`; what is not given is what suits the inputs. */
+export interface SewParams extends RunOptions {
+  /**
+   * Tolerance. The largest distance of vertices from others or from edges that they lie on; 0 takes equal positions, -1 what rounding of
+   * the positions can do, as their type and the digits that they show tell. From -1 to 1000000000000000.
+   */
+  tolerance?: number;
+  /**
+   * Unused vertices. The treatment of vertices that no face uses.
+   */
+  unused?: "keep" | "remove" | number;
+}
+
+/** Parameters of `align`; what is not given is what suits the inputs. */
+export interface AlignParams extends RunOptions {
+  /**
+   * Start. Where the pieces are to begin with.
+   */
+  start?: "as_they_lie" | "principal_axes" | "rims" | number;
+  /**
+   * Greatest distance. Points that are farther from another piece are no pair with it; the pieces must begin that near to where they
+   * belong. 0 and -1 take a tenth of the diagonal of the largest piece's box. From -1 to 1000000000000000.
+   */
+  max_distance?: number;
+  /**
+   * Points. So many points of each piece are looked for on the others. From 1 to 4294967295.
+   */
+  samples?: number;
+  /**
+   * Most rounds. The largest number of rounds in each of two stages; they end before once nothing moves. From 1 to 1000000.
+   */
+  max_rounds?: number;
+}
+
+/** Parameters of `trim`; what is not given is what suits the inputs. */
+export interface TrimParams extends RunOptions {
+  /**
+   * Greatest distance. Surfaces that are no farther apart are one; 0 takes those that touch, -1 takes four mean edges of the coarser
+   * piece. From -1 to 1000000000000000.
+   */
+  max_distance?: number;
+  /**
+   * Greatest angle. Surfaces whose normals differ by more are two. From 0.001 to 1.57.
+   */
+  max_angle?: number;
+  /**
+   * Fewest faces. Parts of fewer faces go, but for whole components of the pieces. From 1 to 4294967295.
+   */
+  min_faces?: number;
+}
+
+/** Parameters of `develop`; what is not given is what suits the inputs. */
+export interface DevelopParams extends RunOptions {
+  /**
+   * Distortion. The kind of distortion that is least.
+   */
+  distortion?: "lengths_and_areas" | "as_rigid_as_possible" | "angles" | number;
+  /**
+   * Darts. The largest number of cuts from the border to where the curvature is. From 0 to 100.
+   */
+  darts?: number;
+  /**
+   * Largest stretch. Darts are made until no length changes by a larger factor; 1: all of them. From 1 to 100.
+   */
+  stretch?: number;
+}
+
+/** The filters of the table, by their names for scripts. */
+export interface Filters {
+  /**
+   * Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface lies to the left of
+   * a loop. Where the boundary touches itself it is divided into simple loops. Source: S. Nesterenko, The algorithm for polygonal
+   * networks of cross-linking, algorithm 1
+   */
+  readonly boundary_loops: Filter<[MeshLike], [Curves, Report], BoundaryLoopsParams>;
+  /**
+   * Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or their facing arcs by a strip. Vertices stay
+   * where they are and no face is lost. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking
+   */
+  readonly stitch: Filter<[MeshLike, MeshLike?], [Mesh, Report], StitchParams>;
+  /**
+   * Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all coincident
+   * vertices are merged, as a triangle soup requires. Source: Greedy clustering in the order of the vertices; edges are sewn two by two
+   */
+  readonly weld: Filter<[MeshLike], [Mesh, Report], WeldParams>;
+  /**
+   * Reverses faces until neighbours are consistently oriented, as few as possible in each component. One-sided components, such as a
+   * Moebius strip, stay as they are. Source: Breadth-first search across edges of two faces
+   */
+  readonly orient: Filter<[MeshLike], [Mesh, Report], OrientParams>;
+  /**
+   * Closes boundary loops of a mesh by new triangles: the triangulation of least weight, refined to the density of the surrounding mesh
+   * and faired. Vertices stay where they are and no face is lost. Source: P. Liepa, Filling holes in meshes (2003); G. Barequet, M.
+   * Sharir, Filling gaps in the boundary of a polyhedron (1995)
+   */
+  readonly fill_holes: Filter<[MeshLike], [Mesh, Report], FillHolesParams>;
+  /**
+   * Joins many open pieces to one mesh: overlaps are trimmed on request, coincident borders sewn, orientations made consistent, loops
+   * that face each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face none are
+   * left as they are. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap
+   */
+  readonly assemble: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], AssembleParams>;
+  /**
+   * Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a
+   * quadratic section whose control point lies on the bisector, the median or the normal at the point. Source: T. Nadopta, Theoretical
+   * foundations of the identification of outline curves, 2008
+   */
+  readonly outline: Filter<[CurvesLike], [Curves, Report], OutlineParams>;
+  /**
+   * Makes a standard shape as a quad grid, closed by gluing: rows and columns of faces continue across its seams, and a side contracted
+   * to a pole is one vertex. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   */
+  readonly net_shape: Filter<[], [Mesh, Report], NetShapeParams>;
+  /**
+   * Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, or projection towards a sphere. Faces
+   * are unchanged, and coincident vertices stay coincident. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal
+   * regular networks, deformation fields
+   */
+  readonly deform: Filter<[MeshLike], Mesh, DeformParams>;
+  /**
+   * Draws a smooth surface through the vertices of a quad grid and returns it as a finer mesh, whose vertices lie on the surface and
+   * whose faces are within the deviation of it. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_surface: Filter<[MeshLike], [Mesh, Report], SmoothSurfaceParams>;
+  /**
+   * Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve is missed,
+   * and points lie on the surface, not on the quads. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_sections: Filter<[MeshLike], [Curves, Report], SmoothSectionsParams>;
+  /**
+   * Finds where the normals of the smooth surface through the vertices of a quad grid make an angle with a direction: at pi / 2 the
+   * silhouettes seen along it, otherwise lines of equal slope. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_silhouette: Filter<[MeshLike], [Curves, Report], SmoothSilhouetteParams>;
+  /**
+   * Measures the distances of the vertices of a mesh from the smooth surface through the vertices of a quad grid, the second mesh, and
+   * moves them towards their nearest points on it. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_distance: Filter<[MeshLike, MeshLike], [Mesh, Report], SmoothDistanceParams>;
+  /**
+   * Reports every defect of a mesh with the numbers of the elements: boundary edges, edges of three or more faces, non-manifold vertices,
+   * inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the number of components, the Euler
+   * characteristic and the genus. Source: Counts on half-edges; genus by Euler's formula
+   */
+  readonly check: Filter<[MeshLike], Report, CheckParams>;
+  /**
+   * Finds the points of two loops that face each other: those on the other loop's side of the plane through their own loop's centre. The
+   * arcs that stitching would join come first, then all others. Source: S. Nesterenko, The algorithm for polygonal networks of
+   * cross-linking, algorithm 2
+   */
+  readonly facing_arcs: Filter<[CurvesLike], [Curves, Report], FacingArcsParams>;
+  /**
+   * Spans a strip of faces between two polylines of one direction that run side by side, both closed or both open. Source: H. Fuchs, Z.
+   * Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for the rule by index
+   */
+  readonly strip: Filter<[CurvesLike], [Mesh, Report], StripParams>;
+  /**
+   * Resamples a quad grid to other numbers of rows and columns, evenly spaced over the old ones. Closed sides stay closed, and poles stay
+   * poles. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   */
+  readonly net_resample: Filter<[MeshLike], [Mesh, Report], NetResampleParams>;
+  /**
+   * Removes rows and columns of a quad grid as long as the surface hardly changes, always the one of least cost. The remaining vertices
+   * stay where they were. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   */
+  readonly net_decimate: Filter<[MeshLike], [Mesh, Report], NetDecimateParams>;
+  /**
+   * Joins quad grids side by side to one: the rows, or columns, of each follow those of the one before, with a row of new quads between
+   * them, or welded. Smaller grids have rows replicated to fit. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal
+   * regular networks, concatenation
+   */
+  readonly net_join: Filter<[MeshLike, MeshLike, ...MeshLike[]], [Mesh, Report], NetJoinParams>;
+  /**
+   * Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a closed one also
+   * volume, centroid and inertia tensor. Source: The divergence theorem on bilinear patches, with Gauss's points
+   */
+  readonly net_measures: Filter<[MeshLike], Report, NetMeasuresParams>;
+  /**
+   * Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as segments of
+   * the original grid, and quads that were folded over. Without any the deformation is soft. Source: A. A. Deryagin, Modelling of 3D
+   * objects and scenes by tetragonal regular networks, soft and hard deformations
+   */
+  readonly net_analyse: Filter<[MeshLike, MeshLike], [Curves, Report], NetAnalyseParams>;
+  /**
+   * Revolves a curve about an axis: a quad grid whose rows are closed circles, with a pole where the curve meets the axis. Of each point
+   * of the curve its height along the axis and its distance from it are used. Source: A. A. Deryagin, Modelling of 3D objects and scenes
+   * by tetragonal regular networks
+   */
+  readonly net_lathe: Filter<[CurvesLike], [Mesh, Report], NetLatheParams>;
+  /**
+   * Moves every vertex of a quad grid along the surface normal, at poles and across seams too; glued vertices stay glued. Source: A. A.
+   * Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   */
+  readonly displace: Filter<[MeshLike], Mesh, DisplaceParams>;
+  /**
+   * Projects the vertices of a mesh onto a plane, along a direction or through a centre, or moves them a fraction of the way. Faces are
+   * unchanged. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, projections
+   */
+  readonly project: Filter<[MeshLike], Mesh, ProjectParams>;
+  /**
+   * Measures curves: length, bounding box and enclosed area. The area of a curve that is not plane is that of its largest projection; an
+   * open curve is closed by its chord. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   */
+  readonly curve_measures: Filter<[CurvesLike], Report, CurveMeasuresParams>;
+  /**
+   * Resamples curves: a number of points at equal arc lengths, points at a given spacing, or as few points as keep the polyline within a
+   * distance of the curve. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   */
+  readonly curve_resample: Filter<[CurvesLike], Curves, CurveResampleParams>;
+  /**
+   * Draws the offset curves of plane curves, to their left seen against the normal of the plane. Corners are joined by straight segments;
+   * where the distance exceeds the radius of curvature the offset intersects itself. Source: Hermite interpolation of the exact offset,
+   * halved until the deviation measured is small enough
+   */
+  readonly curve_offset: Filter<[CurvesLike], [Curves, Report], CurveOffsetParams>;
+  /**
+   * Finds where curves intersect, or pass each other within a distance: a curve of one point for each place, midway between the two.
+   * Self-intersections of curves in the plane z = 0 are found too. Source: Bezier clipping by convex hulls, and Newton's method
+   */
+  readonly curve_meet: Filter<[CurvesLike], [Curves, Report], CurveMeetParams>;
+  /**
+   * Finds for each point of the first input the nearest point on any curve of the second, draws the segments between them, and reports
+   * their lengths. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   */
+  readonly curve_nearest: Filter<[CurvesLike, CurvesLike], [Curves, Report], CurveNearestParams>;
+  /**
+   * Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth curves are
+   * written as Bezier curves. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   */
+  readonly curve_svg: Filter<[CurvesLike], Report, CurveSvgParams>;
+  /**
+   * Draws a smooth surface through consecutive sections of a body, all closed or all open: nodes are placed on the sections, curves are
+   * drawn along the body, and the surface through both is returned as a mesh. Source: T. Nadopta, Theoretical foundations of the
+   * identification of outline curves, 2008
+   */
+  readonly loft: Filter<[CurvesLike], [Mesh, Report], LoftParams>;
+  /**
+   * Draws the smooth surface that contains all curves of a network: curves across, and in a second input curves along, each of which
+   * meets all of the first in their order. Curves across alone are skinned. The result is a mesh. Source: W. J. Gordon, Spline-blended
+   * surface interpolation through curve networks, 1969
+   */
+  readonly smooth_net: Filter<[CurvesLike, CurvesLike?], [Mesh, Report], SmoothNetParams>;
+  /**
+   * Draws isophotes of the smooth surface through the vertices of a quad grid: the curves on which its normals make one of several
+   * equally spaced angles with a direction. Where isophotes are not smooth the surface is not fair. Source: V. A. Leus, Carcasses on
+   * smooth surfaces, 1976
+   */
+  readonly smooth_isophotes: Filter<[MeshLike], [Curves, Report], SmoothIsophotesParams>;
+  /**
+   * Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed; points where the
+   * surfaces touch, or branches cross, are resolved; cells where they touch along a curve or coincide are counted as unresolved. Source:
+   * V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_intersect: Filter<[MeshLike, MeshLike], [Curves, Report], SmoothIntersectParams>;
+  /**
+   * Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid: a curve of one point for each
+   * intersection, with its distance from the given point and the normal. None is missed. Source: V. A. Leus, Carcasses on smooth
+   * surfaces, 1976
+   */
+  readonly smooth_line: Filter<[MeshLike], [Curves, Report], SmoothLineParams>;
+  /**
+   * Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each intersection. None
+   * is missed. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_curve: Filter<[MeshLike, CurvesLike], [Curves, Report], SmoothCurveParams>;
+  /**
+   * Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, draws the
+   * segments between them, and reports their lengths. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   */
+  readonly smooth_nearest: Filter<[MeshLike, CurvesLike], [Curves, Report], SmoothNearestParams>;
+  /**
+   * Welds borders that lie on one another, also where their vertices do not match: edges are split where vertices of another border lie
+   * on them, if the parts then coincide two by two. Triangles with split edges are cut into triangles, larger faces gain corners. Source:
+   * Greedy clustering in the order of the vertices; edges are sewn two by two
+   */
+  readonly sew: Filter<[MeshLike], [Mesh, Report], SewParams>;
+  /**
+   * Moves pieces that overlap, or that are parts of one broken surface, rigidly to where they fit, all at once; the first one stays. The
+   * result is one mesh of all pieces side by side, not joined. The report says of each piece, counted from 0, whether it can be trusted
+   * to lie right, and gives its motion as three rows of four numbers, a rotation and a shift. Normals that vertices carry are not turned
+   * with them. Source: P. Besl, N. McKay, A method for registration of 3-D shapes (1992); Y. Chen, G. Medioni, Object modelling by
+   * registration of multiple range images (1992); P. Neugebauer, Reconstruction of real-world objects via simultaneous registration
+   * (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019)
+   */
+  readonly align: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], AlignParams>;
+  /**
+   * Keeps of each overlap of pieces, which must lie where they belong, one piece, and leaves a narrow gap to the others. The result is
+   * one mesh of the faces that are kept, side by side and not joined. No vertex moves and no face is cut. The report counts pieces from
+   * 0. Source: G. Turk, M. Levoy, Zippered polygon meshes from range images (1994), for the idea
+   */
+  readonly trim: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], TrimParams>;
+  /**
+   * Lays a surface out in the plane: the pattern to cut it from. What is no disc is opened along short paths. A surface that can be
+   * unfolded keeps every length; any other one has the least distortion, without folds or overlaps. Darts lower it further. Source:
+   * Rabinovich, Poranne, Panozzo, Sorkine-Hornung 2017; Ben-Chen, Gotsman, Bunin 2008 for darts
+   */
+  readonly develop: Filter<[MeshLike], [Mesh, Report], DevelopParams>;
+}

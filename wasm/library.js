@@ -1,0 +1,171 @@
+// The library in memory of its own: structs by their fields, texts, room, and functions by their places in its table.
+
+import { errorFor } from "./errors.js";
+import { constants, structs } from "./tables.js";
+
+const utf8 = new TextDecoder();
+
+/**
+ * A module that hands on one imported function. The functions that it exports are WebAssembly's, which alone may stand in tables.
+ * parameters, results: of the types 0x7f (i32) and 0x7c (f64).
+ */
+function handedOn(parameters, results, called) {
+  const type = [0x60, parameters.length, ...parameters, results.length, ...results];
+  const bytes = [
+    0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00, // the magic number, version 1
+    0x01, type.length + 1, 0x01, ...type, // one type
+    0x02, 0x07, 0x01, 0x01, 0x65, 0x01, 0x66, 0x00, 0x00, // one import, e.f
+    0x07, 0x05, 0x01, 0x01, 0x66, 0x00, 0x00, // one export, f
+  ];
+  return new WebAssembly.Instance(new WebAssembly.Module(new Uint8Array(bytes)), { e: { f: called } }).exports.f;
+}
+
+export class Library {
+  constructor(instance) {
+    const { memory, __indirect_function_table: functions, gusset_plugin_entry: entry } = instance.exports;
+    this.exports = instance.exports;
+    this.memory = memory;
+    this.functions = functions;
+    this.stopped = null;
+    this.told = new Map();
+    const table = this.guarded(() => entry(constants.PLUGIN_ABI));
+    if (!table) {
+      throw new Error("the library has no table of this version");
+    }
+    this.table = this.struct("gusset_plugin", table);
+    const i32 = 0x7f, f64 = 0x7c;
+    this.progress = this.placed(handedOn([i32, f64, i32], [i32], (user, fraction, stage) => this.tell(user, "progress", fraction, this.text(stage))));
+    this.log = this.placed(handedOn([i32, i32], [], (user, message) => void this.tell(user, "log", this.text(message))));
+  }
+
+  /** The place in the table of functions that a function gets. */
+  placed(called) {
+    const place = this.functions.grow(1);
+    this.functions.set(place, called);
+    return place;
+  }
+
+  /** Calls what a run was given. Once that throws, or says stop, the run is cancelled. */
+  tell(user, name, ...values) {
+    const run = this.told.get(user);
+    if (run.thrown) {
+      return 1;
+    }
+    try {
+      return run[name]?.(...values) === false ? 1 : 0;
+    } catch (thrown) {
+      run.thrown = { thrown };
+      return 1;
+    }
+  }
+
+  /** A call into the library: after a trap there is no telling what its memory holds. */
+  guarded(call) {
+    if (this.stopped) {
+      throw errorFor(constants.ERROR_PANIC, "the library has stopped: load it again");
+    }
+    try {
+      return call();
+    } catch (thrown) {
+      this.stopped = thrown;
+      const error = errorFor(constants.ERROR_PANIC, `the library has stopped: ${thrown.message}; please report it, and load it again`);
+      error.cause = thrown;
+      throw error;
+    }
+  }
+
+  /** Calls the function at a place in the table. */
+  call(place, ...values) {
+    return this.guarded(() => this.functions.get(place)(...values));
+  }
+
+  /** Views of memory do not outlive its growth: each is made for one use. */
+  get view() {
+    return new DataView(this.memory.buffer);
+  }
+
+  /** The text at an address: nothing at none. */
+  text(pointer) {
+    const bytes = new Uint8Array(this.memory.buffer), start = pointer >>> 0;
+    return start ? utf8.decode(bytes.subarray(start, bytes.indexOf(0, start))) : "";
+  }
+
+  /** A copy of an array of the library's. */
+  copied(kind, pointer, length) {
+    return pointer ? new kind(this.memory.buffer, pointer, length).slice() : new kind(length);
+  }
+
+  /** A struct at an address: its fields as properties. */
+  struct(name, at) {
+    const layout = structs[name], library = this, pointer = at >>> 0; // WebAssembly gives addresses above 2 GB as negative.
+    const access = (field) => {
+      const found = layout.fields[field];
+      if (!found) {
+        throw new Error(`${name} has no field ${field}`);
+      }
+      return found;
+    };
+    return new Proxy({ pointer, size: layout.size }, {
+      get(own, field) {
+        if (field in own || typeof field !== "string") {
+          return own[field];
+        }
+        const [offset, kind] = access(field);
+        return library.view[`get${kind}`](pointer + offset, true);
+      },
+      set(own, field, value) {
+        const [offset, kind] = access(field);
+        library.view[`set${kind}`](pointer + offset, value, true);
+        return true;
+      },
+    });
+  }
+
+  /** Calls `use` with somewhere to allocate what lives as long as it runs. */
+  withRoom(use) {
+    const blocks = [], library = this;
+    const allocate = (size) => {
+      const block = size && this.guarded(() => this.exports.gusset_memory_allocate(size)) >>> 0;
+      if (size && !block) {
+        throw errorFor(constants.PLUGIN_OUT_OF_MEMORY, `there is no memory for ${size} bytes`);
+      }
+      blocks.push([block, size]);
+      return block;
+    };
+    const room = {
+      allocate,
+      /** Zeros. */
+      cleared(size) {
+        const block = allocate(size);
+        new Uint8Array(library.memory.buffer, block, size).fill(0);
+        return block;
+      },
+      /** A struct of zeros that knows its size, if it begins with that. */
+      struct(name) {
+        const made = library.struct(name, room.cleared(structs[name].size));
+        if (structs[name].fields.struct_size) {
+          made.struct_size = structs[name].size;
+        }
+        return made;
+      },
+      /** A copy of a typed array. */
+      array(values) {
+        const block = allocate(values.byteLength);
+        new values.constructor(library.memory.buffer, block, values.length).set(values);
+        return block;
+      },
+    };
+    try {
+      return use(room);
+    } finally {
+      if (!this.stopped) {
+        blocks.forEach(([block, size]) => this.exports.gusset_memory_free(block, size));
+      }
+    }
+  }
+}
+
+/** Whether a value is an array of numbers of one type. */
+export function isTyped(value) {
+  return ArrayBuffer.isView(value) && !(value instanceof DataView);
+}

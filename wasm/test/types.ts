@@ -1,0 +1,28 @@
+// What a compiler of TypeScript must take, and what it must refuse: `tsc --noEmit --strict --target es2022 --module nodenext types.ts`.
+
+import { Curves, load, Mesh, Outputs, Report, InputError } from "../gusset.js";
+
+const { filters } = await load();
+const mesh = { positions: new Float32Array(9), faces: Uint32Array.of(0, 1, 2) };
+
+const [welded, report]: [Mesh, Report] = filters.weld(mesh, { tolerance: 1e-3, vertices: "all_vertices", progress: (fraction) => fraction < 0.5 });
+const count: number = report.values.vertices ?? welded.vertexCount;
+const text: string = filters.check(mesh).text;
+filters.stitch(mesh, mesh, { meridians: "least_area" });
+filters.stitch(mesh);
+filters.assemble(mesh, mesh, mesh, { max_gap: 1 });
+const bent: Mesh = filters.deform(mesh, { field: "twist", axis: 1 });
+const [loops]: [Curves, Report] = filters.outline(new Curves([mesh.positions], { closed: true }));
+const made: Mesh = filters.net_shape({ rows: 9 })[0];
+const outputs: Outputs = filters.stitch.run([mesh, mesh], { origins: true });
+const colours: Uint8Array = outputs.carry([new Uint8Array(9), null], { rule: "linear" });
+const at = (error: unknown) => (error instanceof InputError ? error.index : null);
+
+// @ts-expect-error: there is no such parameter
+filters.weld(mesh, { tolerances: 1 });
+// @ts-expect-error: nor such a choice
+filters.weld(mesh, { vertices: "some" });
+// @ts-expect-error: a mesh is missing
+filters.weld();
+
+export { at, bent, colours, count, loops, made, text };

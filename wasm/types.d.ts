@@ -1,0 +1,156 @@
+// What gusset.d.ts begins with: the types that do not follow from the table.
+
+/** Coordinates: x, y, z of one point after the other, or points. */
+export type Coordinates = Float32Array | Float64Array | ArrayLike<number> | readonly ArrayLike<number>[];
+
+/** Whole numbers from 0. */
+export type Indices = Uint32Array | ArrayLike<number>;
+
+/** Faces: the corners of triangles; or face f has the corners `offsets[f]` to `offsets[f + 1] - 1`; or the corners of each. */
+export type Faces = Indices | { offsets: Indices; corners: Indices } | readonly (readonly number[])[];
+
+/** What is taken for a mesh. `merge`: for each vertex the one that it is one with. */
+export type MeshLike = Mesh | { positions: Coordinates; faces: Faces; merge?: Indices | null };
+
+/** What is taken for polylines: `closed`, of all or of each, says whether they go on to their first points. */
+export type CurvesLike = Curves | { points: Coordinates | readonly Coordinates[]; offsets?: Indices | null; closed?: boolean | ArrayLike<number | boolean> } | readonly Coordinates[];
+
+/** A polygon mesh. */
+export class Mesh {
+  constructor(positions: Coordinates, faces: Faces, options?: { merge?: Indices | null });
+  /** x, y, z of one vertex after the other, in the precision of the input. */
+  readonly positions: Float32Array | Float64Array;
+  /** Face f has the corners `offsets[f]` to `offsets[f + 1] - 1`. */
+  readonly faces: { readonly offsets: Uint32Array; readonly corners: Uint32Array };
+  readonly merge: Uint32Array | null;
+  readonly vertexCount: number;
+  readonly faceCount: number;
+  /** The corners if all faces are triangles, else null. */
+  readonly triangles: Uint32Array | null;
+}
+
+/** Polylines: curve c has the points `offsets[c]` to `offsets[c + 1] - 1`. */
+export class Curves {
+  constructor(points: Coordinates | readonly Coordinates[], options?: { offsets?: Indices | null; closed?: boolean | ArrayLike<number | boolean> });
+  readonly points: Float32Array | Float64Array;
+  readonly offsets: Uint32Array;
+  /** For each curve 0 or 1. */
+  readonly closed: Uint8Array;
+  /** The number of curves. */
+  readonly length: number;
+  /** The points of one curve: a part of `points`. */
+  curve(index: number): Float32Array | Float64Array;
+}
+
+/** Lines of text, with the numbers in it by their names. */
+export class Report {
+  readonly text: string;
+  readonly values: Readonly<Record<string, number>>;
+  toString(): string;
+}
+
+/** A call of the library failed; nothing has changed. */
+export class GussetError extends Error {
+  /** The number of the status, as in gusset.h. */
+  readonly status: number;
+  /** Its name in lower case, as "index_out_of_range". */
+  readonly code: string;
+  /** What `index` counts, as "vertex" or "face"; "none" if nothing. */
+  readonly element: string;
+  /** The first element at fault, or null. */
+  readonly index: number | null;
+  /** Its value where it has one, or null. */
+  readonly value: number | null;
+  /** The number of the input that is at fault, or null. */
+  readonly input: number | null;
+  /** The number of the parameter that is out of range, or null. */
+  readonly param: number | null;
+}
+/** What was given cannot be used: its first offending element is named. */
+export class InputError extends GussetError {}
+/** Memory ran out. */
+export class OutOfMemory extends GussetError {}
+/** The call was cancelled. */
+export class Cancelled extends GussetError {}
+/** The library stopped, by a mistake of its own: what was loaded is of no use any more. */
+export class Stopped extends GussetError {}
+
+/** Options of each run, beside its parameters. */
+export interface RunOptions {
+  /** Called now and then during long work, with the part done, 0 to 1. Returning false cancels, and so does throwing, which is passed on. */
+  progress?: (fraction: number, stage: string) => boolean | void;
+  /** Called with remarks that are no failures. */
+  log?: (message: string) => void;
+  /** Whether outputs tell where their elements come from, for `carry`. */
+  origins?: boolean;
+}
+
+/** Arrays of values that can be carried over. */
+export type Values = Float32Array | Float64Array | Uint8Array | Uint16Array | Uint32Array;
+
+/** All that a run left: a sequence of meshes, curves and reports. */
+export class Outputs<Made = Mesh | Curves | Report> implements Iterable<Made> {
+  readonly length: number;
+  at(index: number): Made | undefined;
+  [Symbol.iterator](): Iterator<Made>;
+  /** Whether an output tells where its elements come from. */
+  hasOrigins(index?: number): boolean;
+  /** The values of the elements of an output, of those of the inputs': one array for each input, or null. */
+  carry<V extends Values>(
+    values: readonly (V | null)[],
+    options?: {
+      domain?: "vertices" | "corners" | "faces";
+      rule?: "linear" | "normal" | "skin_weights" | "nearest" | "texture";
+      index?: number;
+      maxInfluences?: number;
+      /** How many values an element has; null: as many as the first array has of each. */
+      components?: number | null;
+    },
+  ): V;
+  /** Gives the library's memory back: meshes, curves and reports stay, `carry` is over. */
+  free(): void;
+}
+
+/** A parameter of a filter. */
+export interface Param {
+  readonly id: string;
+  readonly label: string;
+  readonly help: string;
+  readonly kind: number;
+  readonly arity: number;
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  readonly defaults: readonly number[];
+  readonly choices: readonly { readonly word: string; readonly label: string; readonly help: string }[];
+}
+
+/** A filter of the table; call it with its inputs and its parameters. */
+export interface Filter<Inputs extends readonly unknown[] = readonly (MeshLike | CurvesLike)[], Result = unknown, Params = RunOptions> {
+  (...given: [...inputs: Inputs, params?: Params]): Result;
+  /** Runs it and gives all that it left; `free` it. */
+  run(inputs: Inputs, params?: Params): Outputs;
+  readonly id: string;
+  readonly scriptName: string;
+  readonly category: string;
+  readonly help: string;
+  readonly reference: string;
+  readonly inputKinds: readonly number[];
+  readonly outputKinds: readonly number[];
+  readonly minInputs: number;
+  readonly maxInputs: number;
+  readonly hasOrigins: boolean;
+  readonly params: readonly Param[];
+}
+
+/** The library, with memory of its own. */
+export interface Gusset {
+  /** "major.minor.patch". */
+  readonly version: string;
+  readonly filters: Filters;
+  /** What the library holds in memory; it grows, and never shrinks. */
+  readonly memory: WebAssembly.Memory;
+}
+
+/** Loads the library: from gusset.wasm beside this file, or from what is given. */
+export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response): Promise<Gusset>;
