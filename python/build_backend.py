@@ -59,7 +59,7 @@ def native(library, folder):
     """Writes the package _native as maturin does, for a library that is built already."""
     import cffi
     from cffi import recompiler
-    folder = pathlib.Path(folder) / "_native"
+    library, folder = pathlib.Path(library).absolute(), pathlib.Path(folder) / "_native"
     folder.mkdir(parents=True, exist_ok=True)
     ffi = cffi.FFI()
     ffi.cdef(all_declarations())

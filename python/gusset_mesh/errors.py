@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ._library import ELEMENTS, STATUSES, ffi, lib, text
 
 __all__ = ["Cancelled", "Error", "InputError", "OutOfMemory"]
@@ -27,6 +29,10 @@ class Error(Exception):
         self.index = index if element else None
         self.value = value if element else None
         self.input = input
+        self._given = (message, status, element, index, value, input)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self._given
 
 
 class InputError(Error, ValueError):

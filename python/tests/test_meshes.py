@@ -1,5 +1,7 @@
 """Meshes go in and out without copies, and what is wrong with them is said."""
 
+import copy as copy_module
+import pickle
 import subprocess
 import sys
 
@@ -135,6 +137,17 @@ def test_errors_name_the_element():
         gm.Mesh.from_polygons(points, [0, 3, 99], [0, 1, 2, 1, 2, 3])
     with pytest.raises(gm.InputError):
         gm.check(gm.Mesh.from_polygons(points, [0, 5, 3], [0, 1, 2]))
+
+
+def test_meshes_and_errors_travel():
+    points, faces = shapes.cap()
+    made = gm.weld((points, faces)).mesh
+    for copy in (pickle.loads(pickle.dumps(made)), copy_module.deepcopy(made)):
+        assert np.array_equal(copy.points, made.points) and np.array_equal(copy.corners, made.corners)
+    with pytest.raises(gm.InputError) as caught:
+        gm.check((points * np.nan, faces))
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (type(again), str(again), again.name, again.index) == (gm.InputError, str(caught.value), "not_finite", 0)
 
 
 def test_options():
