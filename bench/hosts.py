@@ -1,14 +1,19 @@
-"""Hosts that are not written in C: a small call through the Python package beside C's, and models over Dask by two workers beside one."""
+"""Hosts of other kinds: a small call through the Python package beside C's, models over Dask by two workers beside one, and the memory of
+one mesh in tiles beside what a rank may have."""
 
 import os
 import re
 import statistics
+import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-ROWS = "python/call/c", "dask/two-workers/one-worker"
+ROWS = "python/call/c", "dask/two-workers/one-worker", "tiles/memory/limit"
 RUNS, MODELS = 5, 400
+# Of a rank, in megabytes.
+LIMIT = 2000
 
 CALL = """
 import statistics, time
@@ -54,3 +59,20 @@ def run(library, report, tools, only):
                 seen.append(float(re.search(r"([\d.]+) a second", said).group(1)))
         one, two = (1000 / statistics.median(rates[workers]) for workers in (1, 2))
         report.add("dask/two-workers", "one-worker", two, one, {"models": MODELS})
+    if only in ROWS[2]:
+        in_tiles(library, report)
+
+
+def in_tiles(library, report):
+    """12.9 million faces in 256 tiles, one at a time in memory."""
+    folder = ROOT / "build/tiles"
+    made = [["cmake", "-S", ROOT / "examples/tiles", "-B", folder, f"-DGUSSET_PREFIX={library}"], ["cmake", "--build", folder, "--parallel", "2"]]
+    if not shutil.which("mpirun") or any(subprocess.run(command, capture_output=True).returncode for command in made):
+        print("SKIPPED: tiles: there is no MPI, or no DIY: make test-vtk installs both")
+        return
+    with tempfile.TemporaryDirectory() as scratch:
+        said = subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", folder / "tiles", "--tiles", "16", "16", "--cells", "158", "--gap",
+                               "--in-memory", "1", "--scratch", scratch], check=True, capture_output=True, text=True).stdout
+    peaks = [float(found) for found in re.findall(r"([\d.]+) MB of memory at the peak", said)]
+    faces = int(re.search(r"(\d+) faces", said.replace(",", "").replace("'", "")).group(1))
+    report.add("tiles/memory", "limit", max(peaks), LIMIT, {"faces": faces}, "MB")

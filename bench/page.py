@@ -50,6 +50,9 @@ One triangle is checked: by the Python package, and by a loop in C. `overhead_us
     "dask": """## Models over Dask
 
 Bumpy balls in four quarters assembled over a cluster of this machine: milliseconds a model with two workers beside one.""",
+    "tiles": """## One mesh in tiles
+
+A torus in 256 tiles over two ranks, one tile at a time in memory: megabytes of a rank at its peak beside what it may have.""",
     "truth": """## Joins beside the surface that was there
 
 Slabs cut out of closed meshes, 1, 2, 4 and 8 % of their size wide, exactly or along their own edges: six of CGAL's collection

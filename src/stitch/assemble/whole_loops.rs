@@ -8,8 +8,8 @@
 //! * if they look at each other, and nearly all vertices of each that have any loop before them have
 //!   the other not much farther away than the nearest of those, or
 //! * if nearly all vertices of each have their nearest vertex on the other, and these nearest points
-//!   wind once round the other loop, or the distances are alike: but not of a loop that lies beside
-//!   another, from which the ways run all in one direction, while its conormals look all round.
+//!   wind once round the other loop, or the distances are alike: but not of two loops that lie beside
+//!   each other, from which the ways run all in one direction, while conormals look all round.
 //!
 //! Of these, pairs are chosen so that the sum of what each saves is greatest (see
 //! [`assignment`](super::assignment)): the nearer, the better they look at each other and the more
@@ -80,9 +80,10 @@ struct Look {
     gap: f64,
     /// The mean cosine between its conormals and the way there.
     cosine: f64,
-    /// Its nearest points wind once round the other, or its distances are alike and it does not lie
-    /// beside it.
+    /// Its distances are alike, or its nearest points wind once round the other.
     round: bool,
+    /// It lies beside the other.
+    beside: bool,
 }
 
 /// The nearest loop before a vertex of a loop.
@@ -140,7 +141,7 @@ impl FacingSearch<'_> {
             let face =
                 before >= MIN_SHARE_BEFORE && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_SUM_OF_LOOKS;
             // Rims that overlap, as hem and waist do, look away from each other.
-            let round = near >= MIN_SHARE_NEAR && there.round && back.round;
+            let round = near >= MIN_SHARE_NEAR && there.round && back.round && !(there.beside && back.beside);
             if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
                 let nearness = 1.0 - (1.0 - LEAST_GAIN) * if limit > 0.0 { gap / limit } else { 0.0 };
@@ -261,11 +262,11 @@ fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTre
     let spacing = sum / 2.0 / distances.len().max(1) as f64;
     let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_DISTANCE_RATIO * low.max(spacing));
     let one_way = if sum > 0.0 { one_way.length() / sum } else { 0.0 };
-    let beside = one_way > MIN_ONE_WAY && cosine.abs() < MAX_LOOK_ASIDE * one_way * sum;
-    let round = winds || alike && !beside;
+    let beside = !winds && one_way > MIN_ONE_WAY && cosine.abs() < MAX_LOOK_ASIDE * one_way * sum;
+    let round = alike || winds;
     Ok(if sum > 0.0 {
-        Look { gap: gap / sum, cosine: cosine / sum, round }
+        Look { gap: gap / sum, cosine: cosine / sum, round, beside }
     } else {
-        Look { gap: 0.0, cosine: 1.0, round }
+        Look { gap: 0.0, cosine: 1.0, round, beside }
     })
 }
