@@ -15,7 +15,7 @@ HEADER = HERE.parent / "include/gusset.h"
 STRUCTS = {
     "WeldOptions": "weld_options", "OrientOptions": "orient_options", "BoundaryOptions": "boundary_options", "StitchOptions": "stitch_options",
     "FillOptions": "fill_options", "TrimOptions": "trim_options", "AssemblyOptions": "assembly_options", "AlignOptions": "alignment_options",
-    "OutlineOptions": "outline_options", "FrameOptions": "frame_options", "OffsetOptions": "offset_options", "NetMeshOptions": "net_mesh_options",
+    "OutlineOptions": "outline_options", "OffsetOptions": "offset_options", "NetMeshOptions": "net_mesh_options",
     "JoinOptions": "join_options", "SurfaceOptions": "surface_options", "NearestOptions": "nearest_options", "ContourOptions": "contour_options",
     "IntersectionOptions": "intersection_options", "SheetMeshOptions": "sheet_mesh_options", "DevelopmentOptions": "development_options",
 }
@@ -64,8 +64,8 @@ def described(header):
             if field.endswith("_count") and any(f"{stem}_count" == field and (f"{stem}s" in words or stem in words or f"{stem}es" in words)
                                                 for stem in counted) and field not in ("row_count",):
                 continue  # it counts an array
-            reads = re.search(r"[Rr]ead for GUSSET_([A-Z0-9_]+)", text)
-            needs = None
+            reads = re.search(r"(?:[Rr]ead for|With) GUSSET_([A-Z0-9_]+)", text)
+            needs = out[-1][3] if text.startswith("The same") and out else None
             for other, values in words.items():
                 for word in values:
                     if reads and reads.group(1).endswith(f"_{word.upper()}") and other != field and needs is None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import atexit
 import threading
+import time
 from collections.abc import Callable
 from typing import Any, Optional
 
@@ -24,10 +26,15 @@ class _Context:
         self.handle = ffi.gc(made[0], lib.gusset_context_destroy)
         self.progress: Optional[Progress] = None
         self.raised: Optional[BaseException] = None
+        self.is_cancelled = False
         self.threads = 0
         self._self = ffi.new_handle(self)
         self._callback = ffi.callback("int(void *, double, const char *)", _told, error=1, onerror=_raised)
         self.is_told = False
+
+    def cancel(self) -> None:
+        self.is_cancelled = True
+        lib.gusset_context_cancel(self.handle)
 
     def use(self, threads: int, progress: Optional[Progress], is_told: bool) -> None:
         self.progress, self.raised = progress, None
@@ -67,6 +74,19 @@ class _Own(threading.local):
 
 _own = _Own()
 
+#: What is under way in all threads: each has cancel().
+under_way: set[Any] = set()
+
+
+@atexit.register
+def _end() -> None:
+    """When the interpreter ends, calls of threads that it does not wait for are cancelled: they must not call back any more."""
+    until = time.monotonic() + 10
+    while under_way and time.monotonic() < until:
+        for one in list(under_way):
+            one.cancel()
+        time.sleep(0.005)
+
 
 def call(function: Any, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, is_short: bool = False) -> None:
     """Calls a function whose first parameter is a context; what it reports is raised.
@@ -77,6 +97,7 @@ def call(function: Any, *arguments: Any, threads: int = 0, progress: Optional[Pr
     own = _own
     used = own.free.pop() if own.free else _Context()
     own.busy.append(used)
+    under_way.add(used)
     try:
         used.use(threads, progress, progress is not None or not is_short)
         status = function(used.handle, *arguments)
@@ -86,6 +107,10 @@ def call(function: Any, *arguments: Any, threads: int = 0, progress: Optional[Pr
             # It came too late to cancel anything; it counts all the same.
             raise used.raised
     finally:
+        under_way.discard(used)
         own.busy.pop()
         used.progress = used.raised = None
+        if used.is_cancelled:
+            lib.gusset_context_reset(used.handle)
+            used.is_cancelled = False
         own.free.append(used)

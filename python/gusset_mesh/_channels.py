@@ -8,7 +8,7 @@ from typing import Any, Literal, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._library import constants, ffi, lib
+from ._library import constants, ffi, lib, one_of
 from .mesh import pointer
 
 Domain = Literal["vertices", "corners", "faces"]
@@ -42,15 +42,23 @@ def carried(
         raise ValueError(f"values of the inputs have the shapes {', '.join(str(one.shape) for one in given)}")
     if dtype not in _TYPES and dtype.kind not in _BY_WAY_OF:
         raise ValueError(f"values have the type {dtype}, which cannot be mixed")
+    numbers = [one_of(_DOMAINS, "domain", domain), one_of(_RULES, "rule", rule)]
+    if rule == "nearest" and dtype.itemsize == 8 and dtype not in _TYPES and dtype.kind in "iu":
+        # Nothing is mixed: the halves of a wide number go along as two.
+        halves = [None if one is None else np.ascontiguousarray(one, dtype).view(np.uint32).reshape(len(one), -1) for one in arrays]
+        out = carried(apply, struct, halves, count, domain, rule)
+        return out.view(dtype).reshape(count, *shape)
     used = dtype if dtype in _TYPES else np.dtype(_BY_WAY_OF[dtype.kind])
     packed = [None if one is None else np.ascontiguousarray(one, used) for one in arrays]
+    if dtype.kind in "iu" and used == np.float64 and any(one is not None and one.size and np.abs(one).max() > 2**53 for one in packed):
+        raise ValueError("whole numbers beyond 2^53 cannot be mixed: carry them by the rule 'nearest'")
     inputs = ffi.new(f"struct {struct}_channel_values[]", max(len(packed), 1))
     for k, one in enumerate(packed):
         if one is not None:
             inputs[k].values, inputs[k].count = pointer(one), len(one)
     channel = ffi.new(f"struct {struct}_channel *")
     channel.struct_size = ffi.sizeof(f"struct {struct}_channel")
-    channel.domain, channel.value_type, channel.rule = _DOMAINS[domain], _TYPES[used], _RULES[rule]
+    channel.domain, channel.value_type, channel.rule = numbers[0], _TYPES[used], numbers[1]
     channel.components = int(np.prod(shape, dtype=np.int64))
     channel.max_influences = max_influences
     out = np.zeros((count, *shape), used)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._call import Progress, call
 from ._channels import Domain, Rule, carried
-from ._library import constants, ffi, lib
+from ._library import constants, ffi, lib, one_of
 from ._records import Record, filled
 from .errors import error
 from .mesh import Mesh, lent_mesh
@@ -31,6 +31,9 @@ class Handle:
 
     def __init__(self, handle: Any):
         self._handle = handle
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {type(self).__name__} stays in its process: send its mesh or its arrays")
 
     @cached_property
     def account(self) -> Record:
@@ -55,7 +58,7 @@ class Origins(Handle):
         """``offsets``, ``sources``, ``weights`` and ``starts`` of vertices, corners or faces."""
         struct = ffi.new("struct gusset_origins_view *")
         struct.struct_size = ffi.sizeof("struct gusset_origins_view")
-        status = lib.gusset_origins_get_view(self._handle, constants("GUSSET_DOMAIN_")[domain], struct)
+        status = lib.gusset_origins_get_view(self._handle, one_of(constants("GUSSET_DOMAIN_"), "domain", domain), struct)
         if status != 0:
             raise error(status, "")
         return Record(struct[0], (struct, self._handle))

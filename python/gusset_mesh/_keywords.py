@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 
@@ -13,7 +14,11 @@ from ._records import indices_struct
 from .mesh import indices_of, pointer
 
 
-def _array(struct: Any, field: str, value: Any, kept: list[Any]) -> None:
+#: Arrays of points: three numbers an item, which is what their count counts.
+_POINTS = {"viewpoints", "axis_points"}
+
+
+def _array(struct: Any, field: str, value: Any, kept: list[Any], lengths: Mapping[str, int]) -> None:
     """An array of numbers or of structs, and how many there are."""
     ctype = dict(ffi.typeof(struct).item.fields)[field].type
     if ctype.kind == "struct":  # gusset_indices
@@ -27,14 +32,44 @@ def _array(struct: Any, field: str, value: Any, kept: list[Any]) -> None:
         count = len(made)
     else:
         dtype = {"double": np.float64, "uint32_t": np.uint32, "uint8_t": np.uint8}[item.cname]
-        array = indices_of(value, field).reshape(-1) if dtype == np.uint32 else np.ascontiguousarray(value, dtype)
-        made, count = ffi.cast(f"{item.cname} *", pointer(array)), len(array)
-        kept.append(array)
+        numbers: Any = indices_of(value, field).reshape(-1) if dtype == np.uint32 else np.ascontiguousarray(value, dtype)
+        if field in _POINTS and (numbers.ndim != 2 or numbers.shape[1] != 3):
+            raise ValueError(f"{field} have the shape {numbers.shape}, not (n, 3)")
+        made, count = ffi.cast(f"{item.cname} *", pointer(numbers)), len(numbers)
+        kept.append(numbers)
+        # What no field beside it counts is as long as what it belongs to.
+        if not _counter(struct, field) and count != lengths.get(field):
+            raise ValueError(f"{field} are {count}, not {lengths.get(field, 0)}")
     kept.append(made)
     setattr(struct, field, made)
-    name = next((f"{stem}_count" for stem in (field.removesuffix("s"), field) if hasattr(struct, f"{stem}_count")), None)
+    name = _counter(struct, field)
     if name:
         setattr(struct, name, count)
+
+
+def _counter(struct: Any, field: str) -> Optional[str]:
+    """The field that counts an array."""
+    return next((f"{stem}_count" for stem in (field.removesuffix("s"), field) if hasattr(struct, f"{stem}_count")), None)
+
+
+def _paths(value: Any) -> Any:
+    """Paths as one list, and where each begins: of a sequence of sequences several."""
+    items = list(value)
+    if not items or np.ndim(items[0]) == 0:
+        return items, None
+    return np.concatenate([np.asarray(one) for one in items]), np.cumsum([0, *map(len, items)])
+
+
+def _number(keyword: str, what: str, value: Any) -> Any:
+    """A number or a flag as C takes it."""
+    if what == "flag":
+        if isinstance(value, (bool, np.bool_)) or (isinstance(value, (int, np.integer)) and value in (0, 1)):
+            return int(value)
+        raise TypeError(f"{keyword} is {value!r}: True or False is wanted")
+    try:
+        return float(value) if what == "float" and not isinstance(value, str) else operator.index(value)
+    except TypeError:
+        raise TypeError(f"{keyword} is {value!r}: a {'number' if what == 'float' else 'whole number'} is wanted") from None
 
 
 def _fields(item: Any, value: Any) -> Any:
@@ -45,8 +80,11 @@ def _fields(item: Any, value: Any) -> Any:
     return list(value)
 
 
-def options(name: str, keywords: Mapping[str, Any]) -> Any:
+def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] = {}) -> Any:
     """A struct of options; NULL for the defaults.
+
+    Args:
+        lengths: how long arrays are that no field counts.
 
     Raises:
         TypeError: there is no such keyword.
@@ -58,6 +96,9 @@ def options(name: str, keywords: Mapping[str, Any]) -> Any:
     struct = ffi.new(f"struct gusset_{name} *")
     struct.struct_size = ffi.sizeof(f"struct gusset_{name}")
     kept: list[Any] = []
+    keywords = dict(keywords)
+    if "cuts" in keywords and "cut_offsets" not in keywords and keywords["cuts"] is not None:
+        keywords["cuts"], keywords["cut_offsets"] = _paths(keywords["cuts"])
     for keyword, value in keywords.items():
         if keyword not in fields:
             raise TypeError(f"no option {keyword!r}: there are {', '.join(fields)}")
@@ -68,19 +109,22 @@ def options(name: str, keywords: Mapping[str, Any]) -> Any:
             # A length that is read in one mode only asks for that mode.
             setattr(struct, needs[0], fields[needs[0]][1].get(needs[1], 1))
         if what == "choice":
-            if value not in words:
+            if not isinstance(value, str) or value not in words:
                 raise ValueError(f"{keyword} is {value!r}: there are {', '.join(map(repr, words))}")
             setattr(struct, keyword, words[value])
         elif what.startswith("options:"):
+            if not isinstance(value, Mapping):
+                raise TypeError(f"{keyword} is {value!r}: a dictionary of options is wanted")
             inner = options(_struct_of(struct, keyword), value)
             kept.append(inner)
             setattr(struct, keyword, inner)
         elif what == "array":
-            _array(struct, keyword, value, kept)
-        elif what == "row":
-            setattr(struct, keyword, list(value))
+            _array(struct, keyword, value, kept, lengths)
         else:
-            setattr(struct, keyword, bool(value) if what == "flag" else value)
+            try:
+                setattr(struct, keyword, list(value) if what == "row" else _number(keyword, what, value))
+            except (OverflowError, IndexError):
+                raise ValueError(f"{keyword} is {value!r}, which is out of range") from None
     # What the struct points to lives as long as it does.
     return holding(struct, kept) if kept else struct
 

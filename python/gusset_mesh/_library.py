@@ -24,6 +24,13 @@ def constants(prefix: str) -> dict[str, int]:
     }
 
 
+def one_of(words: dict[str, int], name: str, word: object) -> int:
+    """The number of a word."""
+    if not isinstance(word, str) or word not in words:
+        raise ValueError(f"{name} is {word!r}: there are {', '.join(map(repr, words))}")
+    return words[word]
+
+
 def text(pointer: Any) -> str:
     """What a pointer of the library to a text says; nothing if it is NULL."""
     return str(ffi.string(pointer).decode("utf-8")) if pointer else ""

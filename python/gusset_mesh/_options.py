@@ -14,7 +14,7 @@ if sys.version_info >= (3, 12):
 else:
     from typing_extensions import TypedDict, Unpack
 
-__all__ = ["FIELDS", "Unpack", "WeldOptions", "OrientOptions", "BoundaryOptions", "StitchOptions", "FillOptions", "TrimOptions", "AssemblyOptions", "AlignOptions", "OutlineOptions", "FrameOptions", "OffsetOptions", "NetMeshOptions", "JoinOptions", "SurfaceOptions", "NearestOptions", "ContourOptions", "IntersectionOptions", "SheetMeshOptions", "DevelopmentOptions"]
+__all__ = ["FIELDS", "Unpack", "WeldOptions", "OrientOptions", "BoundaryOptions", "StitchOptions", "FillOptions", "TrimOptions", "AssemblyOptions", "AlignOptions", "OutlineOptions", "OffsetOptions", "NetMeshOptions", "JoinOptions", "SurfaceOptions", "NearestOptions", "ContourOptions", "IntersectionOptions", "SheetMeshOptions", "DevelopmentOptions"]
 
 
 class WeldOptions(TypedDict, total=False):
@@ -405,46 +405,6 @@ class AssemblyOptions(TypedDict, total=False):
     trim_options: TrimOptions
 
 
-class FrameOptions(TypedDict, total=False):
-    """Fields of ``gusset_frame_options``; what is not given is as by default."""
-
-    #: one of the words
-    correspondence: Literal['given', 'arc_length', 'angle', 'landmarks']
-    #: The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each
-    #: landmark to the next.
-    columns: int
-    #: 1: the last section is followed by the first one. 0 or 1.
-    ring: bool
-    #: 1: closed sections start at their first points, or at the corner after the first section's; read with
-    #: ARC_LENGTH. 0 or 1.
-    given_starts: bool
-    #: 1: corners that only the points' polygon has are drawn smooth. 0: a point is a corner where that turns by 40
-    #: degrees and far more than usual, or by the `corner_angle` of the curves across if that is less than pi; there
-    #: they turn sharply. 0 or 1.
-    smooth_corners: bool
-    #: For ANGLE: a point of the axis.
-    axis_point: Sequence[float]
-    #: For ANGLE: its direction; seen against it angles grow counter-clockwise.
-    axis_direction: Sequence[float]
-    #: For ANGLE: towards the nodes of column 0; any vector not along the axis, at its first point if it is bent.
-    reference: Sequence[float]
-    #: For ANGLE about a bent axis: a point of it for each section, x, y, z; axis_point and axis_direction are not
-    #: read then. The axis passes them along the circles through three of them at a time, and the reference goes along
-    #: without turning about it. NULL: the axis is straight.
-    axis_points: ArrayLike
-    #: For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
-    landmarks: ArrayLike
-    #: How the curves across are made; NULL for the defaults.
-    across: OutlineOptions
-    #: How the curves along are made; NULL for the defaults.
-    along: OutlineOptions
-    #: For GIVEN: points that are missing, counted over all sections, in any order. What stands in their places is not
-    #: read, and may be NaN. Each is filled along the body: on the curve of Catmull and Rom through the nodes of its
-    #: column before and behind it, two of each if there are as many, by the centripetal parameters of the columns
-    #: next to it.
-    missing: ArrayLike
-
-
 #: By struct: of each keyword its kind, the numbers of its words, and the field and word that it is read for.
 FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]]]] = {
     "gusset_weld_options": {
@@ -473,7 +433,7 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "tolerance_mode": ('choice', {'auto': 0, 'given': 1, 'exact': 2}, None),
         "tolerance": ('float', {}, ('tolerance_mode', 'given')),
         "arc_a": ('row', {}, ('extent', 'arcs')),
-        "arc_b": ('row', {}, None),
+        "arc_b": ('row', {}, ('extent', 'arcs')),
         "search": ('choice', {'auto': 0, 'exact': 1}, None),
         "start": ('choice', {'auto': 0, 'closest': 1, 'given': 2}, None),
         "fairing": ('choice', {'none': 0, 'thin_plate': 1}, None),
@@ -565,9 +525,9 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "limited": ('flag', {}, None),
     },
     "gusset_contour_options": {
-        "chord": ('float', {}, None),
+        "chord": ('float', {}, ('spacing', 'chord')),
         "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
-        "points": ('int', {}, None),
+        "points": ('int', {}, ('spacing', 'leus')),
         "unsigned_normals": ('flag', {}, None),
     },
     "gusset_intersection_options": {
@@ -604,20 +564,5 @@ FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]
         "keep_inside_out": ('flag', {}, None),
         "overlaps": ('choice', {'keep': 0, 'trim': 1}, None),
         "trim_options": ('options:TrimOptions', {}, ('overlaps', 'trim')),
-    },
-    "gusset_frame_options": {
-        "correspondence": ('choice', {'given': 0, 'arc_length': 1, 'angle': 2, 'landmarks': 3}, None),
-        "columns": ('int', {}, None),
-        "ring": ('flag', {}, None),
-        "given_starts": ('flag', {}, None),
-        "smooth_corners": ('flag', {}, None),
-        "axis_point": ('row', {}, None),
-        "axis_direction": ('row', {}, None),
-        "reference": ('row', {}, None),
-        "axis_points": ('array', {}, None),
-        "landmarks": ('array', {}, None),
-        "across": ('options:OutlineOptions', {}, None),
-        "along": ('options:OutlineOptions', {}, None),
-        "missing": ('array', {}, None),
     },
 }

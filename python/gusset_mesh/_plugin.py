@@ -8,7 +8,7 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._call import Progress
+from ._call import Progress, under_way
 from ._channels import Domain, Rule, carried
 from ._library import ffi, lib, text
 from ._records import lent
@@ -40,8 +40,17 @@ class Curves:
         each = np.asarray(closed, np.uint8)
         self.closed: NDArray[np.uint8] = np.ascontiguousarray(np.broadcast_to(each, (max(len(self.offsets) - 1, 0),)))
 
+    def require(self) -> None:
+        """What the constructor saw to: attributes may have been replaced since."""
+        lists = [(self.offsets, np.uint32), (self.closed, np.uint8)]
+        if any(not isinstance(one, np.ndarray) or one.dtype != dtype or one.ndim != 1 or not one.flags.c_contiguous for one, dtype in lists):
+            raise ValueError("offsets and closed are no packed arrays of 32-bit whole numbers and of bytes")
+        if len(self.offsets) == 0 or len(self.closed) != len(self.offsets) - 1:
+            raise ValueError("offsets have one number more than there are curves, and closed as many")
+        self.points = points_of(self.points)
+
     def __len__(self) -> int:
-        return len(self.offsets) - 1
+        return max(len(self.offsets) - 1, 0)
 
     def __getitem__(self, index: int) -> NDArray[Any]:
         if not -len(self) <= index < len(self):
@@ -133,13 +142,17 @@ class _Told:
     def __init__(self, progress: Optional[Progress]):
         self.progress = progress
         self.raised: Optional[BaseException] = None
+        self.is_cancelled = False
         self.self = ffi.new_handle(self)
         self.callback = ffi.callback("int32_t(void *, double, const char *)", self.told, error=1, onerror=self.failed)
+
+    def cancel(self) -> None:
+        self.is_cancelled = True
 
     def told(self, user: Any, fraction: float, stage: Any) -> int:
         if self.progress is not None:
             self.progress(fraction, text(stage))
-        return 0
+        return int(self.is_cancelled)
 
     def failed(self, kind: Any, exception: BaseException, traceback: Any) -> int:
         self.raised = exception
@@ -169,6 +182,7 @@ class Filter:
             kind = self.input_kinds[min(k, len(self.input_kinds) - 1)] if self.input_kinds else MESH
             if kind == CURVES:
                 curves = one if isinstance(one, Curves) else Curves(one)
+                curves.require()
                 view = ffi.new("struct gusset_plugin_curves *")
                 view.struct_size = ffi.sizeof("struct gusset_plugin_curves")
                 view.points, view.point_stride = pointer(curves.points), curves.points.strides[0] if curves.points.size else 0
@@ -213,7 +227,11 @@ class Filter:
         inputs, kept = self._inputs(given)
         values = self._values(inputs, len(given), params)
         made = ffi.new("struct gusset_outputs **")
-        status = self._struct.run(self._struct, host, inputs, len(given), values, self._struct.value_count, made)
+        under_way.add(told)
+        try:
+            status = self._struct.run(self._struct, host, inputs, len(given), values, self._struct.value_count, made)
+        finally:
+            under_way.discard(told)
         outputs = ffi.gc(made[0], self._table.output_free) if made[0] else None
         del kept
         if told.raised is not None:
@@ -230,8 +248,16 @@ class Filter:
         outputs = self.run(*given, threads=threads, progress=progress, **params)
         return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
+    def __reduce__(self) -> Any:
+        return _by_name, (self.script_name,)
+
     def __repr__(self) -> str:
         return f"<filter {self.script_name}: {self.name}>"
+
+
+def _by_name(name: str) -> Filter:
+    from .filters import all_filters
+    return all_filters[name]
 
 
 def word(label: str) -> str:

@@ -22,6 +22,8 @@ _SHAPES: dict[str, dict[str, Callable[[Any], tuple[int, ...]]]] = {
     "gusset_curve_view": {"points": lambda s: (s.point_count, 3)},
     "gusset_development_view": {"stretches": lambda s: (s.face_charts.count, 2), "points": lambda s: (s.vertex_map.count, 2)},
     "gusset_fill_view": {"weights": _THIRD},
+    "gusset_net_mesh_view": {"texture_coordinates": lambda s: (s.texture_count, 2)},
+    "gusset_sheet_report": {"knots_u": lambda s: (s.rows + 1,), "knots_v": lambda s: (s.columns + 1,)},
     "gusset_frame_view": {
         **dict.fromkeys(("nodes", "across", "along"), lambda s: (s.rows, s.columns, 3)), "turned": lambda s: (s.rows,),
     },
@@ -44,6 +46,8 @@ _SHAPES: dict[str, dict[str, Callable[[Any], tuple[int, ...]]]] = {
     },
 }
 _HIDDEN = {"struct_size", "reserved"}
+#: Of a net: its nodes have strides, and Net.nodes has them.
+_UNTOLD = {"gusset_net_view": {"x", "y", "z"}}
 
 
 class _Lent:
@@ -128,6 +132,9 @@ class Record:
         self._owner = owner
         self._shapes = _SHAPES.get(ctype.cname.removeprefix("struct "), {})
 
+    def __reduce__(self) -> Any:
+        raise TypeError("a Record stays in its process: send its numbers and arrays")
+
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
@@ -159,7 +166,8 @@ class Record:
         return [Record(pointer[k], self._owner) for k in range(shape[0])]
 
     def __iter__(self) -> Iterator[str]:
-        return (name for name in self._fields if name not in _HIDDEN)
+        untold = _UNTOLD.get(ffi.typeof(self._struct).cname.removeprefix("struct "), set())
+        return (name for name in self._fields if name not in _HIDDEN | untold)
 
     def __dir__(self) -> list[str]:
         return list(self)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._channels import Domain, Rule
+from .errors import InputError
 from .mesh import Mesh
 
 
@@ -71,6 +73,13 @@ def carry_arrays(carry: Callable[..., NDArray[Any]], inputs: Sequence[Any], resu
             if len(shapes) != 1 or kinds.kind not in "iufb":
                 continue  # one name for different things
             first = next(one for one in values if one is not None)
-            made = carry(values, domain, _rule(name, first))
+            rule = _rule(name, first)
+            if kinds.kind == "f" and any(one is not None and not np.isfinite(one).all() for one in values):
+                rule = "nearest"  # what is missing cannot be mixed
+            try:
+                made = carry(values, domain, rule)
+            except InputError as error:
+                warnings.warn(f"{name} is not carried along: {error}", stacklevel=3)
+                continue
             (result.point_data if domain == "vertices" else result.cell_data)[name] = made
     return result

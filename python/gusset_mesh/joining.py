@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, Optional
 
@@ -24,7 +24,11 @@ __all__ = ["Aligned", "Assembled", "Boundary", "Checked", "Developed", "Filled",
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
     """What is made of meshes, by a call of which they are the first arguments."""
-    return create(kind, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=_are_small(meshes))
+    return create(kind, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=kind in _QUICK and _are_small(meshes))
+
+
+#: What takes time in proportion to the mesh: of a small one it ends before anybody could want to stop it.
+_QUICK = {"boundary", "check", "weld", "sew", "orient"}
 
 
 def _are_small(meshes: Sequence[Mesh]) -> bool:
@@ -156,9 +160,14 @@ def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
     return Oriented(_create("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
 
 
-def _loops(loops: Sequence[ArrayLike]) -> Any:
-    arrays = [indices_of(loop, "a loop").reshape(-1) for loop in loops]
-    return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays]), arrays) if arrays else ffi.NULL
+def _loops(loops: Iterable[Any]) -> Any:
+    """Loops by their vertices, or as :func:`boundary_loops` gives them."""
+    given = [loop.vertices if isinstance(loop, Record) else loop for loop in loops]
+    if any(np.ndim(loop) != 1 or np.size(loop) == 0 for loop in given):
+        raise ValueError("a loop is a list of vertices")
+    arrays = [indices_of(loop, "a loop's vertices") for loop in given]
+    # NULL would be all loops that there are.
+    return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays] or 1), arrays)
 
 
 class Stitched(MeshResult):
@@ -201,7 +210,7 @@ def stitch(
     meshes = of_one_precision([a] if b is None else [a, b])
     views = [view_of(mesh) for mesh in meshes]
     return Stitched(create("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
-                           threads=threads, progress=progress, is_short=_are_small(meshes)))
+                           threads=threads, progress=progress))
 
 
 class Filled(MeshResult):
@@ -222,7 +231,7 @@ class Filled(MeshResult):
 
 
 def fill(
-    mesh: MeshLike, loops: Optional[Sequence[ArrayLike]] = None, *, threads: int = 0, progress: Optional[Progress] = None,
+    mesh: MeshLike, loops: Optional[Iterable[Any]] = None, *, threads: int = 0, progress: Optional[Progress] = None,
     **options: Unpack[FillOptions]
 ) -> Filled:
     """Fills holes: all loops, or those given by their vertices.
@@ -233,8 +242,9 @@ def fill(
     >>> check(fill(cone).mesh).is_closed
     True
     """
-    given = _loops(loops) if loops is not None else ffi.NULL
-    return Filled(_create("fill", [as_mesh(mesh)], given, 0 if loops is None else len(loops), structs("fill_options", options),
+    listed = None if loops is None else list(loops)
+    given = _loops(listed) if listed is not None else ffi.NULL
+    return Filled(_create("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"groups": len(listed or ())}),
                          threads=threads, progress=progress))
 
 
@@ -283,6 +293,8 @@ class Aligned(Handle):
     def moved(self, pieces: Sequence[MeshLike]) -> list[Mesh]:
         """The pieces where they belong."""
         out = []
+        if len(pieces) != len(self.poses):
+            raise ValueError(f"{len(pieces)} pieces for {len(self.poses)} poses")
         for pose, mesh in zip(self.poses, map(as_mesh, pieces)):
             out.append(mesh.with_points(mesh.points @ pose[:3, :3].T + pose[:3, 3]))
         return out

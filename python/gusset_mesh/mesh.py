@@ -96,10 +96,11 @@ class Mesh:
         """Of faces in a row: face f has the corners ``offsets[f]`` to ``offsets[f + 1] - 1``."""
         made = cls.__new__(cls)
         made.points = points_of(points)
-        made.offsets = indices_of(offsets, "offsets")
+        # A copy: the library reads as many corners as the last one says, which nobody is to change meanwhile.
+        made.offsets = indices_of(offsets, "offsets").reshape(-1).copy()
         made.corners = indices_of(corners, "corners").reshape(-1)
         made.face_size = 0
-        if made.offsets.size == 0 or made.offsets[-1] > made.corners.size:
+        if made.offsets.size == 0 or made.offsets[-1] != made.corners.size:
             raise ValueError("the last of the offsets is not the number of corners")
         made._merged(merge)
         return made
@@ -141,9 +142,11 @@ class Mesh:
         return np.stack([self.corners[first], self.corners[first + place + 1], self.corners[first + place + 2]], axis=1)
 
     def with_points(self, points: ArrayLike) -> Mesh:
-        """The same faces through other points."""
+        """The same faces through as many other points."""
         made = Mesh.__new__(Mesh)
         made.points = points_of(points)
+        if len(made.points) != len(self.points):
+            raise ValueError(f"{len(made.points)} points for {len(self.points)} vertices")
         made.corners, made.offsets, made.face_size, made.merge = self.corners, self.offsets, self.face_size, self.merge
         return made
 
@@ -168,6 +171,8 @@ def as_mesh(given: MeshLike) -> Mesh:
     if hasattr(given, "GetPolys"):  # vtkPolyData, and so PyVista's
         from ._vtk import from_polydata
         return from_polydata(given)
+    if hasattr(given, "extract_surface"):  # PyVista's other datasets
+        return as_mesh(given.extract_surface(algorithm="dataset_surface"))
     if callable(getattr(given, "face_vertex_indices", None)):  # OpenMesh
         faces = given.face_vertex_indices()
         return Mesh(given.points(), faces if (faces >= 0).all() else [face[face >= 0] for face in faces])
@@ -175,7 +180,7 @@ def as_mesh(given: MeshLike) -> Mesh:
         if hasattr(given, points) and hasattr(given, faces):
             return Mesh(np.asarray(getattr(given, points)), np.asarray(getattr(given, faces)))
     if hasattr(given, "points") and hasattr(given, "cells"):  # meshio
-        kept = [np.asarray(block.data) for block in given.cells if block.type in ("triangle", "quad", "polygon")]
+        kept = [block.data for block in given.cells if block.type in ("triangle", "quad", "polygon")]
         return Mesh(given.points, kept[0] if len(kept) == 1 else [face for block in kept for face in block])
     raise TypeError(f"{type(given).__name__} is no mesh: points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh")
 
@@ -185,8 +190,24 @@ def pointer(array: Optional[NDArray[Any]]) -> Any:
     return ffi.NULL if array is None else ffi.cast("void *", array.__array_interface__["data"][0])
 
 
+def _require(mesh: Mesh) -> None:
+    """What the constructors saw to: attributes may have been replaced since."""
+    points, lists = mesh.points, [one for one in (mesh.corners, mesh.offsets, mesh.merge) if one is not None]
+    if not isinstance(points, np.ndarray) or points.dtype not in _SCALARS or points.ndim != 2 or points.shape[1] != 3:
+        raise ValueError("points are no array of floats of the shape (n, 3)")
+    if points.size and (points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize):
+        raise ValueError("x, y and z of points are not together")
+    if any(not isinstance(one, np.ndarray) or one.dtype != np.uint32 or one.ndim != 1 or not one.flags.c_contiguous for one in lists):
+        raise ValueError("corners, offsets and merge are no packed arrays of 32-bit whole numbers")
+    if mesh.offsets is not None and (mesh.offsets.size == 0 or mesh.offsets[-1] > mesh.corners.size):
+        raise ValueError("the last of the offsets is more than the number of corners")
+    if mesh.merge is not None and len(mesh.merge) != len(points):
+        raise ValueError("merge has not a number for each vertex")
+
+
 def fill_view(view: Any, mesh: Mesh) -> None:
     """Makes a gusset_mesh_view, or the same of a plugin, that of a mesh, which must stay alive."""
+    _require(mesh)
     # Arrays of none have addresses too: a mesh without faces is told from one without an array of them.
     view.struct_size = ffi.sizeof(ffi.typeof(view).item if ffi.typeof(view).kind == "pointer" else ffi.typeof(view))
     view.positions = pointer(mesh.points)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._call import Progress, call
 from ._handles import Handle, MeshResult, create
 from ._keywords import options as structs
-from ._library import constants, ffi, lib
+from ._library import constants, ffi, lib, one_of
 from ._options import JoinOptions, NetMeshOptions, Unpack
 from ._records import Record, filled, lent
 from .mesh import MeshLike, as_mesh, pointer, view_of
@@ -55,7 +55,7 @@ class Net(Handle):
             array = array.astype(np.float64)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
-        if array.size and min(array.strides) <= 0:
+        if array.size and (min(array.strides) <= 0 or np.lib.array_utils.byte_bounds(array)[1] - np.lib.array_utils.byte_bounds(array)[0] < array.nbytes):
             array = np.ascontiguousarray(array)
         view = ffi.new("struct gusset_net_view *")
         view.struct_size = ffi.sizeof("struct gusset_net_view")
@@ -68,9 +68,7 @@ class Net(Handle):
         glued = ffi.new("struct gusset_net_gluing *")
         glued.struct_size = ffi.sizeof("struct gusset_net_gluing")
         for word in [sides] if isinstance(sides, str) else sides:
-            if word not in _SIDES:
-                raise ValueError(f"sides is {word!r}: there are {', '.join(map(repr, _SIDES))}")
-            glued.sides |= _SIDES[word]
+            glued.sides |= one_of(_SIDES, "sides", word)
         super().__init__(create("net", view, glued))
 
     @classmethod
@@ -145,7 +143,7 @@ class Net(Handle):
 
     def resampled(self, rows: int, columns: int, interpolation: Literal["bicubic", "bilinear"] = "bicubic") -> Net:
         """The same shape with other numbers of rows and columns."""
-        return self._of(create("net", self._handle, rows, columns, _BETWEEN[interpolation], name="net_resample"))
+        return self._of(create("net", self._handle, rows, columns, one_of(_BETWEEN, "interpolation", interpolation), name="net_resample"))
 
     def transposed(self) -> Net:
         """Rows as columns."""
@@ -153,7 +151,7 @@ class Net(Handle):
 
     def flipped(self, direction: Literal["right", "down"] = "right") -> Net:
         """Columns, or rows, in the reverse order."""
-        return self._of(create("net", self._handle, _TURNS[direction], name="net_flip"))
+        return self._of(create("net", self._handle, one_of(_TURNS, "direction", direction), name="net_flip"))
 
     def displaced(self, distance: float) -> Net:
         """A copy, moved along its normals."""

@@ -12,16 +12,24 @@ from numpy.typing import ArrayLike, NDArray
 from ._call import Progress, call
 from ._handles import Handle, create
 from ._keywords import options as structs
-from ._library import constants, ffi, holding, lib
+from ._library import constants, ffi, holding, lib, one_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
 from ._records import dtype_of, filled
-from .mesh import pointer
+from .mesh import indices_of, pointer
 
 __all__ = ["Curve", "Outline", "Places"]
 
 _RULES = constants("GUSSET_SAMPLE_")
 _PLACE = dtype_of(ffi.typeof("struct gusset_place"))
 _NEAREST = dtype_of(ffi.typeof("struct gusset_curve_nearest_point"))
+
+
+def _in_space(points: ArrayLike) -> NDArray[np.float64]:
+    """Points (n, 3); of (n, 2) z is 0."""
+    array = np.asarray(points, np.float64)
+    if array.ndim != 2 or array.shape[1] not in (2, 3):
+        raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
+    return np.ascontiguousarray(array if array.shape[1] == 3 else np.pad(array, ((0, 0), (0, 1))))
 
 
 class Places(Handle):
@@ -46,7 +54,7 @@ class Curve(Handle):
     @classmethod
     def through(cls, points: ArrayLike, *, closed: bool = False) -> Curve:
         """The curve that a surface would have through nodes: (n, 3)."""
-        nodes = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
+        nodes = _in_space(points)
         at = holding(ffi.cast("double *", pointer(nodes)), nodes)
         return cls(create("curve", at, len(nodes), int(closed), 0, name="curve_through"))
 
@@ -81,11 +89,11 @@ class Curve(Handle):
 
     def sample(self, amount: float, rule: Literal["count", "step", "chord"] = "count") -> Places:
         """Points: so many at equal arc lengths, one every so much of it, or so that chords are nowhere farther off."""
-        return Places(create("places", self._handle, _RULES[rule], float(amount), name="curve_sample"))
+        return Places(create("places", self._handle, one_of(_RULES, "rule", rule), float(amount), name="curve_sample"))
 
     def nearest(self, points: ArrayLike) -> NDArray[Any]:
         """Of each of (n, 3) points the nearest one of the curve: records of ``place``, ``point`` and ``distance``."""
-        queries = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
+        queries = _in_space(points)
         out = np.zeros(len(queries), _NEAREST)
         call(lib.gusset_curve_nearest, self._handle, ffi.cast("double *", pointer(queries)), len(queries),
              ffi.cast("struct gusset_curve_nearest_point *", pointer(out)))
@@ -134,9 +142,13 @@ class Outline(Handle):
             raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
         if array.size and (array.strides[1] != 8 or array.strides[0] < 8 * array.shape[1]):
             array = np.ascontiguousarray(array)
-        demands: dict[int, list[float]] = {int(k): [] for k in np.asarray(corners, np.int64).reshape(-1)}
+        demands: dict[int, list[float]] = {int(k): [] for k in indices_of(np.asarray(corners, np.int64) if np.size(corners) == 0 else corners, "corners")}
         for k, tangent in (tangents or {}).items():
-            direction = np.asarray(tangent, np.float64).reshape(-1)
+            direction = np.asarray(tangent, np.float64)
+            if direction.shape not in ((2,), (3,)):
+                raise ValueError(f"a tangent has the shape {direction.shape}, not (2,) or (3,)")
+            if k in demands:
+                raise ValueError(f"point {k} is a corner and has a tangent")
             demands[int(k)] = [*direction.tolist(), 0.0][:3]
         given = ffi.new("struct gusset_constraint[]", max(len(demands), 1))
         for place, (k, direction_) in enumerate(sorted(demands.items())):

@@ -17,7 +17,7 @@ import pyvista as pv
 from . import filters, joining
 from ._plugin import MESH, Curves
 from ._vtk import carry_arrays, from_polydata
-from .mesh import Mesh
+from .mesh import Mesh, as_mesh
 
 __all__ = ["GussetAccessor", "from_polydata", "to_polydata"]
 
@@ -33,6 +33,20 @@ def to_polydata(mesh: Mesh) -> Any:
     return pv.PolyData(np.array(mesh.points), faces=cells)
 
 
+def curves_of(given: Any) -> Any:
+    """The lines of a PyVista mesh as curves, each closed if it ends where it began; all else as it is."""
+    if not hasattr(given, "GetLines"):
+        return given
+    lines, points = np.asarray(given.lines), np.asarray(given.points)
+    found, closed, at = [], [], 0
+    while at < len(lines):
+        line = lines[at + 1:at + 1 + lines[at]]
+        closed.append(len(line) > 2 and line[0] == line[-1])
+        found.append(points[line[:-1] if closed[-1] else line])
+        at += 1 + int(lines[at])
+    return Curves(found, closed=closed) if found else Curves(np.empty((0, 3)), [0])
+
+
 class GussetAccessor:
     """``mesh.gusset``: what joins and mends, as methods of PyVista's meshes. Point and cell data go along."""
 
@@ -40,7 +54,9 @@ class GussetAccessor:
         self._dataset = dataset
 
     def _polydata(self, one: Any) -> Any:
-        return one if hasattr(one, "GetPolys") else one.extract_surface()
+        if hasattr(one, "GetPolys"):
+            return one
+        return one.extract_surface(algorithm="dataset_surface") if hasattr(one, "extract_surface") else to_polydata(as_mesh(one))
 
     def _done(self, made: Any, inputs: Sequence[Any]) -> Any:
         return carry_arrays(made.carry, inputs, to_polydata(made.mesh))
@@ -93,7 +109,7 @@ class GussetAccessor:
 
         def run(*others: Any, threads: int = 0, progress: Optional[Any] = None, **params: Any) -> Any:
             inputs = [self._dataset, *others]
-            meshes = [self._polydata(given) if hasattr(given, "GetPoints") and kind == MESH else given
+            meshes = [self._polydata(given) if kind == MESH else curves_of(given)
                       for given, kind in zip(inputs, one.input_kinds + one.input_kinds[-1:] * len(inputs))]
             outputs = one.run(*meshes, origins=True, threads=threads, progress=progress, **params)
             out = [self._of(outputs, k, meshes) for k in range(len(outputs))]
@@ -110,7 +126,7 @@ class GussetAccessor:
                 return result
             return carry_arrays(lambda *given: outputs.carry(*given, index=index), inputs, result)
         if isinstance(made, Curves):
-            lines = [np.concatenate([[b - a + bool(c)], np.arange(a, b), [a] * bool(c)])
+            lines = [np.array([b - a + bool(c), *range(a, b), *[a] * bool(c)])
                      for a, b, c in zip(made.offsets[:-1].astype(int), made.offsets[1:].astype(int), made.closed)]
             return pv.PolyData(np.array(made.points), lines=np.concatenate(lines) if lines else None)
         return made

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._call import Progress, call
 from ._handles import Handle, MeshResult, create
 from ._keywords import options as structs
-from ._library import ffi, holding, lib
+from ._library import ffi, holding, lib, one_of
 from ._options import ContourOptions, IntersectionOptions, NearestOptions, SheetMeshOptions, SurfaceOptions, Unpack
 from ._records import Record, dtype_of, filled
 from .mesh import pointer
@@ -43,7 +43,7 @@ class Sheet(Handle):
     """One smooth surface through a grid of nodes.
 
     Args:
-        nodes: (rows, columns, 3); arrays of 32- or 64-bit floats may have any strides.
+        nodes: (rows, columns, 3), 32- or 64-bit floats.
         closed_u: closed from the last row to the first, which is repeated at the end.
         closed_v: the same of columns.
         scheme: how it is drawn through the nodes.
@@ -57,7 +57,8 @@ class Sheet(Handle):
             array = array.astype(np.float64)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
-        if array.size and (array.strides[2] != array.itemsize or min(array.strides[:2]) < 3 * array.itemsize):
+        across = 3 * array.itemsize
+        if array.size and (array.strides[2] != array.itemsize or array.strides[1] < across or array.strides[0] < array.shape[1] * array.strides[1]):
             array = np.ascontiguousarray(array)
         given = ffi.new("struct gusset_nodes *")
         given.struct_size = ffi.sizeof("struct gusset_nodes")
@@ -65,7 +66,7 @@ class Sheet(Handle):
         if array.size:
             given.row_stride, given.column_stride = array.strides[:2]
         given.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
-        given.scheme, given.closed_u, given.closed_v = _SCHEMES[scheme], int(closed_u), int(closed_v)
+        given.scheme, given.closed_u, given.closed_v = one_of(_SCHEMES, "scheme", scheme), int(closed_u), int(closed_v)
         super().__init__(create("sheet", given, name="sheet_from_nodes"))
 
     @property
@@ -211,15 +212,20 @@ class Surface(Handle):
         select: Literal["all", "first", "any"] = "all", threads: int = 0, progress: Optional[Progress] = None,
     ) -> Hits:
         """Where rays meet it: from origins (n, 3) along directions (n, 3), of which ``t`` counts lengths from ``start`` to ``end``."""
-        starts, along = np.broadcast_arrays(np.atleast_2d(np.asarray(origins, np.float64)), np.atleast_2d(np.asarray(directions, np.float64)))
+        starts, along = (np.atleast_2d(np.asarray(one, np.float64)) for one in (origins, directions))
+        if starts.shape[-1] != 3 or along.shape[-1] != 3:
+            raise ValueError("origins and directions are (n, 3)")
+        starts, along = np.broadcast_arrays(starts, along)
         lines = np.zeros(len(starts), _LINE)
         lines["origin"], lines["direction"], lines["from"], lines["to"] = starts, along, start, end
         return Hits(create("surface_hits", self._handle, ffi.cast("struct gusset_line *", pointer(lines)), len(lines),
-                           {"all": 0, "first": 1, "any": 2}[select], name="surface_line_hits", threads=threads, progress=progress))
+                           one_of({"all": 0, "first": 1, "any": 2}, "select", select), name="surface_line_hits", threads=threads, progress=progress))
 
     def evaluate(self, parameters: ArrayLike, sheet: int = 0) -> NDArray[Any]:
         """Points, derivatives, normals and curvatures at (n, 2) parameters u, v of a sheet: node (i, j) has u = i, v = j."""
-        given = np.ascontiguousarray(parameters, np.float64).reshape(-1, 2)
+        given = np.ascontiguousarray(parameters, np.float64)
+        if given.ndim != 2 or given.shape[1] != 2:
+            raise ValueError(f"parameters have the shape {given.shape}, not (n, 2)")
         places, out = np.zeros(len(given), _PLACE), np.zeros(len(given), _POINT)
         at = ffi.cast("struct gusset_surface_place *", pointer(places))
         call(lib.gusset_surface_locate, self._handle, sheet, ffi.cast("double *", pointer(given)), len(given), at)
