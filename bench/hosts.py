@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 ROWS = "python/call/c", "dask/two-workers/one-worker", "tiles/memory/limit"
-RUNS, MODELS = 5, 400
+RUNS, MODELS, FINENESS = 5, 200, 120
 # Of a rank, in megabytes.
 LIMIT = 2000
 
@@ -55,10 +55,10 @@ def run(library, report, tools, only):
         rates = {1: [], 2: []}
         for _ in range(RUNS):
             for workers, seen in rates.items():
-                said = output(python, "-B", ROOT / "examples/dask/assemble_many.py", "--jobs", str(MODELS), "--workers", str(workers))
+                said = output(python, "-B", ROOT / "examples/dask/assemble_many.py", "--jobs", str(MODELS), "--rows", str(FINENESS), "--workers", str(workers))
                 seen.append(float(re.search(r"([\d.]+) a second", said).group(1)))
         one, two = (1000 / statistics.median(rates[workers]) for workers in (1, 2))
-        report.add("dask/two-workers", "one-worker", two, one, {"models": MODELS})
+        report.add("dask/two-workers", "one-worker", two, one, {"models": MODELS, "rows": FINENESS})
     if only in ROWS[2]:
         in_tiles(library, report)
 

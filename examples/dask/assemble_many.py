@@ -33,10 +33,10 @@ def assembled(name, pieces):
 #! [job]
 
 
-def by_formula(number):
+def by_formula(number, rows=40):
     """A bumpy ball cut into quarters that are apart by a little: the pieces of one model."""
     random = np.random.default_rng(number)
-    rows, columns = 40, 4 * int(random.integers(14, 22))
+    columns = 4 * (int(random.integers(14, 22)) * rows // 40)
     polar = np.linspace(0.25, np.pi - 0.25, rows)[:, None]
     bumps = random.normal(0, 0.04, 3)
     pieces = []
@@ -51,8 +51,8 @@ def by_formula(number):
     return pieces
 
 
-def run_formula(number):
-    return assembled(f"ball {number}", by_formula(number))[0]
+def run_formula(number, rows=40):
+    return assembled(f"ball {number}", by_formula(number, rows))[0]
 
 
 def run_folder(folder, out):
@@ -101,6 +101,7 @@ def main():
     parser = argparse.ArgumentParser(description="Assembles many models over a Dask cluster.")
     parser.add_argument("folders", nargs="*", metavar="IN OUT", help="a folder of folders of pieces, and one for the results")
     parser.add_argument("--jobs", type=int, default=200, help="how many models by formula")
+    parser.add_argument("--rows", type=int, default=40, help="how many rows of quads they have")
     parser.add_argument("--workers", type=int, default=2, help="processes on this machine")
     parser.add_argument("--scheduler", help="the address of a cluster that runs already")
     parser.add_argument("--slurm", type=int, metavar="JOBS", help="so many jobs of Slurm")
@@ -115,7 +116,7 @@ def main():
             names = sorted(str(folder) for folder in pathlib.Path(source).iterdir() if folder.is_dir())
             accounts = over(client, run_folder, names, [out] * len(names), report=bar)
         else:
-            accounts = over(client, run_formula, range(options.jobs), report=bar)
+            accounts = over(client, run_formula, range(options.jobs), [options.rows] * options.jobs, report=bar)
         seconds = time.perf_counter() - start
     for account in accounts if options.folders else []:
         print(f"{account['name']}: {account['pieces']} pieces, {account['joints']} joints, {account['faces']} faces, "
