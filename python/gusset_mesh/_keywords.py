@@ -13,7 +13,6 @@ from ._options import FIELDS
 from ._records import indices_struct
 from .mesh import indices_of, pointer
 
-
 #: Arrays of points: three numbers an item, which is what their count counts.
 _POINTS = {"viewpoints", "axis_points"}
 

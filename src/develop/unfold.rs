@@ -53,8 +53,8 @@ impl<'a> Lengths<'a> {
         })
     }
 
-    /// The largest error of an edge in the plane, in its length, or in [`SHORT`] mean edges if that is
-    /// more; NaN if there is one without a place.
+    /// The largest error of an edge in the plane, in its length, or in [`SHORT`] mean edges if that
+    /// is more; NaN if there is one without a place.
     fn error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
         let of = |[u, v]: [u32; 2]| {
             let wanted = self.chart.length(u, v);

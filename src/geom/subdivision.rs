@@ -134,9 +134,9 @@ impl UnresolvedBox {
     }
 }
 
-/// Adds the clusters of boxes, by their first box, and returns the place of each box's cluster among
-/// them; `ask` is called now and then, and what it returns as an error ends the work. O(n log n + pairs
-/// that overlap along the first parameter).
+/// Adds the clusters of boxes, by their first box, and returns the place of each box's cluster
+/// among them; `ask` is called now and then, and what it returns as an error ends the work.
+/// O(n log n + pairs that overlap along the first parameter).
 pub(crate) fn cluster(
     boxes: &[UnresolvedBox],
     clusters: &mut Vec<UnresolvedCluster>,
