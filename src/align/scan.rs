@@ -49,7 +49,9 @@ impl Scan {
             job.step_within(f, STAGE)?;
             mesh.face(f).for_each(|v| is_used.insert(v));
         }
+        job.step(0.0, STAGE)?;
         let all = Aabb::of((0..count as u32).filter(|&v| is_used.contains(v)).map(at));
+        job.step(0.0, STAGE)?;
         let centre = centre.unwrap_or(if all.is_empty() { DVec3::ZERO } else { all.centre() });
         let mut points = alloc::filled(DVec3::ZERO, count)?;
         for v in (0..count as u32).filter(|&v| is_used.contains(v)) {
@@ -61,6 +63,7 @@ impl Scan {
             [h, mesh.faces().next(h)].into_iter().for_each(|h| rim.insert(mesh.faces().corner(h)));
         }
         let (normals, spacing) = normals(mesh, &points, &job.part(0.4, 0.8))?;
+        job.step(0.8, STAGE)?;
         let bounds = Aabb::of((0..count).filter(|&v| normals[v] != DVec3::ZERO).map(|v| points[v]));
         let used = alloc::gather((0..count as u32).filter(|&v| normals[v as usize] != DVec3::ZERO))?;
         let (mean, covariance) = moments(mesh, &points, &job.part(0.8, 1.0))?;
@@ -99,6 +102,7 @@ fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<
         }
         mesh.face(f).for_each(|v| normals[v as usize] += normal);
     }
+    job.step(0.0, STAGE)?;
     normals.iter_mut().for_each(|n| *n = n.normalize_or_zero());
     for pass in 0..SMOOTHINGS {
         let before = alloc::copied(&normals)?;

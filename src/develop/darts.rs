@@ -23,7 +23,7 @@ pub(super) fn tip(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Resu
     chart.border.iter().for_each(|&[v, _]| on_border.insert(v));
     let mut defects = alloc::filled(TAU, n)?;
     let zero = alloc::filled(DVec2::ZERO, n)?;
-    system.clear();
+    system.clear(&job.part(0.0, 0.0))?;
     chart.border.iter().for_each(|&[v, _]| system.fix(v));
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;

@@ -67,26 +67,27 @@ pub(super) fn descend(
     max_iterations: u32,
     job: &Job<'_>,
 ) -> Result<Descent> {
-    let mut value = mean_energy(chart, distortion, &x);
+    let mut value = mean_energy(chart, distortion, &x, &job.part(0.0, 0.0))?;
     for iteration in 0..max_iterations {
         let job = job.share(iteration as usize, max_iterations as usize);
-        let is_apart = |x: &[DVec2], at: f64| Ok(overlaps(&chart.border, x, 0.0, 1, &job.part(at, at))? == 0);
+        let is_apart = |x: &[DVec2], job: &Job<'_>| Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0);
         if let Border::Free(last) = &mut border
-            && is_apart(&x, 0.0)?
+            && is_apart(&x, &job.part(0.0, 0.0))?
         {
             **last = Some(alloc::copied(&x)?);
         }
         let gradient = assemble(chart, system, distortion, &x, &job.part(0.0, 0.1))?;
         let target = system.solve(&x, &job.part(0.1, 0.8))?;
+        let late = job.part(0.9, 0.9);
         let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
         let slope: f64 = gradient.iter().zip(&way).map(|(g, d)| g.dot(*d)).sum();
-        let mut step = f64::min(1.0, MAX_PART_TO_FOLD * first_fold(chart, &x, &way));
+        let mut step = f64::min(1.0, MAX_PART_TO_FOLD * first_fold(chart, &x, &way, &late)?);
         let mut found = None;
         for _ in 0..MAX_HALVINGS {
             let moved = alloc::collect(x.iter().zip(&way).map(|(&p, &d)| p + step * d))?;
-            let reached = mean_energy(chart, distortion, &moved);
+            let reached = mean_energy(chart, distortion, &moved, &late)?;
             let falls = reached <= value + MIN_DESCENT * step * slope && reached < value;
-            if falls && chart.folds(&moved) == 0 && (matches!(border, Border::Free(_)) || is_apart(&moved, 0.9)?) {
+            if falls && chart.folds(&moved) == 0 && (matches!(border, Border::Free(_)) || is_apart(&moved, &late)?) {
                 found = Some((moved, reached));
                 break;
             }
@@ -105,17 +106,14 @@ pub(super) fn descend(
 }
 
 /// The mean over the area.
-pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2]) -> f64 {
-    let sum: f64 = chart
-        .triangles
-        .iter()
-        .zip(&chart.shapes)
-        .map(|(triangle, shape)| {
-            let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
-            shape.area * energy(distortion, map.stretch)
-        })
-        .sum();
-    sum / chart.area()
+pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
+    let mut sum = 0.0;
+    for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
+        job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
+        let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
+        sum += shape.area * energy(distortion, map.stretch);
+    }
+    Ok(sum / chart.area())
 }
 
 /// The equations of the quadratic energy that has the gradient of the energy at `x`, which is
@@ -130,8 +128,7 @@ fn assemble(
     let mut gradient = alloc::filled(DVec2::ZERO, x.len())?;
     let whole = chart.area();
     let mut trace = 0.0;
-    system.clear();
-    job.step(0.0, STAGE)?;
+    system.clear(&job.part(0.0, 0.0))?;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
@@ -160,9 +157,10 @@ fn assemble(
 }
 
 /// How far along the way, in its length, the first triangle folds; infinite if none does.
-fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2]) -> f64 {
+fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> Result<f64> {
     let mut first = f64::INFINITY;
-    for &triangle in &chart.triangles {
+    for (k, &triangle) in chart.triangles.iter().enumerate() {
+        job.step_within(k, STAGE)?;
         let [a, b, c] = triangle.map(|v| x[v as usize]);
         let [da, db, dc] = triangle.map(|v| way[v as usize]);
         let (p, q, dp, dq) = (b - a, c - a, db - da, dc - da);
@@ -179,5 +177,5 @@ fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2]) -> f64 {
             }
         }
     }
-    first
+    Ok(first)
 }

@@ -259,7 +259,8 @@ fn measured(
     let slack = MAX_TOUCH * chart.area().sqrt();
     let faces = chart.faces.last().map_or(0, |&last| last as usize + 1);
     let mut stretches = alloc::filled([0.0f64, f64::INFINITY], faces)?;
-    for ((triangle, shape), &f) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces) {
+    for (k, ((triangle, shape), &f)) in chart.triangles.iter().zip(&chart.shapes).zip(&chart.faces).enumerate() {
+        job.step_within(k, STAGE)?;
         let [most, least] = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize])).stretch;
         let stretch = &mut stretches[f as usize];
         *stretch = [stretch[0].max(most), stretch[1].min(least)];
@@ -269,7 +270,7 @@ fn measured(
         finish,
         iterations,
         stretches,
-        energy: mean_energy(chart, Distortion::Symmetric, &x),
+        energy: mean_energy(chart, Distortion::Symmetric, &x, &job.part(0.0, 0.0))?,
         // Sides of slits in what is flat lie on one another.
         overlaps: overlaps(&chart.border, &x, if finish == Finish::Exact { slack } else { 0.0 }, u32::MAX, job)?,
         folds: if finish == Finish::Exact { 0 } else { chart.folds(&x) },

@@ -22,8 +22,7 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
     let first = farthest(chart.border[0][0]);
     let second = farthest(first);
     x[second as usize].x = chart.length(first, second).max(chart.area().sqrt());
-    system.clear();
-    job.step(0.0, STAGE)?;
+    system.clear(&job.part(0.0, 0.0))?;
     system.fix(first);
     system.fix(second);
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
@@ -56,8 +55,7 @@ pub(super) fn tutte(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Re
     let part = |u: u32| length(u).max(1e-3 * mean);
     let all: f64 = chart.border.iter().map(|&[u, _]| part(u)).sum();
     let (mut v, mut angle) = (chart.border[0][0], 0.0);
-    system.clear();
-    job.step(0.0, STAGE)?;
+    system.clear(&job.part(0.0, 0.0))?;
     for _ in 0..chart.border.len() {
         system.fix(v);
         x[v as usize] = DVec2::new(libm::cos(angle), libm::sin(angle));

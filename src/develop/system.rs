@@ -84,11 +84,16 @@ impl System {
         Ok(System { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
     }
 
-    pub(super) fn clear(&mut self) {
-        self.matrix.entries.iter_mut().for_each(|entry| entry.1 = 0.0);
+    pub(super) fn clear(&mut self, job: &Job<'_>) -> Result<()> {
+        let entries = &mut self.matrix.entries;
+        job.ranges(STAGE, entries.len(), |range| {
+            entries[range].iter_mut().for_each(|entry| entry.1 = 0.0);
+            Ok(())
+        })?;
         self.matrix.diagonal.fill(0.0);
         self.right.fill(DVec3::ZERO);
         self.is_fixed.fill(false);
+        job.step(1.0, STAGE)
     }
 
     /// Keeps a vertex where it is; before anything is added.

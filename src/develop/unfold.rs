@@ -149,8 +149,7 @@ fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
 /// The places at which, to first order, the sum of the squared differences of lengths is least.
 fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
     let still = alloc::filled(DVec2::ZERO, x.len())?;
-    system.clear();
-    job.step(0.0, STAGE)?;
+    system.clear(&job.part(0.0, 0.0))?;
     for (k, triangle) in chart.triangles.iter().enumerate() {
         job.part(0.0, 0.1).step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         for i in 0..3 {

@@ -40,8 +40,7 @@ impl<'a> TriangleTree<'a> {
         let boxes = triangles.iter().map(|t| Aabb::of(t.map(|v| points[v as usize])));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), stage)?;
         let order = spatial_order(&boxes, 1, job, stage)?;
-        job.step(1.0, stage)?;
-        let tree = BoxTree::new(order.iter().map(|&t| boxes[t as usize]))?;
+        let tree = BoxTree::new_cancellable(order.iter().map(|&t| boxes[t as usize]), &job.part(1.0, 1.0), stage)?;
         Ok(TriangleTree { points, triangles, order, tree })
     }
 
