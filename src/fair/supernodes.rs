@@ -51,7 +51,9 @@ impl Supernodes {
         }
         let parent = parents(matrix, &job.part(0.0, 0.2))?;
         let count = column_counts(below, &parent, &job.part(0.2, 0.6))?;
+        job.step(0.6, "solving")?;
         let group = groups(&parent, &count)?;
+        job.step(0.6, "solving")?;
 
         // A group has the number of its last column until it is numbered in postorder.
         let (mut last, mut number) = (Vec::new(), alloc::filled(NONE, n)?);
@@ -61,8 +63,10 @@ impl Supernodes {
         }
         let group_of = |column: u32| if column == NONE { NONE } else { number[group[column as usize] as usize] };
         let unordered = alloc::collect(last.iter().map(|&k| group_of(parent[k as usize])))?;
-        let sequence = postorder(&unordered)?;
+        let sequence = postorder(&unordered, &job.part(0.6, 0.6))?;
+        job.step(0.6, "solving")?;
         let columns = Buckets::new(last.len(), 0, (0..n as u32).map(|k| (group_of(k) as usize, k)))?;
+        job.step(0.6, "solving")?;
 
         let (mut order, mut first) = (alloc::with_capacity(n)?, alloc::with_capacity(last.len() + 1)?);
         let mut renumbered = alloc::filled(NONE, last.len())?;
@@ -74,6 +78,7 @@ impl Supernodes {
         first.push(n as u32);
         let mut place = alloc::filled(0, n)?;
         order.iter().zip(0..).for_each(|(&k, to)| place[k as usize] = to);
+        job.step(0.6, "solving")?;
         let new = |group: u32| renumbered.get(group as usize).copied().unwrap_or(NONE);
         let parent = alloc::collect(sequence.iter().map(|&group| new(unordered[group as usize])))?;
         let mut subtree = alloc::collect(0..last.len() as u32)?;

@@ -41,7 +41,7 @@ pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
 }
 
 /// The nodes of a forest, children before their parents and subtree after subtree.
-pub(super) fn postorder(parent: &[u32]) -> Result<Vec<u32>> {
+pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
     let (mut first_child, mut next_sibling) = (alloc::filled(NONE, n + 1)?, alloc::filled(NONE, n)?);
     let slot = |parent: u32| if parent == NONE { n } else { parent as usize };
@@ -51,6 +51,7 @@ pub(super) fn postorder(parent: &[u32]) -> Result<Vec<u32>> {
     let (mut order, mut open) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
     let mut down = first_child[n];
     loop {
+        job.step_within(order.len(), "solving")?;
         while down != NONE {
             open.push(down);
             down = first_child[down as usize];
@@ -71,11 +72,13 @@ pub(super) fn postorder(parent: &[u32]) -> Result<Vec<u32>> {
 /// leaf before it, in their least common ancestor, one too many have been counted.
 pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
-    let order = postorder(parent)?;
+    let order = postorder(parent, &job.part(0.0, 0.0))?;
+    job.step(0.0, "solving")?;
     // The place in postorder of each column's first descendant.
     let mut first = alloc::filled(NONE, n)?;
     let mut count = alloc::filled(0i64, n)?;
     for (place, &leaf) in order.iter().enumerate() {
+        job.step_within(place, "solving")?;
         if first[leaf as usize] == NONE {
             count[leaf as usize] = 1;
         }

@@ -42,7 +42,8 @@ pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
 fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<'_>) -> Result<Vec<OrientedBox>> {
     let groups = order.chunks(LEAF_TRIANGLES);
     let leaves = groups.len().next_power_of_two();
-    let mut boxes = alloc::filled(OrientedBox::EMPTY, 2 * leaves)?;
+    let empty = std::iter::repeat_n(OrientedBox::EMPTY, 2 * leaves);
+    let mut boxes = alloc::collect_cancellable(empty, &job.part(0.0, 0.0), STAGE)?;
     for (k, (turned, group)) in boxes[leaves..].iter_mut().zip(groups).enumerate() {
         job.step_every(GROUPS_PER_REPORT, k, leaves, STAGE)?;
         *turned = OrientedBox::of(group.iter().map(|&i| corners(i)));

@@ -2,6 +2,7 @@
 
 use super::layer::Layer;
 use super::region::Region;
+use super::run::STAGE;
 use crate::alloc;
 use crate::error::Result;
 use crate::intersect::{Soup, intersecting_pairs_where};
@@ -17,8 +18,11 @@ pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<
     let (mut triangles, mut of): (Vec<[u32; 3]>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
     for ((layer, region), k) in layers.iter().zip(regions).zip(0..) {
         let first = points.len() as u32;
+        job.step(0.0, STAGE)?;
         alloc::append(&mut points, &layer.scan.points)?;
-        for (triangle, &f) in layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.keeps[**f as usize]) {
+        let kept = layer.triangles.iter().zip(&layer.faces).filter(|(_, f)| region.keeps[**f as usize]);
+        for (n, (triangle, &f)) in kept.enumerate() {
+            job.part(0.0, 0.0).step_within(n, STAGE)?;
             alloc::push(&mut triangles, triangle.map(|v| v + first))?;
             alloc::push(&mut of, [k, f])?;
         }
@@ -30,6 +34,7 @@ pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<
     // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed,
     // and the faces are the same in any order.
     let is_found = alloc::collect((0..triangles.len()).map(|_| AtomicBool::new(false)))?;
+    job.step(0.0, STAGE)?;
     let wanted = |s: u32, t: u32| {
         of[s as usize][0] != of[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)
     };

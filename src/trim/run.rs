@@ -16,7 +16,7 @@ use crate::mesh::MeshView;
 use crate::sort::sort_distinct;
 use std::ops::ControlFlow;
 
-const STAGE: &str = "trimming the pieces";
+pub(super) const STAGE: &str = "trimming the pieces";
 /// Surfaces that are no farther apart are one, in mean edges, if the caller says nothing.
 const EDGES: f64 = 4.0;
 /// Surfaces whose normals differ by more are two, in radians, if the caller says nothing.
