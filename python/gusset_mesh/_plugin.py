@@ -13,7 +13,7 @@ from ._channels import Domain, Rule, carried
 from ._library import ffi, lib, text
 from ._records import lent
 from .errors import error
-from .mesh import Mesh, as_mesh, fill_view, indices_of, lent_mesh, pointer, points_of
+from .mesh import Mesh, fill_view, indices_of, lent_mesh, of_one_precision, pointer, points_of
 
 MESH, CURVES, TEXT = lib.GUSSET_KIND_MESH, lib.GUSSET_KIND_CURVES, lib.GUSSET_KIND_TEXT
 
@@ -178,8 +178,9 @@ class Filter:
     def _inputs(self, given: Sequence[Any]) -> tuple[Any, list[Any]]:
         kept: list[Any] = []
         inputs = ffi.new("struct gusset_input[]", max(len(given), 1))
-        for k, one in enumerate(given):
-            kind = self.input_kinds[min(k, len(self.input_kinds) - 1)] if self.input_kinds else MESH
+        kinds = [self.input_kinds[min(k, len(self.input_kinds) - 1)] if self.input_kinds else MESH for k in range(len(given))]
+        meshes = iter(of_one_precision(one for one, kind in zip(given, kinds) if kind != CURVES))
+        for k, (one, kind) in enumerate(zip(given, kinds)):
             if kind == CURVES:
                 curves = one if isinstance(one, Curves) else Curves(one)
                 curves.require()
@@ -191,7 +192,7 @@ class Filter:
                 view.scalar = 1 if curves.points.dtype == np.float32 else 2
                 kept += [curves, view]
             else:
-                mesh = as_mesh(one)
+                mesh = next(meshes)
                 view = ffi.new("struct gusset_plugin_mesh *")
                 fill_view(view, mesh)
                 kept += [mesh, view]

@@ -53,11 +53,15 @@ def _arrays(polydata: Any, domain: Domain) -> dict[str, NDArray[Any]]:
         # Vertices and lines are cells too, and come first.
         first, count = polydata.GetNumberOfVerts() + polydata.GetNumberOfLines(), polydata.GetNumberOfPolys()
         data = polydata.GetCellData()
+    # PyVista knows which of the arrays are of truth values: VTK has none.
+    named = getattr(polydata, "point_data" if domain == "vertices" else "cell_data", {})
     found = {}
     for k in range(data.GetNumberOfArrays()):
         array = data.GetArray(k)
         if array is not None and array.GetName():
-            found[array.GetName()] = _numpy(array)[first:first + count]
+            name, values = array.GetName(), _numpy(array)[first:first + count]
+            is_truth = name in named and getattr(named[name], "dtype", None) == bool
+            found[name] = values.astype(bool) if is_truth else values
     return found
 
 

@@ -14,13 +14,15 @@ from ._handles import Handle, create
 from ._keywords import options as structs
 from ._library import constants, ffi, holding, lib, one_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
-from ._records import dtype_of, filled
+from ._records import dtype_of, filled, lent
+from .errors import error
 from .mesh import indices_of, pointer
 
 __all__ = ["Curve", "Outline", "Places"]
 
 _RULES = constants("GUSSET_SAMPLE_")
 _PLACE = dtype_of(ffi.typeof("struct gusset_place"))
+_CYCLE = dtype_of(ffi.typeof("struct gusset_cycle"))
 _NEAREST = dtype_of(ffi.typeof("struct gusset_curve_nearest_point"))
 
 
@@ -167,6 +169,16 @@ class Outline(Handle):
     def curve(self) -> Curve:
         """The curve."""
         return Curve(create("curve", self._handle, 0, name="outline_curve"))
+
+    @property
+    def history(self) -> NDArray[Any]:
+        """With ``history=True`` a record for each cycle of what is iterated: how far it moved the control points."""
+        view = ffi.new("struct gusset_outline_history_view *")
+        view.struct_size = ffi.sizeof("struct gusset_outline_history_view")
+        status = lib.gusset_outline_get_history(self._handle, 0, view)
+        if status != 0:
+            raise error(status, "")
+        return lent(view.cycles, (view.cycle_count,), _CYCLE, self._handle)
 
     @property
     def statuses(self) -> NDArray[np.uint8]:

@@ -26,6 +26,13 @@ def test_outline_through_a_circle(method):
     assert curve.offset(-0.5).length == pytest.approx(3 * np.pi, rel=1e-3) or curve.offset(-0.5).length == pytest.approx(np.pi, rel=1e-3)
 
 
+def test_outline_keeps_its_history():
+    points = [[0, 0], [2, 1], [3, 3], [5, 2]]
+    asked = gm.Outline(points, history=True, lock="data_guide")
+    assert len(asked.history) > 1 and asked.history["moved"][-1] < asked.history["moved"][0]
+    assert len(gm.Outline(points, lock="data_guide").history) == 0
+
+
 def test_outline_with_demands():
     points = [[0, 0], [1, 1], [2, 0], [3, 1]]
     outline = gm.Outline(points, tangents={0: [1, 0]}, corners=[2])

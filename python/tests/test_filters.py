@@ -87,6 +87,15 @@ def test_reports_have_numbers():
     assert said.values["vertices"] == 8 and said.values["closed"] == 1
 
 
+def test_inputs_of_two_precisions():
+    # Coordinates that both hold.
+    faces = shapes.quads(3, 3)
+    left, right = (shapes.grid(3, 3).reshape(-1, 3) + [x, 0, 0] for x in (0.0, 1.25))
+    both = gm.filters.assemble((left, faces), (right, faces))[0]
+    mixed = gm.filters.assemble((left.astype(np.float32), faces), (right, faces))[0]
+    assert mixed.points.dtype == np.float64 and np.array_equal(mixed.points, both.points)
+
+
 def test_failures_are_raised():
     points, faces = shapes.cap()
     bad = points.copy()

@@ -48,6 +48,17 @@ def test_stitch_carries_arrays():
     assert np.array_equal(whole.cell_data["material"][old], side[old])
 
 
+def test_truth_values_stay_such():
+    upper, lower = halves()
+    for half in (upper, lower):
+        half.cell_data["is_kept"] = np.arange(half.n_cells) % 2 == 0
+        half.point_data["is_high"] = half.points[:, 2] > 0.2
+    whole = upper.gusset.stitch(lower)
+    assert whole.cell_data["is_kept"].dtype == bool and whole.point_data["is_high"].dtype == bool
+    assert np.array_equal(whole.cell_data["is_kept"][:upper.n_cells], upper.cell_data["is_kept"])
+    assert np.array_equal(whole.point_data["is_high"], whole.points[:, 2] > 0.2)
+
+
 def test_blend_and_normals():
     upper, lower = (half.compute_normals(cell_normals=False, auto_orient_normals=False, consistent_normals=False) for half in halves())
     whole = upper.gusset.stitch(lower, finish="blend")
