@@ -49,12 +49,15 @@ impl<'m, 'a> Region<'m, 'a> {
         let count = mesh.faces().len();
         let mut face_of = alloc::filled(NONE, mesh.faces().half_edge_count())?;
         for f in 0..count {
+            job.part(0.5, 0.5).step_within(f, STAGE)?;
             face_of[mesh.faces().range(f)].fill(f as u32);
         }
-        let across = alloc::collect((0..face_of.len() as u32).map(|h| match topology.across(h) {
+        let beyond = |h| match topology.across(h) {
             Across::Mate(mate) => face_of[mate as usize],
             _ => NONE,
-        }))?;
+        };
+        let halves = 0..face_of.len() as u32;
+        let across = alloc::collect_cancellable(halves.map(beyond), &job.part(0.5, 0.5), STAGE)?;
         let mut region = Region {
             mesh,
             across,
@@ -91,10 +94,10 @@ impl<'m, 'a> Region<'m, 'a> {
         min_faces: u32,
         job: &Job<'_>,
     ) -> Result<bool> {
-        let may = alloc::collect(
-            (0..self.keeps.len()).map(|f| !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize])),
-        )?;
+        let may_keep = |f: usize| !self.lost[f] && !self.mesh.face(f).any(|v| barred[v as usize]);
+        let may = alloc::collect_cancellable((0..self.keeps.len()).map(may_keep), &job.part(0.0, 0.0), STAGE)?;
         for (f, keeps) in self.keeps.iter_mut().enumerate() {
+            job.step_within(f, STAGE)?;
             *keeps = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
         job.step(0.1, STAGE)?;
@@ -168,6 +171,7 @@ impl<'m, 'a> Region<'m, 'a> {
             job.step(pass as f64 / passes as f64, STAGE)?;
             sums.fill((0.0, 0.0));
             for f in 0..self.keeps.len() {
+                job.part(1.0, 1.0).step_within(f, STAGE)?;
                 let face = self.mesh.face(f);
                 let count = face.len() as f64;
                 let sum: f64 = face.clone().map(|v| values[v as usize]).sum();
@@ -191,7 +195,8 @@ impl<'m, 'a> Region<'m, 'a> {
     pub(super) fn give_back(&mut self, on: &[bool], min_faces: u32, job: &Job<'_>) -> Result<bool> {
         let count = self.keeps.len();
         let spared = alloc::collect((0..count).map(|f| self.lost[f] && !self.settled[f]))?;
-        let bare = alloc::collect((0..count).map(|f| spared[f] && !self.mesh.face(f).any(|v| on[v as usize])))?;
+        let is_bare = |f: usize| spared[f] && !self.mesh.face(f).any(|v| on[v as usize]);
+        let bare = alloc::collect_cancellable((0..count).map(is_bare), &job.part(0.0, 0.0), STAGE)?;
         let islands = self.sizes_within(&spared, &bare, job)?;
         let places = self.sizes_within(&bare, &bare, job)?;
         let mut any = false;
@@ -222,7 +227,8 @@ impl<'m, 'a> Region<'m, 'a> {
             let sum = &mut sums[roots[f] as usize];
             *sum = [sum[0] + 1, sum[1] + u32::from(counted[f])];
         }
-        alloc::collect((0..count).map(|f| if among[f] { sums[roots[f] as usize] } else { [0; 2] }))
+        let of = |f: usize| if among[f] { sums[roots[f] as usize] } else { [0; 2] };
+        alloc::collect_cancellable((0..count).map(of), &job.part(1.0, 1.0), STAGE)
     }
 
     /// Loses faces for good, and all that have a vertex in common with them.
