@@ -8,11 +8,21 @@ function coordinates(values, what) {
   if (values instanceof Float32Array || values instanceof Float64Array) {
     return values;
   }
-  if (values === undefined || values === null) {
-    throw new TypeError(`${what} are missing`);
+  if (typeof values !== "object" || typeof values?.length !== "number") {
+    throw new TypeError(`${what} are missing, or no array`);
   }
-  const packed = isTyped(values) ? values : Array.from(values).flat();
-  return Float64Array.from(packed);
+  if (typeof values[0] !== "object") {
+    return Float64Array.from(values);
+  }
+  const packed = new Float64Array(3 * values.length);
+  for (let k = 0; k < values.length; k++) {
+    // Of points with two numbers three would pass for two with three.
+    if (values[k]?.length !== 3) {
+      throw new TypeError(`${what}: number ${k} is not x, y, z`);
+    }
+    packed.set(values[k], 3 * k);
+  }
+  return packed;
 }
 
 /** Whole numbers as 32-bit ones without a sign. */
@@ -78,7 +88,7 @@ export class Mesh {
 /** Polylines: curve c has the points offsets[c] to offsets[c + 1] - 1. */
 export class Curves {
   constructor(points, { offsets = null, closed = false } = {}) {
-    const isList = Array.isArray(points) && points.length > 0 && (isTyped(points[0]) || Array.isArray(points[0]) && Array.isArray(points[0][0]));
+    const isList = Array.isArray(points) && points.length > 0 && (isTyped(points[0]) || Array.isArray(points[0]) && typeof points[0][0] === "object");
     if (isList && offsets === null) {
       const each = points.map((one) => packedOf(coordinates(one, "points"), "points"));
       let end = 0;

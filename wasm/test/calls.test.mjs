@@ -39,12 +39,15 @@ test("a mesh may be given in many ways", () => {
     { positions: Float64Array.from(positions), faces: Uint32Array.from(triangles) }, { positions: rows, faces: [[0, 1, 2], [0, 2, 3]] },
     { positions: Int8Array.from(positions), faces: { offsets: [0, 3, 6], corners: triangles } }, new Mesh(rows, triangles),
     { positions: Float32Array.from(positions), faces: Int32Array.from(triangles) },
+    { positions: rows.map((row) => Float32Array.from(row)), faces: triangles },
   ]) {
     assert.equal(filters.check(mesh).text, expected.text);
   }
   const [welded] = filters.weld({ positions: Float32Array.from(positions), faces: triangles });
   assert.ok(welded.positions instanceof Float32Array && welded.triangles.length === 6 && welded.faceCount === 2 && welded.vertexCount === 4);
   assert.equal(new Mesh(rows, [[0, 1, 2, 3]]).triangles, null);
+  const curves = [new Curves([rows]), new Curves(rows), new Curves([rows.map((row) => Float64Array.from(row))]), new Curves(positions)];
+  curves.forEach((one) => assert.deepEqual([one.length, [...one.points]], [1, positions]));
   const seam = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0], faces: [0, 1, 2, 3, 5, 4] };
   const [apart] = filters.boundary_loops(seam), [together] = filters.boundary_loops({ ...seam, merge: [0, 1, 2, 1, 2, 5] });
   assert.deepEqual([apart.length, together.length], [2, 1]);
@@ -57,7 +60,9 @@ test("what is no mesh and no curve is refused", () => {
     () => filters.weld({ positions: [0, 0, 0], faces: [0, 0, -1] }), () => filters.weld({ positions: [0, 0, 0], faces: { offsets: [0, 9], corners: [0, 0, 0] } }),
     () => filters.weld({ positions: [0, 0, 0], faces: { offsets: [], corners: [0, 0, 0] } }), () => filters.weld(mesh, { tolerances: 1 }),
     () => filters.weld(mesh, { vertices: "some" }), () => filters.deform(mesh, { axis: [1, 2] }), () => new Curves([0, 0, 0], { closed: [true, false] }),
-    () => filters.weld({ positions: mesh.positions, faces: mesh.faces, merge: [0] }),
+    () => filters.weld({ positions: mesh.positions, faces: mesh.faces, merge: [0] }), () => filters.check({ positions: {}, faces: [] }),
+    () => filters.check({ positions: [[0, 0], [1, 0], [0, 1], [1, 1], [2, 1], [2, 2]], faces: [0, 1, 2] }), () => new Curves(mesh),
+    () => new Curves([[0, 0, 0, 1, 0, 0], [0, 1, 0, 1, 1, 0]]),
   ]) {
     assert.throws(wrong, (error) => error instanceof TypeError || error instanceof InputError);
   }
