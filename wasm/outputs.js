@@ -38,6 +38,14 @@ export function failed(library, status, failure) {
   });
 }
 
+/** The number of a word. */
+function numberOf(words, word, what) {
+  if (!Object.hasOwn(words, word)) {
+    throw new TypeError(`${what} is "${word}": there are ${Object.keys(words).join(", ")}`);
+  }
+  return words[word];
+}
+
 function counts(mesh) {
   return { vertices: mesh.vertexCount, corners: mesh.faces.corners.length, faces: mesh.faceCount };
 }
@@ -114,6 +122,9 @@ export class Outputs {
 
   /** Whether an output tells where its elements come from. */
   hasOrigins(index = 0) {
+    if (!Number.isInteger(index)) {
+      throw new TypeError(`an output's place is a whole number, not ${String(index)}`);
+    }
     return this.#library.withRoom((room) => this.#library.call(this.#attributes(room).has_origins, this.#handle, index) === 1);
   }
 
@@ -124,14 +135,22 @@ export class Outputs {
     if (type === undefined || values.some((one) => one && one.constructor !== some.constructor)) {
       throw new TypeError("values are arrays of one type: Float32Array, Float64Array, Uint8Array, Uint16Array or Uint32Array");
     }
-    const count = counts(this.at(index))[domain], given = this.#inputs.map((one) => one?.[domain] ?? 0);
+    const from = Number.isInteger(index) ? this.#made[index] : null;
+    if (!(from instanceof Mesh)) {
+      throw new TypeError(`output ${String(index)} is no mesh`);
+    }
+    const domainNumber = numberOf(domains, domain, "domain"), ruleNumber = numberOf(rules, rule, "rule");
+    const count = counts(from)[domain], given = this.#inputs.map((one) => one?.[domain] ?? 0);
     const each = components ?? some.length / given[values.indexOf(some)];
+    if (!Number.isInteger(each) || each < 1 || values.some((one) => one && one.length % each !== 0)) {
+      throw new TypeError(`values are ${values.map((one) => one?.length ?? 0).join(", ")} numbers, ${each} of each element`);
+    }
     return library.withRoom((room) => {
       const attributes = this.#attributes(room), channel = room.struct("gusset_plugin_channel"), failure = room.struct("gusset_failure");
-      channel.domain = domains[domain];
+      channel.domain = domainNumber;
       channel.value_type = type;
       channel.components = each;
-      channel.rule = rules[rule];
+      channel.rule = ruleNumber;
       channel.max_influences = maxInfluences;
       const size = room.struct("gusset_plugin_channel_values").size, first = room.cleared(size * Math.max(values.length, 1));
       values.forEach((one, k) => {

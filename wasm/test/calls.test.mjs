@@ -110,6 +110,17 @@ test("values are carried over to what came out", () => {
   const materials = outputs.carry([null, new Uint8Array(b.faceCount).fill(3)], { domain: "faces", rule: "nearest" });
   assert.ok(materials.length === mesh.faceCount && materials.includes(3) && materials.includes(0));
   assert.throws(() => outputs.carry([new Float32Array(2), null], { components: 1 }), InputError);
+  for (const options of [
+    { rule: "nearst" }, { domain: "edges" }, { components: 0 }, { components: -1 }, { components: 1.5 }, { components: 3 }, { index: 1 }, { index: 2 },
+    { index: 0n }, { domain: "constructor" },
+  ]) {
+    assert.throws(() => outputs.carry(values, options), TypeError, JSON.stringify(Object.keys(options)));
+  }
+  assert.throws(() => outputs.carry([new Float32Array(a.vertexCount + 1), null]), TypeError);
+  assert.throws(() => outputs.carry(values, { components: 2 ** 32 + 2 }), (error) => error instanceof TypeError || error instanceof OutOfMemory);
+  // What is no number is refused before the library is called, which stops at what goes wrong within.
+  assert.throws(() => outputs.hasOrigins(0n), TypeError);
+  assert.deepEqual(outputs.carry(values), carried);
   outputs.free();
   outputs.free();
   assert.throws(() => outputs.carry(values));
