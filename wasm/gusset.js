@@ -76,7 +76,8 @@ function run(library, filter, struct, inputs, params) {
     host.log = params.log ? library.log : 0;
     host.threads = 1;
     host.origins = params.origins ? 1 : 0;
-    const made = room.cleared(4);
+    // Room for what may go wrong, as long as there is some.
+    const failure = room.struct("gusset_failure"), made = room.cleared(4);
     library.told.set(user, told);
     let status, handle;
     try {
@@ -88,9 +89,8 @@ function run(library, filter, struct, inputs, params) {
     if (status === constants.PLUGIN_DONE && !told.thrown) {
       return new Outputs(library, handle, taken);
     }
-    const failure = room.struct("gusset_failure");
     const isKnown = handle !== 0 && library.call(library.table.output_failure, handle, failure.pointer) === 0;
-    const error = told.thrown?.thrown ?? (isKnown ? failed(library, status, failure) : errorFor(status, ""));
+    const error = told.thrown ? told.thrown.thrown : (isKnown ? failed(library, status, failure) : errorFor(status, ""));
     library.call(library.table.output_free, handle);
     throw error;
   });

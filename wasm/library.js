@@ -92,7 +92,12 @@ export class Library {
 
   /** A copy of an array of the library's. */
   copied(kind, pointer, length) {
-    return pointer ? new kind(this.memory.buffer, pointer, length).slice() : new kind(length);
+    try {
+      return pointer ? new kind(this.memory.buffer, pointer, length).slice() : new kind(length);
+    } catch (thrown) {
+      // The host has no memory, or no arrays so long.
+      throw thrown instanceof RangeError ? errorFor(constants.PLUGIN_OUT_OF_MEMORY, `there is no memory for an array of ${length} numbers`) : thrown;
+    }
   }
 
   /** A struct at an address: its fields as properties. */
@@ -125,7 +130,8 @@ export class Library {
   withRoom(use) {
     const blocks = [], library = this;
     const allocate = (size) => {
-      const block = size && this.guarded(() => this.exports.gusset_memory_allocate(size)) >>> 0;
+      // What has more bytes than addresses would be asked for modulo 2^32.
+      const block = size && size < 2 ** 32 && this.guarded(() => this.exports.gusset_memory_allocate(size)) >>> 0;
       if (size && !block) {
         throw errorFor(constants.PLUGIN_OUT_OF_MEMORY, `there is no memory for ${size} bytes`);
       }

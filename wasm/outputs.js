@@ -63,7 +63,12 @@ export class Outputs {
     this.#inputs = inputs.map((one) => (one instanceof Mesh ? counts(one) : null));
     forgotten.register(this, { library, handle }, this);
     const count = library.call(library.table.output_count, handle);
-    this.#made = Array.from({ length: count }, (_, k) => this.#read(k));
+    try {
+      this.#made = Array.from({ length: count }, (_, k) => this.#read(k));
+    } catch (thrown) {
+      this.free();
+      throw thrown;
+    }
   }
 
   get length() {

@@ -89,6 +89,7 @@ test("progress is told, and cancels by false and by what it throws", () => {
   let count = 0;
   assert.throws(() => filters.weld(mesh, { progress: () => { count++; throw new RangeError("of the host"); } }), { name: "RangeError", message: "of the host" });
   assert.equal(count, 1);
+  assert.throws(() => filters.weld(mesh, { progress: () => { throw null; } }), (thrown) => thrown === null);
   // One run within another.
   let inner = null;
   filters.weld(mesh, { progress: () => void (inner ??= filters.check(tube())) });
@@ -137,6 +138,36 @@ test("memory is given back", () => {
   for (let k = 0; k < 60; k++) {
     once();
     wrong();
+  }
+  assert.equal(memory.buffer.byteLength, before);
+});
+
+test("without memory there is no room for hosts, and again when there is", async () => {
+  // Of the library itself, as no filter tells what else fails.
+  const instance = await WebAssembly.instantiate(await WebAssembly.compile(await readFile(file)), {});
+  const library = new Library(instance), blocks = [];
+  library.withRoom(({ allocate }) => {
+    for (let size = 2 ** 30; size >= 16; size /= 2) {
+      assert.throws(() => { for (;;) blocks.push(allocate(size)); }, OutOfMemory);
+    }
+    assert.throws(() => allocate(2 ** 32 + 16), OutOfMemory);
+    // What is set aside for calls under way is not given to hosts.
+    assert.ok(blocks.every((block) => block >= instance.exports.__heap_base.value));
+  });
+  library.withRoom(({ allocate }) => allocate(2 ** 30));
+});
+
+test("what a run left is given back if JavaScript has no room for it", () => {
+  const mesh = sheet(300, 300), { slice } = Float64Array.prototype, fail = () => { throw new RangeError("Array buffer allocation failed"); };
+  filters.weld(mesh);
+  const before = memory.buffer.byteLength;
+  try {
+    Float64Array.prototype.slice = fail;
+    for (let k = 0; k < 60; k++) {
+      assert.throws(() => filters.weld(mesh), OutOfMemory);
+    }
+  } finally {
+    Float64Array.prototype.slice = slice;
   }
   assert.equal(memory.buffer.byteLength, before);
 });

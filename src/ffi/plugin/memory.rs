@@ -1,6 +1,7 @@
 //! Room within the library's memory, for hosts that run it as WebAssembly: they see no other, and
 //! have no allocator there.
 
+use crate::reserve;
 use std::alloc::{Layout, alloc, dealloc};
 use std::ptr;
 
@@ -12,10 +13,18 @@ fn layout(size: usize) -> Option<Layout> {
 }
 
 /// A block of `size` bytes, which may hold anything; NULL if there is no memory, or for no bytes.
+/// The reserve behind the allocator is for those who cannot fail: a call that finds it full stops.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
+    let Some(layout) = layout(size) else { return ptr::null_mut() };
     // SAFETY: a layout of more than no bytes.
-    layout(size).map_or(ptr::null_mut(), |layout| unsafe { alloc(layout) })
+    let block = unsafe { alloc(layout) };
+    if reserve::holds(block) {
+        // SAFETY: a block of that layout, which nobody has.
+        unsafe { dealloc(block, layout) };
+        return ptr::null_mut();
+    }
+    block
 }
 
 /// Gives back a block of gusset_memory_allocate, with the same size; NULL is allowed.
