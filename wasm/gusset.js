@@ -131,9 +131,11 @@ async function moduleOf(source) {
   if (typeof Response !== "undefined" && source instanceof Response) {
     return WebAssembly.compile(await source.arrayBuffer());
   }
-  const address = new URL(source ?? "gusset.wasm", import.meta.url);
+  // In these words bundlers find the file that they must bring along.
+  const address = source ? new URL(source, import.meta.url) : new URL("gusset.wasm", import.meta.url);
   if (address.protocol === "file:") {
-    const { readFile } = await import("node:fs/promises");
+    // They would look for a module that is named, and browsers have none of that name.
+    const files = "node:fs/promises", { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ files);
     return WebAssembly.compile(await readFile(address));
   }
   const answer = await fetch(address);

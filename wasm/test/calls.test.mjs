@@ -187,6 +187,12 @@ test("after a trap nothing is called any more", async () => {
   assert.throws(() => library.call(library.table.filter, 0), (error) => error instanceof Stopped && error.status === constants.ERROR_PANIC && error.code === "panic");
 });
 
+test("bundlers find what they must bring along, and nothing of node's", async () => {
+  const text = await readFile(new URL("../gusset.js", import.meta.url), "utf8");
+  assert.ok(text.includes('new URL("gusset.wasm", import.meta.url)'));
+  assert.ok(!/(import\(|from )"node:/.test(text));
+});
+
 test("it is loaded from bytes, a module and a response", async () => {
   const bytes = await readFile(file);
   for (const source of [bytes, await WebAssembly.compile(bytes), new Response(bytes), file, file.href]) {
