@@ -80,13 +80,15 @@ async function types() {
   for (const one of Object.values((await load()).filters)) {
     const name = `${capital(one.scriptName)}Params`;
     const given = Array.from({ length: one.minInputs }, (_, k) => takes[one.inputKinds[Math.min(k, one.inputKinds.length - 1)]]);
-    // With room for more, as [MeshLike, MeshLike?] or [MeshLike, ...MeshLike[]].
+    // With room for more, as [MeshLike, ...MeshLike[]] or [MeshLike] | [MeshLike, MeshLike]: after
+    // [MeshLike, MeshLike?] there could be no parameters without a second mesh.
     const more = one.maxInputs - one.minInputs, last = takes[one.inputKinds.at(-1)];
-    given.push(...(more > 8 ? [`...${last}[]`] : Array.from({ length: more }, () => `${last}?`)));
+    const inputs = more > 8 ? `[${[...given, `...${last}[]`].join(", ")}]`
+      : Array.from({ length: more + 1 }, (_, k) => `[${[...given, ...Array(k).fill(last)].join(", ")}]`).join(" | ");
     const results = one.outputKinds.map((kind) => gives[kind]);
     params += `\n/** Parameters of \`${one.scriptName}\`; what is not given is what suits the inputs. */\nexport interface ${name} extends RunOptions {\n`
       + one.params.map((param) => `${comment(`${param.label}. ${param.help}${param.choices.length || param.kind === constants.PARAM_BOOL ? "" : ` From ${param.min} to ${param.max}.`}`, "  ")}  ${param.id}?: ${typeOf(param, constants)};\n`).join("") + "}\n";
-    members += `${comment(`${one.help}${one.reference ? ` Source: ${one.reference}` : ""}`, "  ")}  readonly ${one.scriptName}: Filter<[${given.join(", ")}], ${results.length === 1 ? results[0] : `[${results.join(", ")}]`}, ${name}>;\n`;
+    members += `${comment(`${one.help}${one.reference ? ` Source: ${one.reference}` : ""}`, "  ")}  readonly ${one.scriptName}: Filter<${inputs}, ${results.length === 1 ? results[0] : `[${results.join(", ")}]`}, ${name}>;\n`;
   }
   return `// Types of gusset-mesh. Written by generate.mjs; do not edit.\n\n${read("types.d.ts").replace(/^\/\/.*\n\n/, "")}${params}\n/** The filters of the table, by their names for scripts. */\nexport interface Filters {\n${members}}\n`;
 }

@@ -1077,7 +1077,7 @@ export interface Filters {
    * Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or their facing arcs by a strip. Vertices stay
    * where they are and no face is lost. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking
    */
-  readonly stitch: Filter<[MeshLike, MeshLike?], [Mesh, Report], StitchParams>;
+  readonly stitch: Filter<[MeshLike] | [MeshLike, MeshLike], [Mesh, Report], StitchParams>;
   /**
    * Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all coincident
    * vertices are merged, as a triangle soup requires. Source: Greedy clustering in the order of the vertices; edges are sewn two by two
@@ -1239,7 +1239,7 @@ export interface Filters {
    * meets all of the first in their order. Curves across alone are skinned. The result is a mesh. Source: W. J. Gordon, Spline-blended
    * surface interpolation through curve networks, 1969
    */
-  readonly smooth_net: Filter<[CurvesLike, CurvesLike?], [Mesh, Report], SmoothNetParams>;
+  readonly smooth_net: Filter<[CurvesLike] | [CurvesLike, CurvesLike], [Mesh, Report], SmoothNetParams>;
   /**
    * Draws isophotes of the smooth surface through the vertices of a quad grid: the curves on which its normals make one of several
    * equally spaced angles with a direction. Where isophotes are not smooth the surface is not fair. Source: V. A. Leus, Carcasses on

@@ -10,6 +10,8 @@ const count: number = report.values.vertices ?? welded.vertexCount;
 const text: string = filters.check(mesh).text;
 filters.stitch(mesh, mesh, { meridians: "least_area" });
 filters.stitch(mesh);
+filters.stitch(mesh, { meridians: "least_area" });
+filters.smooth_net([[[0, 0, 0], [1, 0, 0]]], { tolerance: 0.5 });
 filters.assemble(mesh, mesh, mesh, { max_gap: 1 });
 const bent: Mesh = filters.deform(mesh, { field: "twist", axis: 1 });
 const [loops]: [Curves, Report] = filters.outline(new Curves([mesh.positions], { closed: true }));
@@ -22,6 +24,8 @@ const at = (error: unknown) => (error instanceof InputError ? error.index : null
 filters.weld(mesh, { tolerances: 1 });
 // @ts-expect-error: nor such a choice
 filters.weld(mesh, { vertices: "some" });
+// @ts-expect-error: there is a mesh too many
+filters.stitch(mesh, mesh, mesh);
 // @ts-expect-error: a mesh is missing
 filters.weld();
 
