@@ -12,7 +12,10 @@ export type Faces = Indices | { offsets: Indices; corners: Indices } | readonly 
 /** What is taken for a mesh. `merge`: for each vertex the one that it is one with. */
 export type MeshLike = Mesh | { positions: Coordinates; faces: Faces; merge?: Indices | null };
 
-/** What is taken for polylines: `closed`, of all or of each, says whether they go on to their first points. */
+/**
+ * What is taken for polylines: a list of typed arrays or of lists of points is a list of curves, a list of x, y, z one curve. `closed`, of
+ * all or of each, says whether they go on to their first points.
+ */
 export type CurvesLike = Curves | { points: Coordinates | readonly Coordinates[]; offsets?: Indices | null; closed?: boolean | ArrayLike<number | boolean> } | readonly Coordinates[];
 
 /** A polygon mesh. */
@@ -116,6 +119,7 @@ export interface Param {
   readonly id: string;
   readonly label: string;
   readonly help: string;
+  /** 1 yes or no, 2 whole, 3 real, 4 one of `choices`, 5 a length, 6 an angle, 7 a point, 8 a direction, 9 a plane. */
   readonly kind: number;
   readonly arity: number;
   readonly min: number;
@@ -135,7 +139,9 @@ export interface Filter<Inputs extends readonly unknown[] = readonly (MeshLike |
   readonly category: string;
   readonly help: string;
   readonly reference: string;
+  /** 1 a mesh, 2 curves; the last is that of all further inputs. */
   readonly inputKinds: readonly number[];
+  /** 1 a mesh, 2 curves, 3 a report. */
   readonly outputKinds: readonly number[];
   readonly minInputs: number;
   readonly maxInputs: number;
