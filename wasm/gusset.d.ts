@@ -159,7 +159,7 @@ export interface Gusset {
 }
 
 /** Loads the library: from gusset.wasm beside this file, or from what is given. */
-export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response): Promise<Gusset>;
+export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response | PromiseLike<Response>): Promise<Gusset>;
 
 /** Parameters of `boundary_loops`; what is not given is what suits the inputs. */
 export interface BoundaryLoopsParams extends RunOptions {

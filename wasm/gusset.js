@@ -147,7 +147,7 @@ async function moduleOf(source) {
 
 /** Loads the library. Each call gives one with memory of its own. */
 export async function load(source) {
-  const library = new Library(await WebAssembly.instantiate(await moduleOf(source), {}));
+  const library = new Library(await WebAssembly.instantiate(await moduleOf(await source), {}));
   const table = library.table, filters = {};
   for (let k = 0; k < table.filter_count; k++) {
     const filter = filterOf(library, library.call(table.filter, k));

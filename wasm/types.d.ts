@@ -159,4 +159,4 @@ export interface Gusset {
 }
 
 /** Loads the library: from gusset.wasm beside this file, or from what is given. */
-export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response): Promise<Gusset>;
+export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response | PromiseLike<Response>): Promise<Gusset>;

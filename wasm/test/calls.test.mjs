@@ -195,7 +195,9 @@ test("bundlers find what they must bring along, and nothing of node's", async ()
 
 test("it is loaded from bytes, a module and a response", async () => {
   const bytes = await readFile(file);
-  for (const source of [bytes, await WebAssembly.compile(bytes), new Response(bytes), file, file.href]) {
+  for (const source of [
+    bytes, await WebAssembly.compile(bytes), new Response(bytes), Promise.resolve(new Response(bytes)), file, file.href,
+  ]) {
     assert.equal((await load(source)).version, version);
   }
 });
