@@ -119,7 +119,7 @@ test("values are carried over to what came out", () => {
   }
   assert.throws(() => outputs.carry([new Float32Array(a.vertexCount + 1), null]), TypeError);
   assert.throws(() => outputs.carry(values, { components: 2 ** 32 + 2 }), (error) => error instanceof TypeError || error instanceof OutOfMemory);
-  // What is no number is refused before the library is called, which stops at what goes wrong within.
+  // Refused before the library is called: what goes wrong within that stops it.
   assert.throws(() => outputs.hasOrigins(0n), TypeError);
   assert.deepEqual(outputs.carry(values), carried);
   outputs.free();
