@@ -6,6 +6,8 @@
 #include "vtkGussetStitch.h"
 
 #include <vtkBitArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkLookupTable.h>
 #include <vtkSOADataArrayTemplate.h>
 
@@ -227,6 +229,30 @@ TEST_CASE("arrays of other layouts, bits, ghost flags, tables of colours and nam
         CHECK((flag == 1 || flag == 16));
         CHECK(made->GetPointData()->GetArray("bits")->GetComponent(v, 0) == (flag == 1 ? 0 : 1));
     }
+}
+
+TEST_CASE("an array that is several attributes stays all of them; units stay") {
+    const auto data = tube({});
+    give_arrays(data);
+    // Normals that are coloured by and drawn as arrows.
+    vtkPointData *values = data->GetPointData();
+    values->SetActiveScalars("directions");
+    values->SetActiveVectors("directions");
+    values->GetArray("height")->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "mm");
+    vtkNew<vtkGussetFill> filter;
+    filter->SetInputData(data);
+    filter->RefineOn();
+    vtkPolyData *made = run(filter);
+    vtkDataArray *directions = made->GetPointData()->GetArray("directions");
+    REQUIRE(directions != nullptr);
+    CHECK(made->GetPointData()->GetScalars() == directions);
+    CHECK(made->GetPointData()->GetVectors() == directions);
+    CHECK(made->GetPointData()->GetNormals() == directions);
+    REQUIRE(made->GetNumberOfPoints() > data->GetNumberOfPoints());
+    for (vtkIdType v = 0; v < made->GetNumberOfPoints(); ++v) {
+        CHECK(std::abs(vtkMath::Norm(directions->GetTuple(v)) - 1.0) < 1e-6);
+    }
+    CHECK(std::string(made->GetPointData()->GetArray("height")->GetInformation()->Get(vtkDataArray::UNITS_LABEL())) == "mm");
 }
 
 TEST_CASE("values that have no mean are copied, with a warning; broken arrays stay behind") {

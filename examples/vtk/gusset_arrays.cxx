@@ -4,7 +4,9 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <functional>
 #include <numeric>
 
 namespace gusset_vtk {
@@ -28,23 +30,26 @@ struct Source {
     }
 };
 
-/// The attribute that an array is, or -1.
-int attribute_of(vtkDataSetAttributes *values, vtkAbstractArray *array) {
-    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type) {
-        if (values->GetAbstractAttribute(type) == array) {
-            return type;
-        }
+/// The attributes that an array is: normals can be the scalars, too.
+using Attributes = std::array<bool, vtkDataSetAttributes::NUM_ATTRIBUTES>;
+
+Attributes attributes_of(vtkDataSetAttributes *values, vtkAbstractArray *array) {
+    Attributes found{};
+    for (std::size_t type = 0; type < found.size(); ++type) {
+        found[type] = values->GetAbstractAttribute(static_cast<int>(type)) == array;
     }
-    return -1;
+    return found;
 }
 
-/// The array of a piece that belongs with one of another piece: that of its name, or without a name that of its attribute.
-vtkAbstractArray *same(const Source &source, vtkAbstractArray *array, int attribute) {
+/// The array of a piece that belongs with one of another piece: that of its name, or without a
+/// name that of its first attribute.
+vtkAbstractArray *same(const Source &source, vtkAbstractArray *array, const Attributes &attributes) {
     vtkAbstractArray *found = nullptr;
+    const auto attribute = std::find(attributes.begin(), attributes.end(), true);
     if (array->GetName() != nullptr) {
         found = source.values->GetAbstractArray(array->GetName());
-    } else if (attribute >= 0) {
-        found = source.values->GetAbstractAttribute(attribute);
+    } else if (attribute != attributes.end()) {
+        found = source.values->GetAbstractAttribute(static_cast<int>(attribute - attributes.begin()));
     }
     const bool fits = found != nullptr && found->GetDataType() == array->GetDataType() &&
                       found->GetNumberOfComponents() == array->GetNumberOfComponents() && found->GetNumberOfTuples() == source.total;
@@ -52,16 +57,16 @@ vtkAbstractArray *same(const Source &source, vtkAbstractArray *array, int attrib
 }
 
 /// How the values of several sources become one.
-Rule rule_of(vtkAbstractArray *array, int attribute) {
+Rule rule_of(vtkAbstractArray *array, const Attributes &is) {
     const int type = array->GetDataType();
     const std::string name = array->GetName() != nullptr ? array->GetName() : "";
     const bool floats = type == VTK_FLOAT || type == VTK_DOUBLE;
     // Ghost flags are bits, and ids name things: neither has a mean.
-    if (attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS ||
+    if (is[vtkDataSetAttributes::GLOBALIDS] || is[vtkDataSetAttributes::PEDIGREEIDS] ||
         name == vtkDataSetAttributes::GhostArrayName() || array->GetNumberOfComponents() > 4096) {
         return Rule::nearest;
     }
-    if (floats && array->GetNumberOfComponents() == 3 && (attribute == vtkDataSetAttributes::NORMALS || name == "Normals")) {
+    if (floats && array->GetNumberOfComponents() == 3 && (is[vtkDataSetAttributes::NORMALS] || name == "Normals")) {
         return Rule::normal;
     }
     return floats || type == VTK_UNSIGNED_CHAR ? Rule::linear : Rule::nearest;
@@ -161,16 +166,19 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
     const auto first = static_cast<vtkIdType>(copied.size());
     for (int a = 0; a < base->values->GetNumberOfArrays(); ++a) {
         vtkAbstractArray *array = base->values->GetAbstractArray(a);
-        const int attribute = attribute_of(base->values, array);
+        const Attributes attributes = attributes_of(base->values, array);
+        Attributes active = attributes;
+        active[vtkDataSetAttributes::GLOBALIDS] = false;
         Arrays arrays;
-        bool active = attribute >= 0 && attribute != vtkDataSetAttributes::GLOBALIDS, everywhere = true;
+        bool everywhere = true;
         for (const Source &source : sources_) {
             const bool own = &source == &*base && array->GetNumberOfTuples() == source.total;
-            vtkAbstractArray *found = own ? array : same(source, array, attribute);
+            vtkAbstractArray *found = own ? array : same(source, array, attributes);
             arrays.push_back(found);
             if (has_elements(source)) {
                 everywhere = everywhere && found != nullptr;
-                active = active && attribute_of(source.values, found) == attribute;
+                const Attributes there = attributes_of(source.values, found);
+                std::transform(active.begin(), active.end(), there.begin(), active.begin(), std::logical_and<bool>());
             }
         }
         const std::string name = array->GetName() != nullptr ? array->GetName() : "without a name";
@@ -183,6 +191,9 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
         made->SetName(array->GetName());
         made->SetNumberOfComponents(array->GetNumberOfComponents());
         made->CopyComponentNames(array);
+        if (array->HasInformation()) {
+            made->CopyInformation(array->GetInformation()); // units, say
+        }
         made->SetNumberOfTuples(first + static_cast<vtkIdType>(origins_.size(domain_)));
         if (auto *numbers = vtkDataArray::SafeDownCast(made)) {
             numbers->Fill(0.0);
@@ -191,7 +202,7 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
         for (std::size_t k = 0; k < copied.size(); ++k) {
             made->SetTuple(static_cast<vtkIdType>(k), copied[k].second, arrays[copied[k].first]);
         }
-        const Rule rule = rule_of(array, attribute);
+        const Rule rule = rule_of(array, attributes);
         if (rule == Rule::nearest) {
             pick(made, first, arrays);
         } else {
@@ -207,8 +218,10 @@ void Carrier::carry(vtkDataSetAttributes *output, const std::vector<std::pair<st
             }
         }
         const int index = output->AddArray(made);
-        if (active) {
-            output->SetActiveAttribute(index, attribute);
+        for (std::size_t type = 0; type < active.size(); ++type) {
+            if (active[type]) {
+                output->SetActiveAttribute(index, static_cast<int>(type));
+            }
         }
     }
 }
