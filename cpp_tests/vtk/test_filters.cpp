@@ -221,6 +221,33 @@ TEST_CASE("each partition is closed, and the composite keeps its shape") {
     }
 }
 
+TEST_CASE("pieces of floats beside pieces of doubles are joined in doubles") {
+    Tube upper;
+    upper.from = 1.2;
+    upper.scalar = VTK_FLOAT;
+    const auto a = tube({}), b = tube(upper);
+    const Soup first(a);
+    Soup second(b);
+    second.is_single = false;
+    vtkNew<vtkGussetStitch> stitch;
+    stitch->SetInputData(0, b);
+    stitch->SetInputData(1, a);
+    stitch->Update();
+    auto *stitched = vtkPolyData::SafeDownCast(stitch->GetOutputDataObject(0));
+    const gusset::Stitch wanted = gusset::stitch(second.view(), first.view());
+    REQUIRE(equals<double>(stitched, wanted.mesh()));
+    CHECK(stitched->GetPoints()->GetDataType() == VTK_DOUBLE);
+    vtkNew<vtkGussetAssemble> assemble;
+    assemble->AddInputData(a);
+    assemble->AddInputData(b);
+    assemble->Update();
+    const std::vector<gusset::MeshView> views{first.view(), second.view()};
+    const gusset::Assembly assembly(views);
+    REQUIRE(equals<double>(assemble->GetOutput(), assembly.mesh()));
+    CHECK(assemble->GetOutput()->GetPoints()->GetDataType() == VTK_DOUBLE);
+    CHECK(open_edges(assemble->GetOutput()) == 24);
+}
+
 TEST_CASE("coordinates of other types and layouts") {
     const auto data = tube({});
     vtkNew<vtkSOADataArrayTemplate<double>> apart;

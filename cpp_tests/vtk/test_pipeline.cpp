@@ -104,6 +104,31 @@ TEST_CASE("cells that are broken are named by their ids") {
     CHECK(has(heard.errors, "(cell 49)"));
 }
 
+TEST_CASE("cells that are broken are named with their input") {
+    Tube upper;
+    upper.from = 1.2;
+    const auto good = tube({}), polygon = tube(upper), line = tube(upper);
+    const vtkIdType triangle[3] = {0, 1, -5}, segment[2] = {0, 60};
+    polygon->GetPolys()->InsertNextCell(3, triangle);
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(2, segment);
+    line->SetLines(lines);
+    for (vtkPolyData *bad : {polygon.Get(), line.Get()}) {
+        vtkNew<vtkGussetAssemble> assemble;
+        vtkNew<vtkGussetStitch> stitch;
+        assemble->AddInputData(good);
+        assemble->AddInputData(bad);
+        stitch->SetInputData(0, good);
+        stitch->SetInputData(1, bad);
+        for (vtkAlgorithm *filter : std::vector<vtkAlgorithm *>{assemble, stitch}) {
+            const Messages heard(filter);
+            filter->Update();
+            CHECK(has(heard.errors, bad == polygon ? "input 1: cell 48 has the point id -5" : "input 1: a vertex or a line has"));
+            CHECK(output(filter)->GetNumberOfPoints() == 0);
+        }
+    }
+}
+
 TEST_CASE("progress never goes back, and ends at 1") {
     vtkNew<vtkPartitionedDataSet> parts;
     for (unsigned i = 0; i < 3; ++i) {

@@ -20,13 +20,6 @@ namespace gusset_vtk {
 
 namespace {
 
-uint32_t as_index(vtkIdType id, vtkIdType cell) {
-    if (id < 0 || id > static_cast<vtkIdType>(std::numeric_limits<uint32_t>::max())) {
-        throw std::out_of_range("cell " + std::to_string(cell) + " has the point id " + std::to_string(id));
-    }
-    return static_cast<uint32_t>(id);
-}
-
 /// Calls `each(count, ids)` for each cell.
 template <class Each>
 void for_each_cell(vtkCellArray *cells, Each &&each) {
@@ -82,7 +75,7 @@ vtkSmartPointer<vtkCellArray> loose_cells(const std::vector<Piece> &pieces, cons
             mapped.assign(ids, ids + count);
             for (vtkIdType &id : mapped) {
                 if (id < 0 || id >= pieces[i].data()->GetNumberOfPoints()) {
-                    throw std::out_of_range("a vertex or a line has the point id " + std::to_string(id));
+                    throw std::out_of_range(pieces[i].where() + "a vertex or a line has the point id " + std::to_string(id));
                 }
                 id = to.empty() ? id : static_cast<vtkIdType>(to[static_cast<std::size_t>(id)]);
             }
@@ -94,15 +87,15 @@ vtkSmartPointer<vtkCellArray> loose_cells(const std::vector<Piece> &pieces, cons
 
 } // namespace
 
-Piece::Piece(vtkPolyData *data) : data_(data), view_(gusset::detail::sized<gusset_mesh_view>()) {
+Piece::Piece(vtkPolyData *data, std::string name)
+    : name_(std::move(name)), data_(data), view_(gusset::detail::sized<gusset_mesh_view>()) {
     vtkDataArray *points = data->GetPoints() != nullptr ? data->GetPoints()->GetData() : nullptr;
     view_.scalar = GUSSET_F64;
     if (points != nullptr && points->GetNumberOfTuples() > 0) {
         points_ = points;
         const bool single = points->GetDataType() == VTK_FLOAT;
         if ((!single && points->GetDataType() != VTK_DOUBLE) || !points->HasStandardMemoryLayout()) {
-            points_ = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(single ? VTK_FLOAT : VTK_DOUBLE));
-            points_->DeepCopy(points);
+            copy_points(single ? VTK_FLOAT : VTK_DOUBLE);
         }
         view_.positions = points_->GetVoidPointer(0);
         view_.vertex_count = static_cast<std::size_t>(points_->GetNumberOfTuples());
@@ -125,6 +118,27 @@ Piece::Piece(vtkPolyData *data) : data_(data), view_(gusset::detail::sized<gusse
     view_.face_count = offsets_.size() - 1;
 }
 
+uint32_t Piece::index(vtkIdType id, vtkIdType cell) const {
+    if (id < 0 || id > static_cast<vtkIdType>(std::numeric_limits<uint32_t>::max())) {
+        throw std::out_of_range(where() + "cell " + std::to_string(cell) + " has the point id " + std::to_string(id));
+    }
+    return static_cast<uint32_t>(id);
+}
+
+void Piece::copy_points(int type) {
+    const auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+    copy->DeepCopy(points_);
+    points_ = copy;
+}
+
+void Piece::widen() {
+    if (is_single()) {
+        copy_points(VTK_DOUBLE);
+        view_.positions = points_->GetVoidPointer(0);
+        view_.scalar = GUSSET_F64;
+    }
+}
+
 void Piece::copy_polygons() {
     vtkCellArray *polygons = data_->GetPolys();
     offsets_.reserve(static_cast<std::size_t>(polygons->GetNumberOfCells()) + 1);
@@ -133,9 +147,9 @@ void Piece::copy_polygons() {
     vtkIdType cell = loose_count();
     for_each_cell(polygons, [&](vtkIdType count, const vtkIdType *ids) {
         for (vtkIdType k = 0; k < count; ++k) {
-            corners_.push_back(as_index(ids[k], cell));
+            corners_.push_back(index(ids[k], cell));
         }
-        offsets_.push_back(as_index(static_cast<vtkIdType>(corners_.size()), cell));
+        offsets_.push_back(index(static_cast<vtkIdType>(corners_.size()), cell));
         ++cell;
     });
 }
@@ -150,16 +164,28 @@ void Piece::add_strips() {
             // Every other triangle of a strip is the other way round.
             const vtkIdType odd = k % 2;
             for (const vtkIdType id : {ids[k + odd], ids[k + 1 - odd], ids[k + 2]}) {
-                corners_.push_back(as_index(id, cell));
+                corners_.push_back(index(id, cell));
             }
-            offsets_.push_back(as_index(static_cast<vtkIdType>(corners_.size()), cell));
+            offsets_.push_back(index(static_cast<vtkIdType>(corners_.size()), cell));
             cells_.push_back(cell);
         }
         ++cell;
     });
 }
 
-void with_names(const std::vector<Piece> &pieces, const std::vector<std::string> &names, const std::function<void()> &call) {
+std::vector<gusset::MeshView> views_of(std::vector<Piece> &pieces) {
+    const bool single = std::all_of(pieces.begin(), pieces.end(), [](const Piece &piece) { return piece.is_single(); });
+    std::vector<gusset::MeshView> views;
+    for (Piece &piece : pieces) {
+        if (!single) {
+            piece.widen();
+        }
+        views.push_back(piece.view());
+    }
+    return views;
+}
+
+void with_names(const std::vector<Piece> &pieces, const std::function<void()> &call) {
     try {
         call();
     } catch (const gusset::Error &error) {
@@ -167,11 +193,8 @@ void with_names(const std::vector<Piece> &pieces, const std::vector<std::string>
         if (report.element == GUSSET_ELEMENT_NONE || report.input >= pieces.size()) {
             throw;
         }
-        std::string text = error.what();
-        if (report.input < names.size()) {
-            text = names[report.input] + ": " + text;
-        }
         const Piece &piece = pieces[report.input];
+        std::string text = piece.where() + error.what();
         if (report.element == GUSSET_ELEMENT_FACE && report.index < piece.face_count()) {
             const vtkIdType cell = piece.cell(static_cast<std::size_t>(report.index));
             // Vertices and lines are cells, but no faces, and strips are several.
@@ -185,7 +208,7 @@ void build(vtkPolyData *output, const gusset::MeshView &mesh, const gusset::Orig
            const std::vector<gusset::Indices> &vertices, int precision, const Run &run) {
     // As the points and the cells were, if all of them were alike.
     const auto all = [&](auto &&is) { return std::all_of(pieces.begin(), pieces.end(), is); };
-    const bool single = all([](const Piece &piece) { return piece.view().get().scalar == GUSSET_F32 || piece.view().vertex_count() == 0; });
+    const bool single = all([](const Piece &piece) { return piece.is_single() || piece.view().vertex_count() == 0; });
     const bool narrow = all([](const Piece &piece) { return !piece.data()->GetPolys()->IsStorage64Bit(); });
     output->SetPoints(points_of(mesh, precision == vtkAlgorithm::DEFAULT_PRECISION ? single : precision == vtkAlgorithm::SINGLE_PRECISION));
     vtkNew<vtkCellArray> polygons;

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace gusset_vtk {
@@ -17,13 +18,19 @@ namespace gusset_vtk {
 /// are polygons of 32-bit ids; all else is copied. Strips are read as triangles.
 class Piece {
 public:
-    /// Throws std::out_of_range if a cell has an id that no point can have.
-    explicit Piece(vtkPolyData *data);
+    /// `name`: what errors call it, or empty. Throws std::out_of_range if a cell has an id that no
+    /// point can have.
+    explicit Piece(vtkPolyData *data, std::string name = {});
     Piece(Piece &&) = default;
     Piece &operator=(Piece &&) = default;
 
     gusset::MeshView view() const { return gusset::MeshView(view_); }
+    bool is_single() const { return view_.scalar == GUSSET_F32; }
+    /// Reads points of floats as doubles, which is exact.
+    void widen();
     vtkPolyData *data() const { return data_; }
+    /// The start of a message about it.
+    std::string where() const { return name_.empty() ? name_ : name_ + ": "; }
     std::size_t face_count() const { return view_.face_count; }
     /// The cells before the polygons: vertices and lines, which the library does not see.
     vtkIdType loose_count() const { return data_->GetNumberOfVerts() + data_->GetNumberOfLines(); }
@@ -35,9 +42,12 @@ public:
     }
 
 private:
+    void copy_points(int type);
     void copy_polygons();
     void add_strips();
+    uint32_t index(vtkIdType id, vtkIdType cell) const;
 
+    std::string name_;
     vtkSmartPointer<vtkPolyData> data_;
     vtkSmartPointer<vtkDataArray> points_;
     std::vector<uint32_t> offsets_, corners_;
@@ -45,9 +55,13 @@ private:
     gusset_mesh_view view_;
 };
 
+/// The pieces as one call of the library takes them, which wants one type of coordinates: doubles,
+/// if not all are floats.
+std::vector<gusset::MeshView> views_of(std::vector<Piece> &pieces);
+
 /// A call of the library on pieces. Its errors name cells of VTK beside the library's faces, and of many pieces the one that they are
-/// about. `names`: those of the pieces, or empty.
-void with_names(const std::vector<Piece> &pieces, const std::vector<std::string> &names, const std::function<void()> &call);
+/// about.
+void with_names(const std::vector<Piece> &pieces, const std::function<void()> &call);
 
 /// Fills `output` with a result and all that its pieces have: vertices and lines, arrays of points and cells. `vertices`: of each
 /// piece its points in the result, empty if they keep their numbers. `precision`: one of vtkAlgorithm::DesiredPrecision.

@@ -37,8 +37,6 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
     return gusset_vtk::guarded(run, output, [&] {
         run.section(0.0, 1.0);
         std::vector<gusset_vtk::Piece> pieces;
-        std::vector<std::string> names;
-        std::vector<gusset::MeshView> views;
         for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i) {
             for (const gusset_vtk::Leaf &leaf : gusset_vtk::leaves(vtkDataObject::GetData(inputs[0], i), run)) {
                 const std::string name = "input " + std::to_string(i) + (leaf.name.empty() ? "" : ", " + leaf.name);
@@ -49,15 +47,14 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
                     }
                     continue;
                 }
-                pieces.emplace_back(leaf.data);
-                names.push_back(name);
-                views.push_back(pieces.back().view());
+                pieces.emplace_back(leaf.data, name);
             }
         }
         if (pieces.empty()) {
             return;
         }
-        gusset_vtk::with_names(pieces, names, [&] {
+        const std::vector<gusset::MeshView> views = gusset_vtk::views_of(pieces);
+        gusset_vtk::with_names(pieces, [&] {
             const gusset::Assembly assembly(views, options, run.context());
             std::vector<gusset::Indices> vertices;
             for (const gusset_piece_map &piece : assembly.pieces()) {

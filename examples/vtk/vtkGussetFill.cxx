@@ -31,7 +31,7 @@ int vtkGussetFill::RequestData(vtkInformation *, vtkInformationVector **inputs, 
         gusset_vtk::each_leaf(input, output, run, [&](vtkPolyData *from, vtkPolyData *to) {
             std::vector<gusset_vtk::Piece> pieces;
             pieces.emplace_back(from);
-            gusset_vtk::with_names(pieces, {}, [&] {
+            gusset_vtk::with_names(pieces, [&] {
                 const gusset::Fill fill(pieces[0].view(), options, run.context());
                 gusset_vtk::build(to, fill.mesh(), fill.origins(run.context()), pieces, {{}}, this->OutputPointsPrecision, run);
             });

@@ -44,15 +44,14 @@ int vtkGussetStitch::RequestData(vtkInformation *, vtkInformationVector **inputs
     gusset_vtk::Run run(this, this->NumberOfThreads);
     const auto join = [&](vtkPolyData *from, vtkPolyData *to) {
         std::vector<gusset_vtk::Piece> pieces;
-        std::vector<std::string> names;
-        pieces.emplace_back(from);
+        pieces.emplace_back(from, second != nullptr ? "input 0" : "");
         if (second != nullptr) {
-            pieces.emplace_back(second);
-            names = {"input 0", "input 1"};
+            pieces.emplace_back(second, "input 1");
         }
-        gusset_vtk::with_names(pieces, names, [&] {
-            const gusset::Stitch stitch = second != nullptr ? gusset::stitch(pieces[0].view(), pieces[1].view(), options, run.context())
-                                                            : gusset::stitch_within(pieces[0].view(), options, run.context());
+        const std::vector<gusset::MeshView> views = gusset_vtk::views_of(pieces);
+        gusset_vtk::with_names(pieces, [&] {
+            const gusset::Stitch stitch = second != nullptr ? gusset::stitch(views[0], views[1], options, run.context())
+                                                            : gusset::stitch_within(views[0], options, run.context());
             std::vector<gusset::Indices> vertices{stitch.vertex_map(0)};
             if (second != nullptr) {
                 vertices.push_back(stitch.vertex_map(1));
