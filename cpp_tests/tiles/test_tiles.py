@@ -158,7 +158,8 @@ class Tiles(unittest.TestCase):
         for options, sentence in ((["--tiles", 1, 4], "at least 2 rows"), (["--cells", 1], "2 to 20000 cells"), (["--mixed"], "need a gap"),
                                   (["--gap", "--mixed", "--cells", 7], "even number"), (["--in-memory", 0], "at least 1 block"),
                                   (["--tiles", 3], "--tiles"), (["--cells", "many"], "--cells"), (["--no-such"], "--no-such"),
-                                  (["--tiles", 65536, 65536], "tiles at most"), (["--first-id", 2**63], "first id"),
+                                  (["--tiles", 65536, 65536], "tiles at most"),
+                                  (["--tiles", 4096, 4096], "tiles at most"), (["--first-id", 2**63], "first id"),
                                   (["--input", "a", "--save-input", "b"], "either read or written")):
             self.assertIn(sentence, run(0, *options, status=2))
         self.assertEqual(run(2, "--mixed", status=2).count("need a gap"), 1)
