@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 # Every program may run as root here, more ranks than processors too, and without reading another process's memory.
@@ -141,6 +142,22 @@ class Tiles(unittest.TestCase):
         # Two ranks each have half.
         self.assertLess(peak(run(2, *many)) - small, 0.65 * all_blocks)
         self.assertIn("rank 0 needs no more memory than was allowed", run(1, *few, "--max-memory", 5, status=1))
+
+    def test_scratch(self):
+        """A folder for blocks that cannot be written to, and a full disk: a sentence with the file, and nothing is left."""
+        disk = ["--in-memory", 1, "--scratch"]
+        self.assertIn("cannot write /proc/block", run(0, "--cells", 10, *disk, "/proc", status=1))
+        with tempfile.TemporaryDirectory(dir=FOLDER) as small:
+            if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=100k", "tmpfs", small], capture_output=True).returncode != 0:
+                self.skipTest("no small disk can be mounted")
+            try:
+                # Full of the first few blocks, or of all but the last.
+                for options, kilobytes in ((["--cells", 30], 100), (["--tiles", 3, 3, "--cells", 160, "--gap"], 9000)):
+                    subprocess.run(["mount", "-o", f"remount,size={kilobytes}k", small], check=True)
+                    self.assertRegex(run(0, *options, *disk, small, status=1), "cannot write .*/block.*: is the disk full")
+                    self.assertEqual(os.listdir(small), [])
+            finally:
+                subprocess.run(["umount", small], check=True)
 
     def test_seams(self):
         """Bytes of a seam grow as the square root of a tile's faces: as its rim does."""

@@ -33,11 +33,14 @@ Options parsed(CLI::App &app, int argc, char **argv) {
 /// Status 0; 1 if something does not hold of the result, or a tile cannot be joined; 2 for wrong arguments.
 int joined(const Options &options, const diy::mpi::communicator &world) {
     if (world.rank() == 0) {
-        for (const std::string &folder : {options.out, options.save_input, options.in_memory < 0 ? std::string() : options.scratch}) {
+        for (const std::string &folder : {options.out, options.save_input}) {
             if (!folder.empty()) {
                 std::filesystem::create_directories(folder);
             }
         }
+    }
+    if (options.in_memory >= 0 && !options.scratch.empty()) {
+        std::filesystem::create_directories(options.scratch); // by each rank: it may be on a disk of its own
     }
     world.barrier();
     const Seconds begin = Seconds::now();

@@ -1,5 +1,7 @@
 #include "run.hpp"
 
+#include "storage.hpp"
+
 namespace tiles {
 namespace {
 /// A block: the mesh of a tile. DIY moves blocks to disk and back.
@@ -8,29 +10,22 @@ struct Block {
 
     static void *create() { return new Block; }
     static void destroy(void *block) { delete static_cast<Block *>(block); }
-    /// DIY does not see whether files could be written: a mark at the end tells.
-    static constexpr uint64_t end_mark = 0x646e652065687421;
     static void save(const void *block, diy::BinaryBuffer &to) {
         const Mesh &mesh = static_cast<const Block *>(block)->mesh;
         diy::save(to, uint64_t{mesh.points.size()});
         diy::save(to, uint64_t{mesh.corners.size()});
         diy::save(to, mesh.points.data(), mesh.points.size());
         diy::save(to, mesh.corners.data(), mesh.corners.size());
-        diy::save(to, end_mark);
     }
     static void load(void *block, diy::BinaryBuffer &from) {
         Mesh &mesh = static_cast<Block *>(block)->mesh;
-        uint64_t points = 0, corners = 0, mark = 0;
+        uint64_t points = 0, corners = 0;
         diy::load(from, points);
         diy::load(from, corners);
         mesh.points.resize(points);
         mesh.corners.resize(corners);
         diy::load(from, mesh.points.data(), points);
         diy::load(from, mesh.corners.data(), corners);
-        diy::load(from, mark);
-        if (mark != end_mark) {
-            throw std::runtime_error("a block on disk is cut short: is the disk full?");
-        }
     }
 };
 
@@ -41,7 +36,7 @@ using Bounds = diy::DiscreteBounds;
 class Tiles {
 public:
     Tiles(const Options &options, const diy::mpi::communicator &world)
-        : options_(options), plan_(options.plan), world_(world), storage_(options.scratch + "/block.XXXXXX"),
+        : options_(options), plan_(options.plan), world_(world), storage_(options.scratch),
           master_(world_, 1, options.in_memory, &Block::create, &Block::destroy, &storage_, &Block::save, &Block::load) {
         context_.set_threads(options.threads);
         //! [blocks]
@@ -68,7 +63,7 @@ public:
         outcome_.watch.lap(Stage::exchange);
         each([&](Block *block, const Proxy &proxy) { finish_tile(*block, proxy); });
         //! [passes]
-        outcome_.disk_megabytes = static_cast<double>(storage_.max_size()) / 1e6;
+        outcome_.disk_megabytes = static_cast<double>(storage_.max_bytes()) / 1e6;
         return std::move(outcome_);
     }
 
@@ -213,7 +208,7 @@ private:
     const Options &options_;
     const Plan &plan_;
     diy::mpi::communicator world_;
-    diy::FileStorage storage_;
+    Storage storage_;
     diy::Master master_;
     gusset::Context context_;
     std::vector<Rim> rims_;
