@@ -59,6 +59,7 @@ inline std::array<std::vector<uint32_t>, 4> cut_rim(const gusset::MeshView &mesh
     place[4] = place[0] + loop.size();
     std::array<std::vector<uint32_t>, 4> sides;
     for (std::size_t k = 0; k < 4; ++k) {
+        sides[k].reserve(place[k + 1] - place[k] + 1); // no more: a rank keeps the rims of all its tiles
         for (std::size_t i = place[k]; i <= place[k + 1]; ++i) {
             sides[k].push_back(loop[i % loop.size()]);
         }
@@ -106,6 +107,7 @@ inline void keep(const Plan &plan, uint32_t tile, const gusset::MeshView &view, 
         }
     }
     for (std::size_t k = 0; k < 4; ++k) {
+        rim.points[k].reserve(rim.vertices[k].size());
         for (uint32_t &v : rim.vertices[k]) {
             v = place[v];
             rim.points[k].push_back(mesh.points[v]);
