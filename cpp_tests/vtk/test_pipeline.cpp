@@ -113,7 +113,12 @@ TEST_CASE("cells that are broken are named with their input") {
     vtkNew<vtkCellArray> lines;
     lines->InsertNextCell(2, segment);
     line->SetLines(lines);
-    for (vtkPolyData *bad : {polygon.Get(), line.Get()}) {
+    vtkNew<vtkPolyData> pointless;
+    pointless->SetPolys(good->GetPolys());
+    const std::pair<vtkPolyData *, const char *> all[] = {{polygon, "input 1: cell 48 has the point id -5"},
+                                                          {line, "input 1: a vertex or a line has"},
+                                                          {pointless, "input 1: there are no points"}};
+    for (const auto &[bad, sentence] : all) {
         vtkNew<vtkGussetAssemble> assemble;
         vtkNew<vtkGussetStitch> stitch;
         assemble->AddInputData(good);
@@ -123,7 +128,7 @@ TEST_CASE("cells that are broken are named with their input") {
         for (vtkAlgorithm *filter : std::vector<vtkAlgorithm *>{assemble, stitch}) {
             const Messages heard(filter);
             filter->Update();
-            CHECK(has(heard.errors, bad == polygon ? "input 1: cell 48 has the point id -5" : "input 1: a vertex or a line has"));
+            CHECK(has(heard.errors, sentence));
             CHECK(output(filter)->GetNumberOfPoints() == 0);
         }
     }

@@ -90,17 +90,17 @@ vtkSmartPointer<vtkCellArray> loose_cells(const std::vector<Piece> &pieces, cons
 Piece::Piece(vtkPolyData *data, std::string name)
     : name_(std::move(name)), data_(data), view_(gusset::detail::sized<gusset_mesh_view>()) {
     vtkDataArray *points = data->GetPoints() != nullptr ? data->GetPoints()->GetData() : nullptr;
-    view_.scalar = GUSSET_F64;
-    if (points != nullptr && points->GetNumberOfTuples() > 0) {
-        points_ = points;
-        const bool single = points->GetDataType() == VTK_FLOAT;
-        if ((!single && points->GetDataType() != VTK_DOUBLE) || !points->HasStandardMemoryLayout()) {
-            copy_points(single ? VTK_FLOAT : VTK_DOUBLE);
-        }
-        view_.positions = points_->GetVoidPointer(0);
-        view_.vertex_count = static_cast<std::size_t>(points_->GetNumberOfTuples());
-        view_.scalar = single ? GUSSET_F32 : GUSSET_F64;
+    if (points == nullptr || points->GetNumberOfTuples() == 0) {
+        throw std::invalid_argument(where() + "there are no points");
     }
+    points_ = points;
+    const bool single = points->GetDataType() == VTK_FLOAT;
+    if ((!single && points->GetDataType() != VTK_DOUBLE) || !points->HasStandardMemoryLayout()) {
+        copy_points(single ? VTK_FLOAT : VTK_DOUBLE);
+    }
+    view_.positions = points_->GetVoidPointer(0);
+    view_.vertex_count = static_cast<std::size_t>(points_->GetNumberOfTuples());
+    view_.scalar = single ? GUSSET_F32 : GUSSET_F64;
     vtkCellArray *polygons = data->GetPolys();
     if (!polygons->IsStorage64Bit() && data->GetNumberOfStrips() == 0 && polygons->GetNumberOfCells() > 0) {
         // The same bits, and a negative id is out of range in either reading.
@@ -208,7 +208,7 @@ void build(vtkPolyData *output, const gusset::MeshView &mesh, const gusset::Orig
            const std::vector<gusset::Indices> &vertices, int precision, const Run &run) {
     // As the points and the cells were, if all of them were alike.
     const auto all = [&](auto &&is) { return std::all_of(pieces.begin(), pieces.end(), is); };
-    const bool single = all([](const Piece &piece) { return piece.is_single() || piece.view().vertex_count() == 0; });
+    const bool single = all([](const Piece &piece) { return piece.is_single(); });
     const bool narrow = all([](const Piece &piece) { return !piece.data()->GetPolys()->IsStorage64Bit(); });
     output->SetPoints(points_of(mesh, precision == vtkAlgorithm::DEFAULT_PRECISION ? single : precision == vtkAlgorithm::SINGLE_PRECISION));
     vtkNew<vtkCellArray> polygons;
