@@ -144,13 +144,13 @@ class Tiles(unittest.TestCase):
         self.assertIn("rank 0 needs no more memory than was allowed", run(1, *few, "--max-memory", 5, status=1))
 
     def test_rims(self):
-        """A rank keeps the rims of all its tiles, and no more than they take: 16 points to a side, then 18."""
+        """A rank keeps the rims of all its tiles, and no more: 16 points to a side, then 18."""
         disk = ["--tiles", 40, 40, "--gap", "--in-memory", 1, "--scratch", "scratch"]
         grown = peak(run(0, *disk, "--cells", 17)) - peak(run(0, *disk, "--cells", 15))
         self.assertLess(grown, 1.5, "megabytes, where 112 bytes a point and tile are 0.4")
 
     def test_scratch(self):
-        """A folder for blocks that cannot be written to, and a full disk: a sentence with the file, and nothing is left."""
+        """A folder that cannot be written to, and a full disk: the file is named, and nothing is left."""
         disk = ["--in-memory", 1, "--scratch"]
         self.assertIn("cannot write /proc/block", run(0, "--cells", 10, *disk, "/proc", status=1))
         with tempfile.TemporaryDirectory(dir=FOLDER) as small:

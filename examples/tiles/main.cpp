@@ -40,7 +40,8 @@ int joined(const Options &options, const diy::mpi::communicator &world) {
         }
     }
     if (options.in_memory >= 0 && !options.scratch.empty()) {
-        std::filesystem::create_directories(options.scratch); // by each rank: it may be on a disk of its own
+        // By each rank: it may be on a disk of its own.
+        std::filesystem::create_directories(options.scratch);
     }
     world.barrier();
     const Seconds begin = Seconds::now();

@@ -1,5 +1,5 @@
-// Blocks and messages on disk. DIY's own storage sees neither a folder that cannot be written to nor
-// a full disk.
+// Blocks and messages on disk. DIY's own storage sees neither a folder that cannot be written to
+// nor a full disk.
 #pragma once
 
 #include "soup.hpp"

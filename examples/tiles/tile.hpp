@@ -59,7 +59,8 @@ inline std::array<std::vector<uint32_t>, 4> cut_rim(const gusset::MeshView &mesh
     place[4] = place[0] + loop.size();
     std::array<std::vector<uint32_t>, 4> sides;
     for (std::size_t k = 0; k < 4; ++k) {
-        sides[k].reserve(place[k + 1] - place[k] + 1); // no more: a rank keeps the rims of all its tiles
+        // No more than that: a rank keeps the rims of all its tiles.
+        sides[k].reserve(place[k + 1] - place[k] + 1);
         for (std::size_t i = place[k]; i <= place[k + 1]; ++i) {
             sides[k].push_back(loop[i % loop.size()]);
         }

@@ -18,7 +18,7 @@ namespace gusset_vtk {
 /// are polygons of 32-bit ids; all else is copied. Strips are read as triangles.
 class Piece {
 public:
-    /// `name`: what errors call it, or empty. Throws std::invalid_argument if there are no points, and
+    /// `name`: what errors call it, or empty. Throws std::invalid_argument if there are no points,
     /// std::out_of_range if a cell has an id that no point can have.
     explicit Piece(vtkPolyData *data, std::string name = {});
     Piece(Piece &&) = default;
