@@ -249,10 +249,12 @@ impl<'m, 'a> Region<'m, 'a> {
         // A vertex is inside if no face round it is gone.
         let mut inside = alloc::filled(true, count)?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
+            job.part(0.4, 0.4).step_within(f, STAGE)?;
             self.mesh.face(f).for_each(|v| inside[v as usize] = false);
         }
         job.step(0.4, STAGE)?;
         for f in 0..self.keeps.len() {
+            job.part(0.4, 0.4).step_within(f, STAGE)?;
             self.keeps[f] = self.keeps[f] && self.mesh.face(f).any(|v| inside[v as usize]);
         }
         Ok(())
@@ -282,6 +284,7 @@ impl<'m, 'a> Region<'m, 'a> {
     fn take_out_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut touched = BitSet::new(self.mesh.positions().len())?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
+            job.part(0.0, 0.0).step_within(f, STAGE)?;
             self.mesh.face(f).for_each(|v| touched.insert(v));
         }
         job.step(0.5, STAGE)?;
