@@ -9,6 +9,11 @@ use std::ops::Range;
 
 /// Elements sorted between two progress reports.
 const ELEMENTS_PER_REPORT: usize = 1 << 16;
+/// Elements of which one is selected at once.
+const MAX_AT_ONCE: usize = 1 << 19;
+/// More are divided about the median of so many of them, again and again.
+const SAMPLES: usize = 63;
+const MAX_DIVISIONS: usize = 16;
 
 /// Sorts in place, unstably: `compare` must be a total order without ties for results to be
 /// deterministic.
@@ -42,12 +47,62 @@ pub(crate) fn sort<T>(
             done += part.len();
         } else {
             let middle = part.len() / 2;
-            part.select_nth_unstable_by(middle, &compare);
+            select_in_steps(part, middle, &compare, &mut || job.step(done as f64 / whole, stage))?;
             let (first, last) = part.split_at_mut(middle);
             parts.extend([last, first]);
         }
     }
     Ok(())
+}
+
+/// Brings the element that `middle` precede to its place, and those before it; `report` is called
+/// every so often. O(n).
+fn select_in_steps<T>(
+    items: &mut [T],
+    middle: usize,
+    compare: &impl Fn(&T, &T) -> Ordering,
+    report: &mut impl FnMut() -> Result<()>,
+) -> Result<()> {
+    let mut left = 0..items.len();
+    for _ in 0..MAX_DIVISIONS {
+        if left.len() <= MAX_AT_ONCE {
+            break;
+        }
+        let place = left.start + divide(&mut items[left.clone()], compare, report)?;
+        match place.cmp(&middle) {
+            Ordering::Less => left.start = place + 1,
+            Ordering::Equal => return Ok(()),
+            Ordering::Greater => left.end = place,
+        }
+    }
+    items[left.clone()].select_nth_unstable_by(middle - left.start, compare);
+    report()
+}
+
+/// Puts what is less than one of the elements before it, and returns its place: near the middle, as
+/// a rule.
+fn divide<T>(
+    items: &mut [T],
+    compare: &impl Fn(&T, &T) -> Ordering,
+    report: &mut impl FnMut() -> Result<()>,
+) -> Result<usize> {
+    let mut samples: [usize; SAMPLES] = std::array::from_fn(|k| (2 * k + 1) * items.len() / (2 * SAMPLES));
+    samples.sort_unstable_by(|&a, &b| compare(&items[a], &items[b]));
+    items.swap(0, samples[SAMPLES / 2]);
+    let mut less = 0;
+    if let Some((pivot, rest)) = items.split_first_mut() {
+        for k in 0..rest.len() {
+            if k % ELEMENTS_PER_REPORT == 0 {
+                report()?;
+            }
+            // Without a branch: what lies between is not less either.
+            let is_less = compare(&rest[k], pivot).is_lt();
+            rest.swap(less, k);
+            less += usize::from(is_less);
+        }
+    }
+    items.swap(0, less);
+    Ok(less)
 }
 
 /// Items that are put in order one by one before they are merged.
@@ -101,6 +156,16 @@ fn merge<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering
 /// before it; of equal keys the smaller numbers come first. O(n).
 pub(crate) fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
     numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
+}
+
+/// [`select`] of so many that a host would wait: `report` is called every so often.
+pub(crate) fn select_reported(
+    numbers: &mut [u32],
+    middle: usize,
+    key: impl Fn(u32) -> f64,
+    report: &mut impl FnMut() -> Result<()>,
+) -> Result<()> {
+    select_in_steps(numbers, middle, &|&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)), report)
 }
 
 /// Sorts, and leaves one of equal elements.
@@ -221,8 +286,11 @@ mod tests {
 
     #[test]
     fn the_same_as_in_one_go() {
-        for count in [0, 1, 2, 1000, 3 * ELEMENTS_PER_REPORT as u64 + 17] {
-            let (mut ours, mut plain) = (numbers(count), numbers(count));
+        let large = MAX_AT_ONCE as u64 + 17;
+        // Also of so few different ones that no division is even.
+        for (count, keys) in [0, 1, 2, 1000, large].map(|count| (count, u64::MAX)).into_iter().chain([(large, 2)]) {
+            let mut ours: Vec<u64> = numbers(count).into_iter().map(|number| number % keys).collect();
+            let mut plain = ours.clone();
             sort(&mut ours, u64::cmp, &Job::default(), "sorting").unwrap();
             plain.sort_unstable();
             assert_eq!(ours, plain);

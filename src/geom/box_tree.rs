@@ -9,7 +9,7 @@ use super::Aabb;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::sort::select;
+use crate::sort::{select, select_reported};
 use glam::DVec3;
 
 /// The tree; 48 bytes a node, and at most four nodes for each leaf.
@@ -140,9 +140,11 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut
         split_small(boxes, order, group);
     } else if order.len() > group {
         report(0)?;
-        let along = longest_axis(boxes, order);
+        let (end, axis) = longest_axis(boxes, order);
         report(0)?;
-        let (first, second) = halves(boxes, order, group, along);
+        let middle = middle(order, group);
+        select_reported(order, middle, |i| end(&boxes[i as usize])[axis], &mut || report(0))?;
+        let (first, second) = order.split_at_mut(middle);
         split(boxes, first, group, report)?;
         split(boxes, second, group, report)?;
     }
@@ -151,8 +153,10 @@ fn split(boxes: &[Aabb], order: &mut [u32], group: usize, report: &mut dyn FnMut
 
 fn split_small(boxes: &[Aabb], order: &mut [u32], group: usize) {
     if order.len() > group {
-        let along = longest_axis(boxes, order);
-        let (first, second) = halves(boxes, order, group, along);
+        let (end, axis) = longest_axis(boxes, order);
+        let middle = middle(order, group);
+        select(order, middle, |i| end(&boxes[i as usize])[axis]);
+        let (first, second) = order.split_at_mut(middle);
         split_small(boxes, first, group);
         split_small(boxes, second, group);
     }
@@ -169,15 +173,9 @@ fn longest_axis(boxes: &[Aabb], order: &[u32]) -> Along {
     (end, spread.max_position())
 }
 
-fn halves<'o>(
-    boxes: &[Aabb],
-    order: &'o mut [u32],
-    group: usize,
-    (end, axis): Along,
-) -> (&'o mut [u32], &'o mut [u32]) {
-    let middle = group * (order.len().div_ceil(group).next_power_of_two() / 2);
-    select(order, middle, |i| end(&boxes[i as usize])[axis]);
-    order.split_at_mut(middle)
+/// How many come before where a part is split, so that groups stay whole.
+fn middle(order: &[u32], group: usize) -> usize {
+    group * (order.len().div_ceil(group).next_power_of_two() / 2)
 }
 
 #[cfg(test)]

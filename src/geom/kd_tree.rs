@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::geom::Aabb;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::sort::select;
+use crate::sort::{select, select_reported};
 use glam::DVec3;
 use std::ops::{ControlFlow, Range};
 
@@ -304,7 +304,9 @@ fn split_reported(
     report(1)?;
     let axis = longest_axis(points, order);
     report(0)?;
-    let [(left, left_axes), (right, right_axes)] = split_once(points, order, axes, axis);
+    let middle = order.len() / 2;
+    select_reported(order, middle, |i| points[i as usize][axis], &mut || report(0))?;
+    let [(left, left_axes), (right, right_axes)] = halves(order, axes, axis);
     split_reported(points, left, left_axes, report)?;
     split_reported(points, right, right_axes, report)
 }
@@ -312,7 +314,8 @@ fn split_reported(
 fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     if order.len() > MAX_LEAF_POINTS {
         let axis = longest_axis(points, order);
-        split_once(points, order, axes, axis).into_iter().for_each(|(order, axes)| split(points, order, axes));
+        select(order, order.len() / 2, |i| points[i as usize][axis]);
+        halves(order, axes, axis).into_iter().for_each(|(order, axes)| split(points, order, axes));
     }
 }
 
@@ -321,15 +324,9 @@ fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
     Aabb::of(order.iter().map(|&i| points[i as usize])).size().max_position()
 }
 
-/// Brings the middle of a range along an axis to its place, and returns the halves on either side.
-fn split_once<'a>(
-    points: &[DVec3],
-    order: &'a mut [u32],
-    axes: &'a mut [u8],
-    axis: usize,
-) -> [(&'a mut [u32], &'a mut [u8]); 2] {
+/// The halves on either side of the middle of a range, which is at its place along an axis.
+fn halves<'a>(order: &'a mut [u32], axes: &'a mut [u8], axis: usize) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let middle = order.len() / 2;
-    select(order, middle, |i| points[i as usize][axis]);
     axes[middle] = axis as u8;
     let (left, right) = order.split_at_mut(middle);
     let (left_axes, right_axes) = axes.split_at_mut(middle);

@@ -5,13 +5,17 @@
 //! (2^n sets); in larger ones the best pair is taken again and again, and then two pairs, or a pair
 //! and an end without one, exchange partners as long as that is better.
 
+use super::candidates::STAGE;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::disjoint_sets::DisjointSets;
-use crate::sort;
+use crate::job::Job;
+use crate::sort::{self, Buckets};
 
 /// Ends of a group whose best choice is found exactly.
 const MAX_EXACT: usize = 16;
+/// Sets of ends between two progress reports.
+const REPORT_INTERVAL: usize = 1 << 18;
 
 /// A possible pair.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +27,7 @@ pub(super) struct Match {
 }
 
 /// The numbers of the chosen pairs, in ascending order: no end is in two.
-pub(super) fn best_matches(matches: &[Match]) -> Result<Vec<usize>> {
+pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize>> {
     let count = matches.iter().map(|pair| pair.ends[1] as usize + 1).max().unwrap_or(0);
     let mut sets = DisjointSets::new(count)?;
     matches.iter().for_each(|pair| {
@@ -32,6 +36,7 @@ pub(super) fn best_matches(matches: &[Match]) -> Result<Vec<usize>> {
     let mut numbered = alloc::collect((0..matches.len()).map(|number| (sets.find(matches[number].ends[0]), number)))?;
     numbered.sort_unstable();
     let mut chosen = alloc::with_capacity(matches.len())?;
+    let mut sets_seen = 0;
     for group in numbered.chunk_by(|x, y| x.0 == y.0) {
         let mut ends = alloc::gather(group.iter().flat_map(|&(_, number)| matches[number].ends))?;
         ends.sort_unstable();
@@ -42,8 +47,16 @@ pub(super) fn best_matches(matches: &[Match]) -> Result<Vec<usize>> {
                 .iter()
                 .map(|&(_, number)| Match { ends: matches[number].ends.map(place), gain: matches[number].gain }),
         )?;
-        let of_group =
-            if ends.len() <= MAX_EXACT { exact(&local, ends.len())? } else { exchanged(&local, ends.len())? };
+        let of_group = if ends.len() <= MAX_EXACT {
+            sets_seen += 1usize << ends.len();
+            if sets_seen >= REPORT_INTERVAL {
+                job.step(0.0, STAGE)?;
+                sets_seen = 0;
+            }
+            exact(&local, ends.len())?
+        } else {
+            exchanged(&local, ends.len(), job)?
+        };
         chosen.extend(of_group.into_iter().map(|k| group[k].1));
     }
     chosen.sort_unstable();
@@ -55,10 +68,12 @@ fn exact(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
     let sets = 1usize << ends;
     // The gain, and the pair taken of the smallest end (its number and 1; 0 for none).
     let mut best = alloc::filled((0.0f64, 0usize), sets)?;
+    let of_end = Buckets::new(ends, 0usize, matches.iter().zip(0..).map(|(pair, k)| (pair.ends[0] as usize, k)))?;
     for set in 1..sets {
-        let smallest = set.trailing_zeros();
+        let smallest = set.trailing_zeros() as usize;
         best[set] = (best[set & (set - 1)].0, 0);
-        for (k, pair) in matches.iter().enumerate().filter(|(_, pair)| pair.ends[0] == smallest) {
+        for &k in of_end.get(smallest) {
+            let pair = &matches[k];
             let both = 1 << pair.ends[0] | 1 << pair.ends[1];
             if set & both == both && best[set & !both].0 + pair.gain > best[set].0 {
                 best[set] = (best[set & !both].0 + pair.gain, k + 1);
@@ -79,7 +94,7 @@ fn exact(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
 }
 
 /// The best pair again and again, and exchanges of partners.
-fn exchanged(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
+fn exchanged(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>> {
     const FREE: usize = usize::MAX;
     let mut order = alloc::collect(0..matches.len())?;
     sort::stable(&mut order, &|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
@@ -100,7 +115,9 @@ fn exchanged(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
     // Each exchange gains, so that it ends; rounds bound the time.
     for _ in 0..ends {
         let mut changed = false;
-        for &k in &order {
+        job.step(0.0, STAGE)?;
+        for (n, &k) in order.iter().enumerate() {
+            job.step_within(n, STAGE)?;
             let [p, q] = matches[k].ends;
             let (old_p, old_q) = (partner[p as usize], partner[q as usize]);
             if old_p == k {
@@ -172,9 +189,9 @@ mod tests {
             let (ends, count) = (rng.u32(2..9), rng.usize(1..14));
             let matches = random(&mut rng, ends, count);
             let best = brute(&matches, 0);
-            assert!((gain(&matches, &best_matches(&matches).unwrap()) - best).abs() < 1e-12);
+            assert!((gain(&matches, &best_matches(&matches, &Job::default()).unwrap()) - best).abs() < 1e-12);
             // Taking the best pair again and again gains half of the most there is, or more.
-            let quick = gain(&matches, &exchanged(&matches, ends as usize).unwrap());
+            let quick = gain(&matches, &exchanged(&matches, ends as usize, &Job::default()).unwrap());
             assert!(quick <= best + 1e-12 && quick >= 0.5 * best, "{quick} {best}");
         }
     }
@@ -184,9 +201,9 @@ mod tests {
         let pair = |p, q, gain| Match { ends: [p, q], gain };
         // 1 and 2 are nearest to each other, and 0 and 3 have nobody else.
         let matches = [pair(0, 1, 0.8), pair(1, 2, 0.9), pair(2, 3, 0.8)];
-        assert_eq!(best_matches(&matches).unwrap(), [0, 2]);
-        assert_eq!(exchanged(&matches, 4).unwrap(), [1]);
-        assert!(best_matches(&[]).unwrap().is_empty());
+        assert_eq!(best_matches(&matches, &Job::default()).unwrap(), [0, 2]);
+        assert_eq!(exchanged(&matches, 4, &Job::default()).unwrap(), [1]);
+        assert!(best_matches(&[], &Job::default()).unwrap().is_empty());
     }
 
     #[test]
@@ -195,7 +212,7 @@ mod tests {
         let mut matches: Vec<Match> =
             (0..39).map(|k| Match { ends: [k, k + 1], gain: 1.0 + f64::from(k % 2) * 0.01 }).collect();
         matches.push(Match { ends: [0, 39], gain: 1.01 });
-        let chosen = best_matches(&matches).unwrap();
+        let chosen = best_matches(&matches, &Job::default()).unwrap();
         assert!((gain(&matches, &chosen) - 20.2).abs() < 1e-9);
     }
 }

@@ -5,8 +5,10 @@ use crate::error::Result;
 use crate::stitch::facing::Arc;
 use crate::stitch::rim::Rim;
 use glam::DVec3;
+use std::cell::Cell;
 
 pub(super) const STAGE: &str = "looking for loops that face each other";
+const LOOKS_PER_REPORT: usize = 1 << 18;
 
 /// Two loops, by their numbers, or arcs of them.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +78,26 @@ pub(super) struct LoopVertices {
     pub(super) groups: Vec<u32>,
     /// Of each loop, the number of its first vertex.
     pub(super) firsts: Vec<u32>,
+}
+
+/// Counts loops that are looked at, so that no host waits where many meet in a vertex and each is
+/// looked at from most of the others.
+#[derive(Default)]
+pub(super) struct Looks(Cell<usize>);
+
+impl Looks {
+    pub(super) fn add(&self) {
+        self.0.set(self.0.get() + 1);
+    }
+
+    /// Whether there have been so many that it is time for a report; they are forgotten then.
+    pub(super) fn were_many(&self) -> bool {
+        let many = self.0.get() >= LOOKS_PER_REPORT;
+        if many {
+            self.0.set(0);
+        }
+        many
+    }
 }
 
 impl FacingSearch<'_> {

@@ -7,7 +7,7 @@
 //!
 //! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
-use super::candidates::{Facing, FacingSearch, LoopVertices, STAGE};
+use super::candidates::{Facing, FacingSearch, Looks, LoopVertices, STAGE};
 use super::whole_loops::{Seen, add_shares, conormals};
 use crate::alloc;
 use crate::error::Result;
@@ -81,15 +81,21 @@ impl FacingSearch<'_> {
         let tree = KdTree::grouped(&points, &groups, &job.part(0.0, 0.1), STAGE)?;
         let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
+        let looks = Looks::default();
         for (r, rim) in self.rims.iter().enumerate() {
             let mut of_rim = alloc::with_capacity(rim.points.len())?;
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
-                job.part(0.1, 1.0).step_every(REPORT_INTERVAL, done, total, STAGE)?;
+                if done % REPORT_INTERVAL == 0 || looks.were_many() {
+                    job.step(0.1 + 0.9 * done as f64 / total as f64, STAGE)?;
+                }
                 done += 1;
                 let limit = 4.0 * widest * widest;
-                let accept = |v: u32| owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize);
+                let accept = |v: u32| {
+                    looks.add();
+                    owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize)
+                };
                 let nearest = if self.used[r] { None } else { tree.nearest_elsewhere(p, limit, own, accept) };
                 of_rim.push(match nearest {
                     Some((squared, v)) => {

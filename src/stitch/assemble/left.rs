@@ -3,7 +3,7 @@
 //! The loop that is nearest to most of its vertices is what it might have been joined with, one of
 //! another component before its own; of that it is said why it was not.
 
-use super::candidates::{FacingSearch, STAGE, Slit};
+use super::candidates::{FacingSearch, Looks, STAGE, Slit};
 use super::request::Reason;
 use crate::alloc;
 use crate::error::Result;
@@ -33,10 +33,15 @@ impl FacingSearch<'_> {
         }
         let loops = self.all_vertices()?;
         let tree = KdTree::grouped(&loops.points, &loops.owners, &job.part(0.0, 0.2), STAGE)?;
-        let nearest = |r: usize, own: bool| -> Result<Option<(usize, f64)>> {
+        let looks = Looks::default();
+        let nearest = |r: usize, own: bool, job: &Job<'_>| -> Result<Option<(usize, f64)>> {
             let mut seen = alloc::with_capacity(self.rims[r].points.len())?;
             for &p in &self.rims[r].points {
+                if looks.were_many() {
+                    job.step(0.0, STAGE)?;
+                }
                 let accept = |v: u32| {
+                    looks.add();
                     let k = loops.owners[v as usize] as usize;
                     k != r && (self.candidates[k].component == self.candidates[r].component) == own
                 };
@@ -60,9 +65,10 @@ impl FacingSearch<'_> {
             if let Some(slit) = self.slits[r].filter(is_wide) {
                 return Ok(Some(Explanation { reason: Reason::TooFar, gap: slit.gap, allowed }));
             }
-            let (found, own) = match nearest(r, self.within_components)? {
+            let share = job.share(r, left.len());
+            let (found, own) = match nearest(r, self.within_components, &share)? {
                 Some(found) => (Some(found), self.within_components),
-                None => (nearest(r, !self.within_components)?, !self.within_components),
+                None => (nearest(r, !self.within_components, &share)?, !self.within_components),
             };
             let Some((k, gap)) = found else {
                 return Ok(Some(Explanation { reason: Reason::Alone, gap: f64::INFINITY, allowed: 0.0 }));

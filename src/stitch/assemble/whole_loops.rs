@@ -152,7 +152,7 @@ impl FacingSearch<'_> {
                 alloc::push(&mut gaps, gap)?;
             }
         }
-        let chosen = best_matches(&matches)?;
+        let chosen = best_matches(&matches, &job.part(1.0, 1.0))?;
         alloc::collect(chosen.into_iter().map(|number| Facing {
             rims: matches[number].ends.map(|r| r as usize),
             arcs: None,
