@@ -1,7 +1,6 @@
 // How long after a request to stop a run returns, for each filter on large shapes, less what the system needs to take
-// back the memory of the run. Prints a table, and fails above a tenth of a second, or the limit of its own that a filter
-// has. No test of `make test`, which has none that look at
-// clocks.
+// back the memory of the run. Prints a table, and fails above a tenth of a second. No test of `make test`, which has none
+// that look at clocks.
 #include "instant.hpp"
 #include "shapes.h"
 
@@ -28,8 +27,6 @@ using cancel::Instant;
 using cancel::Milliseconds;
 
 constexpr double limit = 100;
-/// Those that may be later, as docs/guides/guarantees.md states.
-const std::map<std::string, double> limits{{"strip", 150}};
 /// Longer runs are not waited for: requests come within that time.
 constexpr Milliseconds patience{20000};
 
@@ -174,8 +171,7 @@ bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t 
     std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  from \"%s\" to \"%s\"\n", filter.id, cut ? ">" : " ", time.count(),
                 median, worst, late.size(), whole.longest.count(), whole.after.c_str(), whole.before.c_str());
     std::fflush(stdout);
-    const auto own = limits.find(filter.id);
-    return worst <= (own == limits.end() ? limit : own->second);
+    return worst <= limit;
 }
 } // namespace
 

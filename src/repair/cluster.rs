@@ -112,16 +112,19 @@ impl<'a> Near<'a> {
         }
         job.step(0.0, STAGE)?;
         // -0 becomes 0, so that the order of bits is the order of numbers.
-        let mut sorted = alloc::collect(points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32)))?;
+        let numbered = points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32));
+        let mut sorted = alloc::collect_cancellable(numbered, &job.part(0.0, 0.0), STAGE)?;
         let by_position = |(p, i): &(DVec3, u32), (q, j): &(DVec3, u32)| {
             p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)).then(i.cmp(j))
         };
         sort(&mut sorted, by_position, job, STAGE)?;
-        let order = alloc::collect(sorted.into_iter().map(|(_, i)| i))?;
+        let order = alloc::collect_cancellable(sorted.iter().map(|&(_, i)| i), &job.part(1.0, 1.0), STAGE)?;
+        drop(sorted);
         job.step(1.0, STAGE)?;
         let mut begin = alloc::filled(0u32, points.len())?;
         let mut group = 0;
         for (k, &i) in order.iter().enumerate() {
+            job.part(1.0, 1.0).step_within(k, STAGE)?;
             if points[i as usize] != points[order[group] as usize] {
                 group = k;
             }
@@ -136,7 +139,12 @@ impl<'a> Near<'a> {
         match self {
             Near::Equal { order, begin } => {
                 let group = order[begin[i] as usize..].iter().take_while(|&&j| points[j as usize] == points[i]);
-                alloc::extend(out, group.map(|&j| (0.0, j)))?;
+                for &j in group {
+                    alloc::push(out, (0.0, j))?;
+                    if out.len().is_multiple_of(CANDIDATES_PER_REPORT) {
+                        job.step(0.0, STAGE)?;
+                    }
+                }
             }
             Near::Within { tree, reach } => {
                 let mut outcome = Ok(());
