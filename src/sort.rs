@@ -87,7 +87,7 @@ fn divide<T>(
     report: &mut impl FnMut() -> Result<()>,
 ) -> Result<usize> {
     let mut samples: [usize; SAMPLES] = std::array::from_fn(|k| (2 * k + 1) * items.len() / (2 * SAMPLES));
-    samples.sort_unstable_by(|&a, &b| compare(&items[a], &items[b]));
+    stable(&mut samples, &|&a, &b| compare(&items[a], &items[b]));
     items.swap(0, samples[SAMPLES / 2]);
     let mut less = 0;
     if let Some((pivot, rest)) = items.split_first_mut() {

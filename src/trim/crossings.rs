@@ -1,8 +1,8 @@
 //! Kept faces of different pieces that cut or touch each other.
 
+use super::STAGE;
 use super::layer::Layer;
 use super::region::Region;
-use super::run::STAGE;
 use crate::alloc;
 use crate::error::Result;
 use crate::intersect::{Soup, intersecting_pairs_where};

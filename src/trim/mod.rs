@@ -39,3 +39,6 @@ mod run;
 pub use remains::Remains;
 pub use request::{Options, Trimmed};
 pub use run::trim;
+
+/// The stage of progress.
+const STAGE: &str = "trimming the pieces";

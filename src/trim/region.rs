@@ -1,6 +1,7 @@
 //! The faces of a piece that are kept, made a surface that strips can hang on: nothing thinner than
 //! two faces, no small islands, no faces that meet in one vertex only.
 
+use super::STAGE;
 use super::request::SPARE;
 use crate::align::Scan;
 use crate::alloc;
@@ -12,7 +13,6 @@ use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
 use crate::sort::sort;
 use glam::DVec3;
 
-const STAGE: &str = "trimming the pieces";
 /// Components of a piece that have so many times fewer faces than its largest are islands, too, if
 /// they are small.
 const DEBRIS: u32 = 10;

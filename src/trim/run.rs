@@ -1,5 +1,6 @@
 //! Trimming from the meshes to the faces that are kept.
 
+use super::STAGE;
 use super::covers::{Covers, Same};
 use super::crossings::{add_touching, crossings};
 use super::layer::Layer;
@@ -16,7 +17,6 @@ use crate::mesh::MeshView;
 use crate::sort::sort_distinct;
 use std::ops::ControlFlow;
 
-pub(super) const STAGE: &str = "trimming the pieces";
 /// Surfaces that are no farther apart are one, in mean edges, if the caller says nothing.
 const EDGES: f64 = 4.0;
 /// Surfaces whose normals differ by more are two, in radians, if the caller says nothing.
