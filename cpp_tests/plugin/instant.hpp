@@ -46,7 +46,7 @@ inline double held() {
 /// who frees memory can be faster.
 inline Milliseconds to_take_back(double bytes) {
     constexpr std::size_t block = std::size_t{1} << 28;
-    static const Milliseconds of_block = [block] {
+    static const Milliseconds of_block = [] {
         Milliseconds least{1e9};
         for (int k = 0; k < 5; ++k) {
             auto *start = static_cast<volatile char *>(

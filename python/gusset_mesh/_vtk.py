@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -36,6 +37,12 @@ def from_polydata(polydata: Any) -> Mesh:
     if sizes.size and (sizes == sizes[0]).all():
         return Mesh(points, corners.reshape(-1, int(sizes[0])))
     return Mesh.from_polygons(points, offsets if offsets.size else np.zeros(1, np.uint32), corners)
+
+
+def surface_of(dataset: Any) -> Any:
+    """The surface of a dataset of PyVista that is no polygon mesh. Versions that can do it in several ways warn unless told which."""
+    told = {"algorithm": "dataset_surface"} if "algorithm" in inspect.signature(dataset.extract_surface).parameters else {}
+    return dataset.extract_surface(**told)
 
 
 def _rule(name: str, values: NDArray[Any]) -> Rule:

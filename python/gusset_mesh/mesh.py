@@ -172,7 +172,8 @@ def as_mesh(given: MeshLike) -> Mesh:
         from ._vtk import from_polydata
         return from_polydata(given)
     if hasattr(given, "extract_surface"):  # PyVista's other datasets
-        return as_mesh(given.extract_surface(algorithm="dataset_surface"))
+        from ._vtk import surface_of
+        return as_mesh(surface_of(given))
     if callable(getattr(given, "face_vertex_indices", None)):  # OpenMesh
         faces = given.face_vertex_indices()
         return Mesh(given.points(), faces if (faces >= 0).all() else [face[face >= 0] for face in faces])

@@ -55,7 +55,9 @@ class Net(Handle):
             array = array.astype(np.float64)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
-        if array.size and (min(array.strides) <= 0 or np.lib.array_utils.byte_bounds(array)[1] - np.lib.array_utils.byte_bounds(array)[0] < array.nbytes):
+        # Nodes that share memory are copied, and those that run backwards.
+        spans = sum((n - 1) * stride for n, stride in zip(array.shape, array.strides)) + array.itemsize
+        if array.size and (min(array.strides) <= 0 or spans < array.nbytes):
             array = np.ascontiguousarray(array)
         view = ffi.new("struct gusset_net_view *")
         view.struct_size = ffi.sizeof("struct gusset_net_view")

@@ -16,7 +16,7 @@ import pyvista as pv
 
 from . import filters, joining
 from ._plugin import MESH, Curves
-from ._vtk import carry_arrays, from_polydata
+from ._vtk import carry_arrays, from_polydata, surface_of
 from .mesh import Mesh, as_mesh
 
 __all__ = ["GussetAccessor", "from_polydata", "to_polydata"]
@@ -56,7 +56,7 @@ class GussetAccessor:
     def _polydata(self, one: Any) -> Any:
         if hasattr(one, "GetPolys"):
             return one
-        return one.extract_surface(algorithm="dataset_surface") if hasattr(one, "extract_surface") else to_polydata(as_mesh(one))
+        return surface_of(one) if hasattr(one, "extract_surface") else to_polydata(as_mesh(one))
 
     def _done(self, made: Any, inputs: Sequence[Any]) -> Any:
         return carry_arrays(made.carry, inputs, to_polydata(made.mesh))

@@ -8,13 +8,13 @@ pv = pytest.importorskip("pyvista")
 
 import gusset_mesh as gm  # noqa: E402
 import gusset_mesh.pyvista as ours  # noqa: E402
-from gusset_mesh._vtk import from_polydata  # noqa: E402
+from gusset_mesh._vtk import from_polydata, surface_of  # noqa: E402
 
 
 def halves():
     ball = pv.Sphere(theta_resolution=24, phi_resolution=25)
-    upper = ball.extract_cells(ball.cell_centers().points[:, 2] > 0.06).extract_surface(algorithm="dataset_surface")
-    lower = ball.extract_cells(ball.cell_centers().points[:, 2] < -0.06).extract_surface(algorithm="dataset_surface")
+    upper = surface_of(ball.extract_cells(ball.cell_centers().points[:, 2] > 0.06))
+    lower = surface_of(ball.extract_cells(ball.cell_centers().points[:, 2] < -0.06))
     for side, half in enumerate((upper, lower)):
         half.point_data["height"] = half.points[:, 2].astype(float)
         half.point_data["colour"] = (127.5 + 255 * half.points).astype(np.uint8)
@@ -23,7 +23,7 @@ def halves():
 
 
 def test_conversion_there_and_back():
-    for mesh in (pv.Sphere(), pv.Plane(), pv.Icosahedron(), pv.Plane().merge(pv.Sphere()).extract_surface(algorithm="dataset_surface")):
+    for mesh in (pv.Sphere(), pv.Plane(), pv.Icosahedron(), surface_of(pv.Plane().merge(pv.Sphere()))):
         back = ours.to_polydata(from_polydata(mesh))
         assert np.array_equal(back.points, mesh.points) and np.array_equal(back.faces, mesh.faces)
     ball = pv.Sphere()
@@ -95,7 +95,7 @@ def test_filters_by_name():
 
 def test_cells_that_are_no_polygons_are_left_out():
     upper, _ = halves()
-    mixed = upper.merge(pv.Line((5, 0, 0), (6, 0, 0))).extract_surface(algorithm="dataset_surface", pass_cellid=False)
+    mixed = surface_of(upper.merge(pv.Line((5, 0, 0), (6, 0, 0))))
     assert mixed.n_lines == 1
     mixed.cell_data["number"] = np.arange(mixed.n_cells)
     closed = mixed.gusset.fill()

@@ -171,11 +171,13 @@ type Side = ((u32, u64), u32);
 fn neighbours(mut sides: Vec<Side>, job: &Job<'_>) -> Result<Vec<[u32; 3]>> {
     let mut across = alloc::filled([NONE; 3], sides.len() / 3)?;
     sort(&mut sides, Ord::cmp, job, STAGE)?;
-    for (k, pair) in sides.windows(2).enumerate().filter(|(_, pair)| pair[0].0 == pair[1].0) {
+    for (k, pair) in sides.windows(2).enumerate() {
         job.step_within(k, STAGE)?;
-        let [a, b] = [pair[0].1, pair[1].1];
-        across[a as usize / 3][a as usize % 3] = b / 3;
-        across[b as usize / 3][b as usize % 3] = a / 3;
+        if pair[0].0 == pair[1].0 {
+            let [a, b] = [pair[0].1, pair[1].1];
+            across[a as usize / 3][a as usize % 3] = b / 3;
+            across[b as usize / 3][b as usize % 3] = a / 3;
+        }
     }
     Ok(across)
 }
