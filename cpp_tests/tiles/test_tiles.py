@@ -149,6 +149,11 @@ class Tiles(unittest.TestCase):
         grown = peak(run(0, *disk, "--cells", 17)) - peak(run(0, *disk, "--cells", 15))
         self.assertLess(grown, 1.5, "megabytes, where 112 bytes a point and tile are 0.4")
 
+    def test_queues(self):
+        """Rims of more than 4 kB each, to the own rank and to the other."""
+        options = ["--tiles", 3, 4, "--cells", 400, "--gap"]
+        self.assertEqual(said_hash(run(2, *options, "--in-memory", 1, "--scratch", "scratch")), said_hash(run(2, *options)))
+
     def test_scratch(self):
         """A folder that cannot be written to, and a full disk: the file is named, and nothing is left."""
         disk = ["--in-memory", 1, "--scratch"]

@@ -29,6 +29,13 @@ struct Block {
     }
 };
 
+/// Messages that wait for the exchange stay in memory. Putting them on disk, DIY steps past the end
+/// of a block's queues that go to its own rank and to others, and may never come back.
+struct Queues : diy::Master::QueueSizePolicy {
+    Queues() : QueueSizePolicy(4096) {}
+    bool unload_outgoing(const diy::Master &, int, std::size_t) const override { return false; }
+};
+
 using Proxy = diy::Master::ProxyWithLink;
 using Bounds = diy::DiscreteBounds;
 
@@ -37,7 +44,8 @@ class Tiles {
 public:
     Tiles(const Options &options, const diy::mpi::communicator &world)
         : options_(options), plan_(options.plan), world_(world), storage_(options.scratch),
-          master_(world_, 1, options.in_memory, &Block::create, &Block::destroy, &storage_, &Block::save, &Block::load) {
+          master_(world_, 1, options.in_memory, &Block::create, &Block::destroy, &storage_, &Block::save, &Block::load,
+                  new Queues) { // DIY's to delete
         context_.set_threads(options.threads);
         //! [blocks]
         Bounds domain(2); // one point a tile: x is the column, y the row
