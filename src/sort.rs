@@ -37,19 +37,22 @@ pub(crate) fn sort<T>(
     if ordered == items.len() {
         return Ok(());
     }
-    // Parts still to be sorted, the first on top.
-    let mut parts = vec![items];
+    // Parts still to be sorted, the first on top, and how often each may still be divided: as often
+    // as half of all divisions being hopeless leaves O(n log n).
+    let divisions = 2 * (items.len().ilog2() + 1);
+    let mut parts = vec![(items, divisions)];
     let mut done = 0;
-    while let Some(part) = parts.pop() {
+    while let Some((part, divisions)) = parts.pop() {
         job.step(done as f64 / whole, stage)?;
-        if part.len() <= ELEMENTS_PER_REPORT {
+        if part.len() <= ELEMENTS_PER_REPORT || divisions == 0 {
             part.sort_unstable_by(&compare);
             done += part.len();
         } else {
-            let middle = part.len() / 2;
-            select_in_steps(part, middle, &compare, &mut || job.step(done as f64 / whole, stage))?;
-            let (first, last) = part.split_at_mut(middle);
-            parts.extend([last, first]);
+            let equal = divide(part, &compare, &mut || job.step(done as f64 / whole, stage))?;
+            done += equal.len();
+            let (first, rest) = part.split_at_mut(equal.start);
+            let (_, last) = rest.split_at_mut(equal.len());
+            parts.extend([last, first].map(|part| (part, divisions - 1)));
         }
     }
     Ok(())
@@ -68,41 +71,58 @@ fn select_in_steps<T>(
         if left.len() <= MAX_AT_ONCE {
             break;
         }
-        let place = left.start + divide(&mut items[left.clone()], compare, report)?;
-        match place.cmp(&middle) {
-            Ordering::Less => left.start = place + 1,
-            Ordering::Equal => return Ok(()),
-            Ordering::Greater => left.end = place,
+        let equal = divide(&mut items[left.clone()], compare, report)?;
+        let (start, end) = (left.start + equal.start, left.start + equal.end);
+        if middle < start {
+            left.end = start;
+        } else if middle < end {
+            return Ok(());
+        } else {
+            left.start = end;
         }
     }
     items[left.clone()].select_nth_unstable_by(middle - left.start, compare);
     report()
 }
 
-/// Puts what is less than one of the elements before it, and returns its place: near the middle, as
-/// a rule.
+/// Puts what is less than one of the elements before it and the rest after it, and returns the
+/// places of it and of some that equal it: near the middle, as a rule. O(n).
 fn divide<T>(
     items: &mut [T],
     compare: &impl Fn(&T, &T) -> Ordering,
     report: &mut impl FnMut() -> Result<()>,
-) -> Result<usize> {
+) -> Result<Range<usize>> {
     let mut samples: [usize; SAMPLES] = std::array::from_fn(|k| (2 * k + 1) * items.len() / (2 * SAMPLES));
     stable(&mut samples, &|&a, &b| compare(&items[a], &items[b]));
     items.swap(0, samples[SAMPLES / 2]);
-    let mut less = 0;
+    let less = partition(items, Ordering::Equal, compare, report)?;
+    items.swap(0, less);
+    // What equals it too, where that may be many.
+    let few = less < items.len() / 8;
+    let equal = if few { partition(&mut items[less..], Ordering::Greater, compare, report)? } else { 0 };
+    Ok(less..less + 1 + equal)
+}
+
+/// Puts what compares with the first element as less than `bound` next to it, and returns how many.
+fn partition<T>(
+    items: &mut [T],
+    bound: Ordering,
+    compare: &impl Fn(&T, &T) -> Ordering,
+    report: &mut impl FnMut() -> Result<()>,
+) -> Result<usize> {
+    let mut before = 0;
     if let Some((pivot, rest)) = items.split_first_mut() {
         for k in 0..rest.len() {
             if k % ELEMENTS_PER_REPORT == 0 {
                 report()?;
             }
-            // Without a branch: what lies between is not less either.
-            let is_less = compare(&rest[k], pivot).is_lt();
-            rest.swap(less, k);
-            less += usize::from(is_less);
+            // Without a branch: what lies between is not before it either.
+            let is_before = compare(&rest[k], pivot) < bound;
+            rest.swap(before, k);
+            before += usize::from(is_before);
         }
     }
-    items.swap(0, less);
-    Ok(less)
+    Ok(before)
 }
 
 /// Items that are put in order one by one before they are merged.
@@ -288,7 +308,8 @@ mod tests {
     fn the_same_as_in_one_go() {
         let large = MAX_AT_ONCE as u64 + 17;
         // Also of so few different ones that no division is even.
-        for (count, keys) in [0, 1, 2, 1000, large].map(|count| (count, u64::MAX)).into_iter().chain([(large, 2)]) {
+        let few = [1, 2, 3].map(|keys| (large, keys));
+        for (count, keys) in [0, 1, 2, 1000, large].map(|count| (count, u64::MAX)).into_iter().chain(few) {
             let mut ours: Vec<u64> = numbers(count).into_iter().map(|number| number % keys).collect();
             let mut plain = ours.clone();
             sort(&mut ours, u64::cmp, &Job::default(), "sorting").unwrap();
