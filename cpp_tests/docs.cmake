@@ -183,10 +183,4 @@ if(DOXYGEN)
   add_test(NAME docs/site COMMAND ${root}/scripts/docs.sh)
 endif()
 
-# What takes longest begins first, lest one core be left with it alone: of a first run CTest knows nothing else.
-foreach(name headers/gcc headers/clang guides/project openmfx/valgrind docs/site cpp/refused_kernel plugin/runs/valgrind cpp/surface
-        archive/find_package real/filters installed/find_package cpp/hosts)
-  if(TEST ${name})
-    set_tests_properties(${name} PROPERTIES COST 100)
-  endif()
-endforeach()
+begin_early(guides/project docs/site cpp/refused_kernel cpp/surface cpp/hosts)

@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 import browser  # noqa: E402
 
-WIDTH, HEIGHT = 900, 760
+WIDTH, HEIGHT = 900, 560
 
 
 class Page(unittest.TestCase):
@@ -140,7 +140,7 @@ class Page(unittest.TestCase):
         by_mouse = self.seen("turn-mouse")
         self.assertGreater(self.share(start, by_mouse), 0.02)
         touch = self.touch()
-        touch.pointer_action.move_to(canvas).pointer_down().move_to(canvas, -120, 30).pointer_up()
+        touch.pointer_action.move_to(canvas).pointer_down().move_to(canvas, -120, -30).pointer_up()
         touch.perform()
         by_touch = self.seen("turn-touch")
         self.assertGreater(self.share(by_mouse, by_touch), 0.02)

@@ -1,6 +1,7 @@
 //! A file that no module names is not compiled, and its tests do not run; nobody is told. Here they
 //! are.
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -16,19 +17,22 @@ fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// True if a file that may declare the module in `folder` does, or one includes it by its path.
-fn is_named(file: &Path, all: &[(PathBuf, String)]) -> bool {
-    let is_folder = file.file_stem().is_some_and(|stem| stem == "mod");
-    let module = if is_folder { file.parent().unwrap() } else { file };
-    let (name, folder) = (module.file_stem().unwrap().to_str().unwrap(), module.parent().unwrap());
-    let has_roots = ["main.rs", "lib.rs", "mod.rs"].map(|root| folder.join(root));
-    let beside = folder.with_extension("rs");
-    all.iter().any(|(path, text)| {
-        let declares = (has_roots.contains(path) || *path == beside) && text.contains(&format!("mod {name};"));
-        let included = text.lines().filter_map(|line| line.trim().strip_prefix("#[path = \"")?.strip_suffix("\"]"));
-        declares
-            || included.map(|at| path.parent().unwrap().join(at)).any(|at| at.canonicalize().is_ok_and(|at| at == file))
-    })
+/// The files that may be modules which files declare, and those that they include by their paths.
+fn named(all: &[(PathBuf, String)]) -> HashSet<PathBuf> {
+    let mut named = HashSet::new();
+    for (path, text) in all {
+        let beside = path.parent().unwrap();
+        let is_root = ["main.rs", "lib.rs", "mod.rs"].iter().any(|root| path.ends_with(root));
+        let folder = if is_root { beside.to_path_buf() } else { path.with_extension("") };
+        for line in text.lines().map(str::trim) {
+            if let Some((name, _)) = line.split_once("mod ").and_then(|(_, rest)| rest.split_once(';')) {
+                named.extend([format!("{name}.rs"), format!("{name}/mod.rs")].map(|file| folder.join(file)));
+            } else if let Some(at) = line.strip_prefix("#[path = \"").and_then(|rest| rest.strip_suffix("\"]")) {
+                named.extend(beside.join(at).canonicalize());
+            }
+        }
+    }
+    named
 }
 
 #[test]
@@ -39,7 +43,8 @@ fn every_file_is_compiled() {
     let all: Vec<_> = files.into_iter().map(|file| (file.clone(), fs::read_to_string(file).unwrap())).collect();
     assert!(all.len() > 300, "{}", all.len());
     let is_root = |file: &Path| file.file_stem().is_some_and(|stem| stem == "main" || stem == "lib");
+    let named = named(&all);
     let forgotten: Vec<_> =
-        all.iter().map(|(file, _)| file).filter(|file| !is_root(file) && !is_named(file, &all)).collect();
+        all.iter().map(|(file, _)| file).filter(|file| !is_root(file) && !named.contains(*file)).collect();
     assert!(forgotten.is_empty(), "no module names {forgotten:#?}");
 }
