@@ -358,6 +358,32 @@ mod tests {
     }
 
     #[test]
+    fn medians_of_many_are_those_of_a_sort() {
+        let count = MAX_AT_ONCE as u64 + 17;
+        let shuffled = |keys: u64| numbers(count).into_iter().map(|number| number % keys).collect();
+        let half = count as usize / 2;
+        // Of few different keys, too, and in order.
+        let cases: [(Vec<u64>, usize); 4] =
+            [(shuffled(u64::MAX), half), (shuffled(3), half), (shuffled(1), 5), ((0..count).rev().collect(), 5)];
+        for (keys, middle) in cases {
+            let mut sorted: Vec<u32> = (0..count as u32).collect();
+            let mut selected = sorted.clone();
+            sorted.sort_by_key(|&i| keys[i as usize]);
+            let mut reports = 0;
+            let mut report = || {
+                reports += 1;
+                Ok(())
+            };
+            select_reported(&mut selected, middle, |i| keys[i as usize] as f64, &mut report).unwrap();
+            assert!(reports > 8, "{reports}");
+            assert_eq!(selected[middle], sorted[middle]);
+            let before = &mut selected[..middle];
+            before.sort_by_key(|&i| (keys[i as usize], i));
+            assert_eq!(before, &sorted[..middle]);
+        }
+    }
+
+    #[test]
     fn a_host_can_cancel() {
         struct Counter(Cell<u32>);
         impl Progress for Counter {
