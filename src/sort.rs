@@ -37,8 +37,8 @@ pub(crate) fn sort<T>(
     if ordered == items.len() {
         return Ok(());
     }
-    // Parts still to be sorted, the first on top, and how often each may still be divided: as often
-    // as half of all divisions being hopeless leaves O(n log n).
+    // Parts still to be sorted, the first on top, and how often each may still be divided: twice as
+    // often as halving takes. What is left then is sorted at once, so that all is O(n log n).
     let divisions = 2 * (items.len().ilog2() + 1);
     let mut parts = vec![(items, divisions)];
     let mut done = 0;
@@ -51,8 +51,7 @@ pub(crate) fn sort<T>(
             let equal = divide(part, &compare, &mut || job.step(done as f64 / whole, stage))?;
             done += equal.len();
             let (first, rest) = part.split_at_mut(equal.start);
-            let (_, last) = rest.split_at_mut(equal.len());
-            parts.extend([last, first].map(|part| (part, divisions - 1)));
+            parts.extend([&mut rest[equal.len()..], first].map(|part| (part, divisions - 1)));
         }
     }
     Ok(())
