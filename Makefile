@@ -133,7 +133,8 @@ test:
 test-hosts: dist openmfx
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx) -DGUSSET_ARCHIVE=$(archive)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
-	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2
+	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2 || \
+	    { echo 'FAILED. The same tests once more, to see whether they fail again:'; ctest --test-dir build/cpp --rerun-failed --output-on-failure; exit 1; }
 
 # Of VTK's packages, half a gigabyte, `make test` does without: what needs them is skipped there, and run here.
 test-vtk: stage

@@ -7,9 +7,10 @@ rm -rf build installed
 cmake -S "$root" -B build "-DGUSSET_CARGO_TARGET_DIR=$target" >/dev/null
 env -u MAKELEVEL -u MAKEFLAGS cmake --build build
 cmake --install build --prefix "$PWD/installed" >/dev/null
-diff -r "$prefix" installed
+diff -r "$prefix" installed || { echo "FAILED: other files than in $prefix" >&2; exit 1; }
 # Nothing has changed: nothing is staged anew.
-before=$(stat -c %Y.%y build/stage/lib/libgusset.a)
+before=$(stat -c %y build/stage/lib/libgusset.a)
 env -u MAKELEVEL -u MAKEFLAGS cmake --build build
-[ "$before" = "$(stat -c %Y.%y build/stage/lib/libgusset.a)" ] || { echo 'FAILED: staged again' >&2; exit 1; }
+after=$(stat -c %y build/stage/lib/libgusset.a)
+[ "$before" = "$after" ] || { echo "FAILED: staged again, at $after after $before" >&2; exit 1; }
 echo 'the same files'
