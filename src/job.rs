@@ -109,6 +109,13 @@ impl<'a> Job<'a> {
         if k % ELEMENTS_PER_REPORT == ELEMENTS_PER_REPORT - 1 { self.step(0.0, stage) } else { Ok(()) }
     }
 
+    /// [`Job::step_within`] where each element takes as long as `weight` simple ones, a power of
+    /// two.
+    #[inline]
+    pub(crate) fn step_within_heavy(&self, weight: usize, k: usize, stage: &'static str) -> Result<()> {
+        self.step_within(k * weight + (weight - 1), stage)
+    }
+
     /// Does work of `len` elements, so many at a time that no host waits, and reports before each
     /// time.
     pub(crate) fn ranges(
@@ -160,5 +167,15 @@ mod tests {
         assert_eq!(job.step(2.0, "b"), Err(Error::Cancelled));
         assert_eq!(Job::new(1, &recorder).share(1, 4).step(0.5, "c"), Ok(()));
         assert_eq!(*recorder.0.borrow(), [0.5, 0.5, 0.75, 0.375]);
+    }
+
+    #[test]
+    fn heavy_elements_are_reported_more_often() {
+        for weight in [1, 16, 64] {
+            let recorder = Recorder(RefCell::default());
+            let count = 3 * ELEMENTS_PER_REPORT / weight;
+            (0..count).try_for_each(|k| Job::new(1, &recorder).step_within_heavy(weight, k, "a")).unwrap();
+            assert_eq!(recorder.0.borrow().len(), 3);
+        }
     }
 }

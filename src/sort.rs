@@ -11,7 +11,7 @@ use std::ops::Range;
 const ELEMENTS_PER_REPORT: usize = 1 << 16;
 /// Elements of which one is selected at once.
 const MAX_AT_ONCE: usize = 1 << 19;
-/// More are divided about the median of so many of them, again and again.
+/// More are divided about the median of so many of them, again and again. Odd.
 const SAMPLES: usize = 63;
 const MAX_DIVISIONS: usize = 16;
 
@@ -91,7 +91,7 @@ fn divide<T>(
     compare: &impl Fn(&T, &T) -> Ordering,
     report: &mut impl FnMut() -> Result<()>,
 ) -> Result<Range<usize>> {
-    let mut samples: [usize; SAMPLES] = std::array::from_fn(|k| (2 * k + 1) * items.len() / (2 * SAMPLES));
+    let mut samples = scattered(items.len());
     stable(&mut samples, &|&a, &b| compare(&items[a], &items[b]));
     items.swap(0, samples[SAMPLES / 2]);
     let less = partition(items, Ordering::Equal, compare, report)?;
@@ -100,6 +100,18 @@ fn divide<T>(
     let few = less < items.len() / 8;
     let equal = if few { partition(&mut items[less..], Ordering::Greater, compare, report)? } else { 0 };
     Ok(less..less + 1 + equal)
+}
+
+/// A place in each of as many ranges: not the same one, as lists of meshes repeat themselves, ring
+/// after ring.
+fn scattered(count: usize) -> [usize; SAMPLES] {
+    let range = count / SAMPLES;
+    let mut number = count as u64;
+    std::array::from_fn(|k| {
+        // D. Knuth's linear congruential generator, whose upper bits are the better ones.
+        number = number.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        k * range + (number >> 33) as usize % range
+    })
 }
 
 /// Puts what compares with the first element as less than `bound` next to it, and returns how many.
@@ -151,6 +163,10 @@ pub(crate) fn stable<T>(items: &mut [T], compare: &dyn Fn(&T, &T) -> Ordering) {
 fn merge<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T) -> Ordering) {
     if compare(&items[middle - 1], &items[middle]).is_le() {
         return;
+    }
+    // Whatever else `compare` says of them, which might be no order.
+    if let [first, last] = items {
+        return std::mem::swap(first, last);
     }
     let (first, last) = items.split_at(middle);
     let (low, high) = if first.len() >= last.len() {
@@ -353,6 +369,30 @@ mod tests {
             prop_assert_eq!(selected[middle], sorted[middle]);
             selected[..middle].sort_by_key(|&i| (keys[i as usize], i));
             prop_assert_eq!(&selected[..middle], &sorted[..middle]);
+        }
+    }
+
+    /// Keys of meshes whose vertices are numbered ring after ring, or row after row, there and back.
+    #[test]
+    fn what_repeats_is_divided_evenly() {
+        for (period, rings) in [(126, true), (252, true), (63, false), (189, false), (64, true)] {
+            let count = 1 << 18;
+            let keys: Vec<u64> = (0..count)
+                .map(|k| {
+                    let along = (k * period % count) as f64 / count as f64;
+                    let x = if rings { (std::f64::consts::TAU * along).cos() } else { (along - 0.5).abs() };
+                    ((x + 1.0) * 1e9) as u64 * count + k
+                })
+                .collect();
+            let (mut order, compared): (Vec<u64>, _) = ((0..count).collect(), Cell::new(0u64));
+            let by_key = |&i: &u64, &j: &u64| {
+                compared.set(compared.get() + 1);
+                keys[i as usize].cmp(&keys[j as usize])
+            };
+            sort(&mut order, by_key, &Job::default(), "sorting").unwrap();
+            assert!(order.is_sorted_by_key(|&k| keys[k as usize]));
+            let each = compared.get() as f64 / count as f64;
+            assert!(each < 1.4 * (count as f64).log2(), "{period} {rings}: {each}");
         }
     }
 

@@ -139,6 +139,8 @@ std::vector<Row> mesh_rows() {
     const auto round_rim = [](std::size_t n, double height) { return circle(n, 1.0, height); };
     const auto line_rim = [](std::size_t n, double) { return collinear(n); };
     const auto star_rim = [](std::size_t n, double height) { return nested_star(n, height); };
+    const auto open_rings = [](std::size_t n) { return rings(n, false); };
+    const auto torus = [](std::size_t n) { return rings(n, true); };
     const auto tube = [](std::size_t n) { return shell(circle(n, 1.0, 0.0), {0, 0, -0.5}); };
     const auto point_rim = [](std::size_t n, double height) { return point(n, {0, 0, height}); };
     const auto spiral_rim = [](std::size_t n, double height) { return spiral(n, height); };
@@ -169,6 +171,7 @@ std::vector<Row> mesh_rows() {
         {"weld_create", "points in one", 250, 4000000, 1, 1, 0, on(in_one_point, weld)},
         {"weld_create", "equal copies", 250, 4000000, 1, 1, 0, on(copies, weld)},
         {"weld_create", "square", 250, 4000000, 1, 1, 0, on(flat, weld)},
+        {"weld_create", "tube", 4000, 4000000, 1, 1, 0, on(open_rings, weld)},
         {"sew_create", "loops", 50, 1000000, 1, 1, 0, on(loose, sew)},
         {"sew_create", "points in one", 100, 1000000, 1, 1, 0, on(in_one_point, sew)},
         {"sew_create", "equal copies", 50, 1000000, 1, 1, 0, on(copies, sew)},
@@ -194,6 +197,8 @@ std::vector<Row> mesh_rows() {
         {"development_create", "fan", 64, 100000, 2, 1, 0, on(open_fan, develop), true},
         {"development_create", "triangles at a vertex", 64, 100000, 1, 1, 0, on(bundle, develop)},
         {"development_create", "points in one", 64, 100000, 1, 1, 0, on(in_one_point, develop), true},
+        {"development_create", "tube", 4000, 1000000, 2, 1, 0, on(open_rings, develop)},
+        {"development_create", "torus", 4000, 1000000, 2, 1, 0, on(torus, develop)},
         {"development_create", "equal copies", 64, 1000000, 1, 1, 0, on(copies, develop)},
         {"fill_create", "loops", 32, 100000, 1, 1, 0, on(loose, fill)},
         {"fill_create", "triangles at a vertex", 32, 100000, 2, 1, 0, on(bundle, fill)},

@@ -79,6 +79,26 @@ Mesh square(std::size_t n, double roughness) {
     return made;
 }
 
+Mesh rings(std::size_t n, bool closed) {
+    const uint32_t count = 126, columns = std::max<uint32_t>(3, index(n / (2 * count)));
+    Mesh made;
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t j = 0; j < columns; ++j) {
+            const double s = turn * i / count, t = turn * j / columns;
+            const double away = 2 + std::cos(t);
+            made.points.push_back(closed ? Point3{away * std::cos(s), away * std::sin(s), std::sin(t)} : Point3{std::cos(t), std::sin(t), s});
+        }
+    }
+    for (uint32_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+        for (uint32_t j = 0; j < columns; ++j) {
+            const uint32_t here = i * columns, next = (i + 1) % count * columns, k = (j + 1) % columns;
+            made.triangle(here + j, here + k, next + j);
+            made.triangle(here + k, next + k, next + j);
+        }
+    }
+    return made;
+}
+
 Mesh shell(const std::vector<Point3> &rim, const Point3 &behind, double scale) {
     Mesh made;
     made.points = rim;

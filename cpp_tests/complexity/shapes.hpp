@@ -35,6 +35,8 @@ Mesh scattered(std::size_t n, bool in_one_point);
 Mesh copies(std::size_t n);
 /// A square of about n faces, flat or with heights by chance.
 Mesh square(std::size_t n, double roughness);
+/// About n faces round a tube, or a torus, its vertices numbered ring after ring: 126 rings, a number that many others divide.
+Mesh rings(std::size_t n, bool closed);
 /// A ring of 2 n faces between the rim and what lies behind it.
 Mesh shell(const std::vector<Point3> &rim, const Point3 &behind, double scale = 1.0);
 /// Rims of n points: on a circle, on a line there and back, on a spiral there and back, in one point, and a star in whose

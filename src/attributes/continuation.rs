@@ -135,6 +135,7 @@ impl Continuation {
         let cuts = self.cuts(&mut charts, values, job)?;
         let edges = self.choose_sides(&cuts, values, &job.part(0.0, 0.3))?;
         self.vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
+        let job = job.part(0.7, 1.0);
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
             let corners = range[0]..range[1];
@@ -292,7 +293,8 @@ impl Continuation {
                 }
             }
         }
-        sort(&mut votes, Ord::cmp, job, STAGE)?;
+        let job = job.part(1.0, 1.0);
+        sort(&mut votes, Ord::cmp, &job, STAGE)?;
         for (k, between) in votes.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)).enumerate() {
             job.step_within(k, STAGE)?;
             let no = between.partition_point(|vote| !vote.2);

@@ -61,8 +61,8 @@ impl Rims {
         let count = mesh.face_count() - first_face;
         let face_of = |corner: u32| mesh.face_of(corner) as u32;
         let (mut edges, mut own, mut links) = (Vec::new(), Vec::new(), Vec::new());
-        for together in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            job.step_within(edges.len() + links.len(), STAGE)?;
+        for (k, together) in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).enumerate() {
+            job.part(0.6, 0.6).step_within(k, STAGE)?;
             let old = together.partition_point(|&(_, _, corner)| corner < first_corner);
             let faces = together[old..].iter().map(|&(_, _, corner)| face_of(corner) - first_face as u32);
             if old > 0 && old < together.len() {
@@ -113,7 +113,7 @@ impl Rims {
                 let found = named.filter(|&(v, _)| wanted.contains(v));
                 alloc::extend(&mut self.loose, found)
             })?;
-            sort(&mut self.loose, Ord::cmp, job, STAGE)?;
+            sort(&mut self.loose, Ord::cmp, &job.part(1.0, 1.0), STAGE)?;
             self.loose.dedup_by_key(|&mut (v, _)| v);
         }
         Ok(())

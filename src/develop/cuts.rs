@@ -84,7 +84,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         let offsets = if cuts.offsets.is_empty() { &whole } else { cuts.offsets };
         Error::check_offsets(offsets, cuts.vertices.len())?;
         let count = self.mesh.positions().len();
-        let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h))?;
+        let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h), job)?;
         let mut search = Search::new(count)?;
         for (number, ends) in (0..).zip(offsets.windows(2)) {
             let mut path = alloc::copied(&cuts.vertices[ends[0] as usize..ends[1] as usize])?;
@@ -117,7 +117,12 @@ pub(super) struct Graph {
 
 impl Graph {
     /// `name`: the vertex at the corner where a half-edge starts. O(H).
-    pub(super) fn new(surface: &CutSurface<'_, '_>, count: usize, name: impl Fn(u32) -> u32) -> Result<Graph> {
+    pub(super) fn new(
+        surface: &CutSurface<'_, '_>,
+        count: usize,
+        name: impl Fn(u32) -> u32,
+        job: &Job<'_>,
+    ) -> Result<Graph> {
         let mesh = surface.mesh;
         let edge = |h: u32| {
             let [u, v] = surface.ends(h).map(|v| mesh.positions().get(v));
@@ -131,7 +136,7 @@ impl Graph {
             let is_named = u != NONE && v != NONE && !(is_back && surface.across(h) != NONE);
             is_named.then_some(if is_back { (v as usize, (u, h, length)) } else { (u as usize, (v, h, length)) })
         });
-        Ok(Graph { edges: Buckets::new(count, (0, 0, 0.0), all)? })
+        Ok(Graph { edges: Buckets::new_cancellable(count, (0, 0, 0.0), all, job, STAGE)? })
     }
 
     /// The neighbours of a vertex, each with a half-edge between.
@@ -202,8 +207,8 @@ impl Search {
             if is_target(v) {
                 return Ok(Some(v));
             }
+            job.step_within_heavy(16, steps, STAGE)?;
             steps += 1;
-            job.step_within(16 * steps, STAGE)?;
             for &(w, h, length) in graph.around(v) {
                 let sum = distance + length;
                 if sum < self.distances[w as usize] {

@@ -26,11 +26,12 @@ pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &Split, job: &Job<'_
         return Ok(false);
     }
     let count = split.vertex_map.len();
-    let graph = Graph::new(surface, count, |h| split.corners[h as usize])?;
+    let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
     let mut search = Search::new(count)?;
     for chart in (0..charts).filter(|&chart| !split.is_disc(chart)) {
-        job.step(chart as f64 / charts as f64, STAGE)?;
-        Opening { split, graph: &graph, search: &mut search, chart }.open(surface, job)?;
+        let done = chart as f64 / charts as f64;
+        job.step(done, STAGE)?;
+        Opening { split, graph: &graph, search: &mut search, chart }.open(surface, &job.part(done, done))?;
     }
     Ok(true)
 }
@@ -45,7 +46,7 @@ struct Opening<'a> {
 impl Opening<'_> {
     fn open(&mut self, surface: &mut CutSurface<'_, '_>, job: &Job<'_>) -> Result<()> {
         let first = self.split.vertices[self.chart].start;
-        let loops = self.loops(surface)?;
+        let loops = self.loops(surface, job)?;
         let mut sources = Vec::new();
         let mut is_source = alloc::filled(false, self.split.vertices[self.chart].len())?;
         if loops.is_empty() {
@@ -114,19 +115,23 @@ impl Opening<'_> {
     }
 
     /// The vertices of each loop of the chart's border.
-    fn loops(&self, surface: &CutSurface<'_, '_>) -> Result<Vec<Vec<u32>>> {
+    fn loops(&self, surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
         let vertices = self.split.vertices[self.chart].clone();
         let (first, count) = (vertices.start, vertices.len());
         let mut sets = DisjointSets::new(count)?;
         let mut on_border = alloc::filled(false, count)?;
-        for h in self.half_edges(surface).filter(|&h| surface.across(h) == NONE) {
+        for (k, h) in self.half_edges(surface).enumerate() {
+            job.step_within(k, STAGE)?;
+            if surface.across(h) != NONE {
+                continue;
+            }
             let [u, v] = self.ends(surface, h).map(|v| v - first);
             sets.union(u, v);
             (on_border[u as usize], on_border[v as usize]) = (true, true);
         }
-        let roots = sets.into_roots(&Job::default(), STAGE)?;
+        let roots = sets.into_roots(job, STAGE)?;
         let members = (0..count).filter(|&v| on_border[v]).map(|v| (roots[v] as usize, first + v as u32));
-        let members = Buckets::new(count, 0u32, members)?;
+        let members = Buckets::new_cancellable(count, 0u32, members, job, STAGE)?;
         let loops = (0..count).map(|root| members.get(root)).filter(|members| !members.is_empty());
         alloc::try_collect(loops.map(alloc::copied))
     }
@@ -150,7 +155,8 @@ impl Opening<'_> {
         self.search.shortest(self.graph, sources, |_| false, job)?;
         let faces = *surface.mesh.faces();
         let mut edges = Vec::new();
-        for h in self.half_edges(surface) {
+        for (k, h) in self.half_edges(surface).enumerate() {
+            job.step_within(k, STAGE)?;
             let mate = surface.across(h);
             if mate == NONE || h > mate {
                 continue;
@@ -167,7 +173,8 @@ impl Opening<'_> {
         sort(&mut edges, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)), job, STAGE)?;
         let mut joined = DisjointSets::new(faces.len())?;
         let mut cuts = Vec::new();
-        for (_, h) in edges {
+        for (k, (_, h)) in edges.into_iter().enumerate() {
+            job.step_within(k, STAGE)?;
             if !joined.union(faces.face_of(h), faces.face_of(surface.across(h))) {
                 alloc::push(&mut cuts, h)?;
                 for v in self.ends(surface, h) {

@@ -17,6 +17,7 @@ use robust::{Coord, orient2d};
 /// Edges are swept from left to right: O(b log b + p) for b edges and p pairs of them that overlap
 /// in x.
 pub(super) fn overlaps(border: &[[u32; 2]], x: &[DVec2], slack: f64, enough: u32, job: &Job<'_>) -> Result<u32> {
+    let job = &job.part(0.0, 0.0);
     let low = |edge: &[u32; 2]| edge.map(|v| x[v as usize].x).into_iter().fold(f64::INFINITY, f64::min);
     let high = |edge: &[u32; 2]| edge.map(|v| x[v as usize].x).into_iter().fold(f64::NEG_INFINITY, f64::max);
     let mut order = alloc::collect(0..border.len() as u32)?;
@@ -24,7 +25,7 @@ pub(super) fn overlaps(border: &[[u32; 2]], x: &[DVec2], slack: f64, enough: u32
     sort(&mut order, |a, b| key(a).total_cmp(&key(b)).then(a.cmp(b)), job, STAGE)?;
     let (mut open, mut count) = (Vec::<u32>::new(), 0);
     for (done, &k) in order.iter().enumerate() {
-        job.step_within(64 * done, STAGE)?;
+        job.step_within_heavy(64, done, STAGE)?;
         let edge = border[k as usize];
         let left = low(&edge);
         open.retain(|&other| high(&border[other as usize]) >= left);

@@ -148,7 +148,7 @@ fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32,
         }
     }
     let count = split.vertex_map.len();
-    let graph = Graph::new(surface, count, |h| split.corners[h as usize])?;
+    let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
     let mut search = Search::new(count)?;
     let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? else {
         return Ok(Vec::new());

@@ -36,6 +36,7 @@ impl Split {
 
     /// O(H).
     pub(super) fn new(surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Split> {
+        let job = &job.part(0.0, 0.0);
         let faces = surface.mesh.faces();
         let (count, corner_count) = (faces.len(), faces.half_edge_count());
         // Corners are one vertex where their faces meet along an edge that is not cut.
@@ -61,8 +62,8 @@ impl Split {
             }
             face_charts.push(*chart);
         }
-        let of_charts =
-            Buckets::new(charts as usize, 0u32, face_charts.iter().zip(0..).map(|(&chart, f)| (chart as usize, f)))?;
+        let of_charts = face_charts.iter().zip(0..).map(|(&chart, f)| (chart as usize, f));
+        let of_charts = Buckets::new_cancellable(charts as usize, 0u32, of_charts, job, STAGE)?;
         let same = same.into_roots(job, STAGE)?;
         let mut names = alloc::filled(NONE, corner_count)?;
         let (mut vertex_map, mut vertices) = (Vec::new(), alloc::with_capacity(charts as usize)?);

@@ -21,7 +21,7 @@ pub fn merge_map(mesh: &MeshView<'_>, keys: Option<&[u32]>, job: &Job<'_>) -> Re
     let place = |v: u32| positions.get(v).to_array();
     let compare = |&u: &u32, &v: &u32| match keys {
         Some(keys) => keys[u as usize].cmp(&keys[v as usize]),
-        // By numbers first; 0 and -0 are equal, and what is no number comes last.
+        // By numbers first; 0 and -0 are equal, and what is no number comes at the ends.
         None => place(u)
             .into_iter()
             .zip(place(v))

@@ -16,6 +16,7 @@ mod continuity;
 mod creases;
 mod cuts;
 mod develop;
+mod develop_steps;
 mod errata;
 mod facing;
 mod fill;

@@ -5,7 +5,7 @@ mod rules;
 mod splits;
 mod textures;
 
-use crate::common::Soup;
+use crate::common::{Soup, Steady};
 use glam::DVec3;
 use gusset::Job;
 use gusset::attributes::{Channel, Counts, Domain, Origins, Output, Rule, ValueType, apply};
@@ -20,7 +20,7 @@ fn carried(origins: &Origins, domain: Domain, rule: Rule, components: usize, inp
     let count = origins.table(domain).len();
     let mut out = vec![f64::NAN; count * components];
     let mut output = Output::new(bytemuck::cast_slice_mut(&mut out), 0, count, channel.values()).unwrap();
-    apply(origins, &channel, &mut output, &Job::default()).unwrap();
+    apply(origins, &channel, &mut output, &Job::new(0, &Steady::default())).unwrap();
     out
 }
 
