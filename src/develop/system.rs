@@ -33,6 +33,10 @@ impl Coupling for Edges<'_> {
         visit(v as usize);
     }
 
+    fn reach(&self) -> usize {
+        1
+    }
+
     fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         self.0.get(v as usize).iter().any(|&w| found(w as usize))
     }

@@ -17,7 +17,7 @@ use crate::sort::Buckets;
 /// Multiplications between two progress reports, a few milliseconds.
 const REPORT_INTERVAL: f64 = 16e6;
 /// An entry that is moved counts as so many multiplications.
-const MOVE_COST: f64 = 8.0;
+const MOVE_COST: usize = 8;
 
 /// The factor: for each supernode its columns of L below the diagonal, in blocks of rows.
 pub(crate) struct Factor {
@@ -97,7 +97,9 @@ impl Costs {
             let (columns, rows) = (supernodes.columns(s).len(), supernodes.rows(s).len());
             costs.entries += blocks(columns, rows).sum::<usize>();
             let [size, rest] = [columns + rows, rows].map(|rows| rows as f64);
-            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST * size * size / 2.0;
+            // All are set, those of the columns come out, and the rest goes to the stack and back.
+            let moved = size * size + rest * rest / 2.0;
+            costs.work += (size * size * size - rest * rest * rest) / 6.0 + MOVE_COST as f64 * moved;
             height -= supernodes.children(s).map(|child| triangle(supernodes.rows(child).len())).sum::<usize>();
             height += triangle(rows);
             costs.stack = costs.stack.max(height);
@@ -115,13 +117,19 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn spend(&mut self, work: f64) -> Result<()> {
+    #[inline]
+    fn spend(&mut self, multiplications: usize) -> Result<()> {
         if self.done >= self.reported + REPORT_INTERVAL {
             self.job.step(self.done / self.whole, STAGE)?;
             self.reported = self.done;
         }
-        self.done += work;
+        self.done += multiplications as f64;
         Ok(())
+    }
+
+    #[inline]
+    fn moved(&mut self, entries: usize) -> Result<()> {
+        self.spend(MOVE_COST * entries)
     }
 }
 
@@ -144,7 +152,8 @@ impl Elimination<'_> {
         let supernodes = &factor.supernodes;
         let (columns, rows) = (supernodes.columns(s), supernodes.rows(s));
         let (first, width) = (columns.start, columns.len());
-        self.front.reset(width + rows.len())?;
+        let work = &mut self.work;
+        self.front.reset(width + rows.len(), |count| work.moved(count))?;
         rows.iter().zip(width as u32..).for_each(|(&row, to)| self.local[row as usize] = to);
         let local = &self.local;
         let place = |row: u32| if (row as usize) < columns.end { row - first as u32 } else { local[row as usize] };
@@ -164,19 +173,19 @@ impl Elimination<'_> {
             self.places.clear();
             alloc::extend(&mut self.places, rows.iter().map(|&row| place(row)))?;
             let left = self.waiting.len() - triangle(rows.len());
-            self.front.add(&self.places, &self.waiting[left..]);
+            self.front.add(&self.places, &self.waiting[left..], |count| work.moved(count))?;
             self.waiting.truncate(left);
-            self.work.spend(MOVE_COST * triangle(rows.len()) as f64)?;
         }
         let inverse = &mut factor.inverse[columns];
-        self.front.eliminate(&self.diagonal, inverse, |count| self.work.spend(count as f64))?;
+        self.front.eliminate(&self.diagonal, inverse, |count| work.spend(count))?;
         for (b, columns) in blocks(width, rows.len()).enumerate() {
             let below_diagonal = |(k, lanes): (usize, &Lanes)| {
                 let above = (k + 1).saturating_sub(LANES * b).min(LANES);
                 std::array::from_fn(|i| if i < above { 0.0 } else { lanes[i] })
             };
             factor.entries.extend(self.front.block(b)[..columns].iter().enumerate().map(below_diagonal));
+            work.moved(LANES * columns)?;
         }
-        self.front.rest(width, &mut self.waiting)
+        self.front.rest(width, &mut self.waiting, |count| work.moved(count))
     }
 }

@@ -42,13 +42,19 @@ fn start(b: usize) -> usize {
 }
 
 impl Front {
-    /// Zeros in `size` rows.
-    pub(super) fn reset(&mut self, size: usize) -> Result<()> {
+    /// Zeros in `size` rows. `spend` hears of entries that are set.
+    pub(super) fn reset(&mut self, size: usize, mut spend: impl FnMut(usize) -> Result<()>) -> Result<()> {
         self.size = size;
         let blocks = size.div_ceil(LANES);
         self.own.resize(PANEL * PANEL, 0.0);
         alloc::grow(&mut self.undivided, PANEL * blocks, ZEROS)?;
-        alloc::reset(&mut self.entries, start(blocks), ZEROS)
+        self.entries.clear();
+        alloc::reserve(&mut self.entries, start(blocks))?;
+        for b in 0..blocks {
+            self.entries.resize(start(b + 1), ZEROS);
+            spend(LANES * LANES * (b + 1))?;
+        }
+        Ok(())
     }
 
     /// An entry on the diagonal or below it.
@@ -57,8 +63,14 @@ impl Front {
         &mut self.entries[start(row / LANES) + column][row % LANES]
     }
 
-    /// Adds a lower triangle, given row by row, whose rows have these places, ascending.
-    pub(super) fn add(&mut self, places: &[u32], triangle: &[f64]) {
+    /// Adds a lower triangle, given row by row, whose rows have these places, ascending. `spend`
+    /// hears of entries added.
+    pub(super) fn add(
+        &mut self,
+        places: &[u32],
+        triangle: &[f64],
+        mut spend: impl FnMut(usize) -> Result<()>,
+    ) -> Result<()> {
         let mut rest = triangle;
         for (i, &row) in places.iter().enumerate() {
             let (values, after) = rest.split_at(i + 1);
@@ -68,16 +80,25 @@ impl Front {
             for (&column, &value) in places.iter().zip(values) {
                 block[column as usize][lane] += value;
             }
+            spend(i + 1)?;
         }
+        Ok(())
     }
 
-    /// Appends the lower triangle of the rows from `first` on, row by row.
-    pub(super) fn rest(&self, first: usize, triangle: &mut Vec<f64>) -> Result<()> {
+    /// Appends the lower triangle of the rows from `first` on, row by row. `spend` hears of entries
+    /// appended.
+    pub(super) fn rest(
+        &self,
+        first: usize,
+        triangle: &mut Vec<f64>,
+        mut spend: impl FnMut(usize) -> Result<()>,
+    ) -> Result<()> {
         let rows = self.size - first;
         alloc::reserve(triangle, rows * (rows + 1) / 2)?;
         for row in first..self.size {
             let (b, lane) = (row / LANES, row % LANES);
             triangle.extend(self.block(b)[first..=row].iter().map(|lanes| lanes[lane]));
+            spend(row + 1 - first)?;
         }
         Ok(())
     }
