@@ -28,7 +28,7 @@ NONE = {"gusset_surface_nearest_point": "flags"}
 # Handles that functions change, and what torture.h calls what it knows of them.
 HASHED = {"gusset_net": "net", "gusset_scene": "scene", "gusset_stream_decoder": "decoder"}
 # Numbers that say how an array is to be read: only values that no array has.
-READ_AS = {"scalar", "index", "dimension", "face_size", "counts"}
+READ_AS = {"scalar", "index", "dimension", "face_size", "counts", "value_type", "components"}
 
 
 @dataclass
@@ -77,9 +77,12 @@ def count_after(items, at, within):
     for one in items[at + 1:]:
         if one.type == "size_t" and not one.stars and "stride" not in one.name:
             return within + one.name
-        if not one.stars:
+        # A number of another meaning, or, after an input, a result, whose count comes next.
+        if not one.stars or items[at].constant and not one.constant:
             break
-    return "3" if items[at].name in VECTORS else "1"
+    # Curves may be plane.
+    vector = "2" if any(one.type == "gusset_curve" for one in items) else "3"
+    return vector if items[at].name in VECTORS else "1"
 
 
 def number(header, item, kind, lvalue, path, wide):
@@ -131,7 +134,9 @@ def visit(header, items, at, within, path, wide=False):
         kind = UNTYPED.get(item.name) if item.type == "void" else header.names.get(item.type)
         if kind == "SCALARS":
             told = any(one.name == "scalar" for one in items)
-            kind = f"{within}scalar == GUSSET_F64 ? TORTURE_F64 : TORTURE_F32" if told else "TORTURE_F64"
+            # Of what type values are, another struct says.
+            untold = "TORTURE_U8" if item.name == "values" else "TORTURE_F64"
+            kind = f"{within}scalar == GUSSET_F64 ? TORTURE_F64 : TORTURE_F32" if told else untold
         elif kind == "COUNT":
             kind = "TORTURE_U64"
         elif kind:
