@@ -197,7 +197,7 @@ std::vector<Row> mesh_rows() {
         {"development_create", "fan", 64, 100000, 2, 1, 0, on(open_fan, develop), true},
         {"development_create", "triangles at a vertex", 64, 100000, 1, 1, 0, on(bundle, develop)},
         {"development_create", "points in one", 64, 100000, 1, 1, 0, on(in_one_point, develop), true},
-        {"development_create", "tube", 4000, 1000000, 2, 1, 0, on(open_rings, develop)},
+        {"development_create", "tube", 16000, 1000000, 2, 1, 0, on(open_rings, develop), true},
         {"development_create", "torus", 4000, 1000000, 2, 1, 0, on(torus, develop)},
         {"development_create", "equal copies", 64, 1000000, 1, 1, 0, on(copies, develop)},
         {"fill_create", "loops", 32, 100000, 1, 1, 0, on(loose, fill)},
