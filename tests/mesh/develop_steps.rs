@@ -21,7 +21,7 @@ impl Progress for Opened {
     }
 }
 
-/// A tube without ends, or one of two loops, of quads.
+/// A torus of quads, or without its last ring of them: a tube of two loops.
 fn surface(n: u32, m: u32, closed: bool) -> Soup {
     let mut soup = torus(n, m);
     if !closed {
